@@ -1,0 +1,37 @@
+// Parallel loops over index ranges on at most Context::NumThreads() threads.
+//
+// The chunks depend on the sizes alone, never on the number of threads, so a
+// body that writes only what its indices own gives the same bytes for any
+// number of threads; reductions go through ParallelChunks and are combined by
+// the caller in the order of the chunks.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "core/base/context.h"
+
+namespace octacut {
+
+// Calls body(begin, end) for consecutive chunks of at most `grain` indices
+// that cover [0, count). An exception of a body ends the loop and is thrown
+// on. Asks for cancellation between chunks.
+void ParallelFor(const Context& context,
+                 size_t count,
+                 size_t grain,
+                 const std::function<void(size_t begin, size_t end)>& body);
+
+// Number of chunks that ParallelFor makes of `count` with `grain`; chunk k
+// begins at k * grain.
+inline size_t NumChunks(size_t count, size_t grain) {
+  return (count + grain - 1) / grain;
+}
+
+// Calls body(chunk, begin, end) like ParallelFor, with the chunk's number.
+void ParallelChunks(
+    const Context& context,
+    size_t count,
+    size_t grain,
+    const std::function<void(size_t chunk, size_t begin, size_t end)>& body);
+
+}  // namespace octacut

@@ -1,0 +1,71 @@
+// Minimum cut of the octahedral graph of a crust [HK06 section 4]: one node
+// per voxel face, twelve undirected edges inside each voxel that join every
+// two faces that are not opposite, all of the voxel's weight.
+//
+// The outside is the source, the inside the sink. This header is all that the
+// rest of octacut knows of the solver behind it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/grid/face.h"
+#include "core/grid/voxel_grid.h"
+
+namespace octacut {
+
+// Ties of a voxel's faces. Bit f: face f is outside (tied to the source);
+// bit 6 + f: face f is inside (tied to the sink). A face between two crust
+// voxels is tied when either voxel says so; both kinds at once are an error.
+using FaceTies = uint16_t;
+inline constexpr FaceTies OutsideTie(int face) { return FaceTies(1u << face); }
+inline constexpr FaceTies InsideTie(int face) {
+  return FaceTies(1u << (6 + face));
+}
+
+struct OctahedralCutProblem {
+  const VoxelGrid* crust = nullptr;
+  // psi(phi(v)) + a of every voxel; finite and > 0. The solver works on
+  // round(w * 2^20), at least 1.
+  std::span<const float> weights;
+  // One a voxel. A face without a crust voxel on its other side must be tied.
+  std::span<const FaceTies> ties;
+  // Evidence of every voxel: > 0 speaks for inside, < 0 for outside; empty
+  // for none. A cut pays |evidence| / 6 for each face of the voxel that it
+  // labels against it, so a face between two voxels sums theirs. Same unit
+  // and fixed-point scale as the weights.
+  std::span<const float> evidence;
+};
+
+struct OctahedralCut {
+  // One a voxel of the crust: bit f set = face f inside. Two voxels that
+  // share a face agree on it. Among all minimum cuts it is the one with the
+  // fewest nodes on the source (outside) side, which is unique.
+  std::vector<FaceLabels> labels;
+  // Cost of the cut in units of 2^-20, evidence included; equals the maximum
+  // flow.
+  int64_t cost_fixed_point = 0;
+  double cost = 0;          // the same in units of the weights
+  size_t num_nodes = 0;     // faces that are not tied
+  size_t num_cut_voxels = 0;
+};
+
+struct OctahedralCutOptions {
+  void Check() const {}
+};
+
+// Throws InputError on a malformed problem (sizes that differ, weights that
+// are not finite or not positive, an untied border face, a face tied both
+// ways), InvariantError when the run-time proof fails (a residual arc that
+// leaves the source side, or cost != flow).
+OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
+                                 const OctahedralCutOptions& options,
+                                 const Context& context);
+
+// Bytes that SolveOctahedralCut will need at its peak, besides its input.
+size_t EstimateOctahedralCutBytes(size_t num_voxels, bool with_evidence);
+
+}  // namespace octacut

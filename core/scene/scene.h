@@ -1,0 +1,52 @@
+// What a reconstruction is made from: undistorted views of one object with
+// silhouettes, and what structure from motion knows of its surface.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include "core/scene/camera.h"
+
+namespace octacut {
+
+// One view, cropped to the object and held at the resolution that the target
+// level needs. `image` and `mask` have the size of `camera`.
+//
+// A view says nothing about what projects outside its frame; pixels of the
+// frame that no pixel of the original photograph covers (borders left by
+// undistortion) are not known either, and `mask` is 255 there.
+struct View {
+  std::string name;  // of the photograph, as the sparse model has it
+  PinholeCamera camera;
+  Rigid3d cam_from_world;
+  cv::Mat image;  // CV_8UC3, BGR (OpenCV's order); empty where not needed
+  cv::Mat mask;   // CV_8UC1, 255 = object, 0 = background; values between are
+                  // coverage by the object. At least 128 counts as object.
+
+  Eigen::Vector3d Center() const {
+    return -(cam_from_world.rotation.transpose() * cam_from_world.translation);
+  }
+};
+
+// A cube in world coordinates: the root voxel V^0.
+struct BoundingCube {
+  Eigen::Vector3d min_corner = Eigen::Vector3d::Zero();
+  double edge = 0;
+
+  Eigen::Vector3d Center() const {
+    return min_corner + Eigen::Vector3d::Constant(edge / 2);
+  }
+  double VoxelSize(int level) const { return edge / double(1u << level); }
+};
+
+struct Scene {
+  std::vector<View> views;
+  // Sparse points with small reprojection error, in world coordinates; may be
+  // empty.
+  std::vector<Eigen::Vector3d> points;
+};
+
+}  // namespace octacut

@@ -1,0 +1,60 @@
+// Projection with one camera, prepared once for many rays: what undistortion
+// maps are made with.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+
+#include "colmap_io/model/camera_models.h"
+
+namespace octacut {
+
+// Parameters in the one form that all models share.
+struct CameraIntrinsics {
+  double fx = 1;  // pixels; equal to fy for models with a single f
+  double fy = 1;
+  double cx = 0;
+  double cy = 0;
+  std::array<double, 12> extra{};  // distortion, in COLMAP's order
+
+  // Radius up to which the radial distortion grows, so that it can be
+  // inverted: of normalized coordinates (perspective models, may be infinite)
+  // or in radians off the axis (fisheye models, at most pi).
+  double max_radius = std::numeric_limits<double>::infinity();
+};
+
+// Thread safe: const members may be called from any thread.
+class CameraProjector {
+ public:
+  // Stands for a pixel in ImgFromCamRow where the ray does not project; far
+  // outside of any image and safe to hand to cv::remap.
+  static constexpr float kNoPixel = -1e6f;
+
+  // Checks the camera as CheckCamera does.
+  explicit CameraProjector(const SparseCamera& camera);
+
+  // As the free functions of camera_models.h.
+  std::optional<Eigen::Vector2d> ImgFromCam(const Eigen::Vector3d& ray) const;
+  std::optional<Eigen::Vector3d> CamFromImg(const Eigen::Vector2d& pixel) const;
+
+  // Pixels of the rays first + i * step, i = 0 .. count - 1, to x[i] and
+  // y[i]; both kNoPixel where the ray does not project. One dispatch a call,
+  // no allocation. Subtract 0.5 from each coordinate for OpenCV's convention.
+  void ImgFromCamRow(const Eigen::Vector3d& first,
+                     const Eigen::Vector3d& step,
+                     size_t count,
+                     float* x,
+                     float* y) const;
+
+  int ModelId() const { return model_id_; }
+  const CameraIntrinsics& Intrinsics() const { return intrinsics_; }
+
+ private:
+  int model_id_;
+  CameraIntrinsics intrinsics_;
+};
+
+}  // namespace octacut

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <Eigen/Core>
 
 namespace octacut {

@@ -1,8 +1,8 @@
 #include "core/grid/voxel_grid.h"
 
-#include <algorithm>
-
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "core/base/error.h"
 

@@ -10,9 +10,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
-
 #include <Eigen/Core>
+#include <vector>
 
 #include "core/grid/face.h"
 #include "core/grid/morton.h"

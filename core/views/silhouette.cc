@@ -1,0 +1,99 @@
+#include "core/views/silhouette.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace octacut {
+namespace {
+
+constexpr uint8_t kObjectThreshold = 128;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+}  // namespace
+
+Silhouette::Silhouette(const cv::Mat& mask)
+    : width_(mask.cols),
+      height_(mask.rows),
+      sums_(size_t(width_ + 1) * (height_ + 1), 0),
+      mask_(mask) {
+  const size_t stride = size_t(width_) + 1;
+  for (int y = 0; y < height_; ++y) {
+    const uint8_t* row = mask.ptr<uint8_t>(y);
+    uint32_t row_sum = 0;
+    for (int x = 0; x < width_; ++x) {
+      row_sum += row[x] >= kObjectThreshold ? 1 : 0;
+      sums_[(y + 1) * stride + x + 1] = sums_[y * stride + x + 1] + row_sum;
+    }
+  }
+}
+
+uint32_t Silhouette::CountObject(int x0, int y0, int x1, int y1) const {
+  const size_t stride = size_t(width_) + 1;
+  return sums_[y1 * stride + x1] - sums_[y0 * stride + x1] -
+         sums_[y1 * stride + x0] + sums_[y0 * stride + x0];
+}
+
+Footprint Silhouette::Test(float u0, float v0, float u1, float v1) const {
+  // Negated so that NaN, too, tells nothing.
+  if (!(u0 >= 0 && v0 >= 0 && u1 <= float(width_) && v1 <= float(height_))) {
+    return Footprint::kMixed;
+  }
+  const int x0 = std::min(int(u0), width_ - 1);
+  const int y0 = std::min(int(v0), height_ - 1);
+  const int x1 = std::min(int(u1), width_ - 1) + 1;
+  const int y1 = std::min(int(v1), height_ - 1) + 1;
+  const uint32_t count = CountObject(x0, y0, x1, y1);
+  if (count == 0) {
+    return Footprint::kBackground;
+  }
+  return count == uint32_t(x1 - x0) * uint32_t(y1 - y0) ? Footprint::kObject
+                                                        : Footprint::kMixed;
+}
+
+Footprint Silhouette::TestCube(const ViewProjection& projection,
+                               const Eigen::Vector3f& center,
+                               float half_edge) const {
+  const Eigen::Vector3f h = projection.Homogeneous(center);
+  const Eigen::Matrix3f axes = projection.linear * half_edge;
+  float u_min = kInfinity, u_max = -kInfinity;
+  float v_min = kInfinity, v_max = -kInfinity;
+  for (int corner = 0; corner < 8; ++corner) {
+    Eigen::Vector3f p = h;
+    for (int axis = 0; axis < 3; ++axis) {
+      if ((corner >> axis) & 1) {
+        p += axes.col(axis);
+      } else {
+        p -= axes.col(axis);
+      }
+    }
+    if (!(p.z() > 0)) {
+      return Footprint::kMixed;
+    }
+    const float inverse_depth = 1 / p.z();
+    u_min = std::min(u_min, p.x() * inverse_depth);
+    u_max = std::max(u_max, p.x() * inverse_depth);
+    v_min = std::min(v_min, p.y() * inverse_depth);
+    v_max = std::max(v_max, p.y() * inverse_depth);
+  }
+  return Test(u_min, v_min, u_max, v_max);
+}
+
+float Silhouette::Coverage(float u, float v) const {
+  if (!(u >= 0 && v >= 0 && u <= float(width_) && v <= float(height_))) {
+    return 255;
+  }
+  const float x = std::clamp(u - 0.5f, 0.0f, float(width_ - 1));
+  const float y = std::clamp(v - 0.5f, 0.0f, float(height_ - 1));
+  const int x0 = int(x);
+  const int y0 = int(y);
+  const int x1 = std::min(x0 + 1, width_ - 1);
+  const int y1 = std::min(y0 + 1, height_ - 1);
+  const float fx = x - float(x0);
+  const float fy = y - float(y0);
+  const uint8_t* top = mask_.ptr<uint8_t>(y0);
+  const uint8_t* bottom = mask_.ptr<uint8_t>(y1);
+  return (top[x0] * (1 - fx) + top[x1] * fx) * (1 - fy) +
+         (bottom[x0] * (1 - fx) + bottom[x1] * fx) * fy;
+}
+
+}  // namespace octacut

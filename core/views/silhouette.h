@@ -1,0 +1,45 @@
+// A view's silhouette, prepared for conservative footprint tests.
+#pragma once
+
+#include <cstdint>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/views/view_projection.h"
+
+namespace octacut {
+
+enum class Footprint : uint8_t {
+  kBackground,  // holds no pixel of the object
+  kObject,      // holds nothing else
+  kMixed,       // both, or reaches out of the frame: the view does not tell
+};
+
+class Silhouette {
+ public:
+  Silhouette() = default;
+  // `mask` CV_8UC1 of the view's size; at least 128 counts as object.
+  explicit Silhouette(const cv::Mat& mask);
+
+  // Pixels with coordinates in [u0, u1] x [v0, v1].
+  Footprint Test(float u0, float v0, float u1, float v1) const;
+
+  // A cube with the given centre and half edge (unit coordinates),
+  // conservatively: by the pixel rectangle around its projected corners.
+  Footprint TestCube(const ViewProjection& projection,
+                     const Eigen::Vector3f& center,
+                     float half_edge) const;
+
+  // Coverage (0 .. 255) at pixel coordinates, bilinear; 255 out of the frame.
+  float Coverage(float u, float v) const;
+
+ private:
+  uint32_t CountObject(int x0, int y0, int x1, int y1) const;
+
+  int width_ = 0;
+  int height_ = 0;
+  std::vector<uint32_t> sums_;  // summed-area table, (width + 1) x (height + 1)
+  cv::Mat mask_;
+};
+
+}  // namespace octacut

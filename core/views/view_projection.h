@@ -1,0 +1,44 @@
+// Projection of points of the root cube into a view, in single precision.
+//
+// Frame: unit coordinates, (x_world - cube.min_corner) / cube.edge, so the
+// cube is [0, 1]^3 and a voxel of level l has edge 2^-l whatever the scale of
+// the sparse model. Depths are in the same unit.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/scene/scene.h"
+
+namespace octacut {
+
+struct ViewProjection {
+  // (u * depth, v * depth, depth) = linear * x + offset; u, v in pixels.
+  Eigen::Matrix3f linear;
+  Eigen::Vector3f offset;
+  Eigen::Vector3f center;  // of the camera
+  Eigen::Vector3f optical_axis;
+  float focal_length = 0;  // pixels, mean of fx and fy
+  int width = 0;
+  int height = 0;
+
+  Eigen::Vector3f Homogeneous(const Eigen::Vector3f& x) const {
+    return linear * x + offset;
+  }
+  // Pixels that a length at the depth covers.
+  float Footprint(float length, float depth) const {
+    return focal_length * length / depth;
+  }
+  bool InFrame(float u, float v) const {
+    return u >= 0 && v >= 0 && u <= float(width) && v <= float(height);
+  }
+};
+
+ViewProjection MakeViewProjection(const View& view, const BoundingCube& cube);
+
+// Centre of a voxel of level `level` in unit coordinates.
+inline Eigen::Vector3f VoxelCenter(const Eigen::Vector3i& voxel, int level) {
+  return (voxel.cast<float>() + Eigen::Vector3f::Constant(0.5f)) /
+         float(1 << level);
+}
+
+}  // namespace octacut

@@ -1,0 +1,24 @@
+#include "core/views/view_set.h"
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+
+ViewSet PrepareViews(const Scene& scene,
+                     const BoundingCube& cube,
+                     const Context& context) {
+  ViewSet views(scene.views.size());
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const View& view = scene.views[i];
+      views[i].projection = MakeViewProjection(view, cube);
+      views[i].silhouette = Silhouette(view.mask);
+      if (!view.image.empty()) {
+        views[i].pyramid = ImagePyramid(view.image, view.mask);
+      }
+    }
+  });
+  return views;
+}
+
+}  // namespace octacut

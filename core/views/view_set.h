@@ -1,0 +1,28 @@
+// The views of a scene, prepared for a given root cube: projections,
+// silhouettes and image pyramids. Built once, read by every step.
+#pragma once
+
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/scene/scene.h"
+#include "core/views/image_pyramid.h"
+#include "core/views/silhouette.h"
+#include "core/views/view_projection.h"
+
+namespace octacut {
+
+struct PreparedView {
+  ViewProjection projection;
+  Silhouette silhouette;
+  ImagePyramid pyramid;
+};
+
+using ViewSet = std::vector<PreparedView>;
+
+// Views without an image (silhouettes alone) get no pyramid.
+ViewSet PrepareViews(const Scene& scene,
+                     const BoundingCube& cube,
+                     const Context& context);
+
+}  // namespace octacut

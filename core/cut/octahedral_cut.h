@@ -28,15 +28,16 @@ inline constexpr FaceTies InsideTie(int face) {
 
 struct OctahedralCutProblem {
   const VoxelGrid* crust = nullptr;
-  // psi(phi(v)) + a of every voxel; finite and > 0. The solver works on
-  // round(w * 2^20), at least 1.
+  // psi(phi(v)) + a of every voxel; > 0 and at most 1023. The solver works
+  // on round(w * 2^20), at least 1.
   std::span<const float> weights;
   // One a voxel. A face without a crust voxel on its other side must be tied.
   std::span<const FaceTies> ties;
   // Evidence of every voxel: > 0 speaks for inside, < 0 for outside; empty
   // for none. A cut pays |evidence| / 6 for each face of the voxel that it
-  // labels against it, so a face between two voxels sums theirs. Same unit
-  // and fixed-point scale as the weights.
+  // labels against it, so a face between two voxels sums theirs
+  // (signed: opposite evidence cancels) and tied faces pay nothing. Same unit
+  // and fixed-point scale as the weights; at most 6 * 1023 in magnitude.
   std::span<const float> evidence;
 };
 
@@ -48,8 +49,8 @@ struct OctahedralCut {
   // Cost of the cut in units of 2^-20, evidence included; equals the maximum
   // flow.
   int64_t cost_fixed_point = 0;
-  double cost = 0;          // the same in units of the weights
-  size_t num_nodes = 0;     // faces that are not tied
+  double cost = 0;       // the same in units of the weights
+  size_t num_nodes = 0;  // faces that are not tied
   size_t num_cut_voxels = 0;
 };
 
@@ -58,7 +59,7 @@ struct OctahedralCutOptions {
 };
 
 // Throws InputError on a malformed problem (sizes that differ, weights that
-// are not finite or not positive, an untied border face, a face tied both
+// are not positive or above 1023, an untied border face, a face tied both
 // ways), InvariantError when the run-time proof fails (a residual arc that
 // leaves the source side, or cost != flow).
 OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,

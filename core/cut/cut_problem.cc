@@ -1,0 +1,213 @@
+#include "core/cut/cut_problem.h"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/cut/brick_neighbors.h"
+#include "core/cut/fixed_point.h"
+
+namespace octacut {
+namespace {
+
+constexpr char kFaceNames[kNumFaces][3] = {"x-", "x+", "y-", "y+", "z-", "z+"};
+
+std::string VoxelName(MortonCode code) {
+  const Eigen::Vector3i voxel = DecodeMorton(code);
+  return fmt::format("({}, {}, {})", voxel.x(), voxel.y(), voxel.z());
+}
+
+void CheckSize(std::string_view field, size_t size, size_t num_voxels) {
+  if (size != num_voxels) {
+    throw InputError(fmt::format(
+        "cut problem: {} {} for {} voxels", size, field, num_voxels));
+  }
+}
+
+// Throws the error of the first voxel that fails, whatever the threads did.
+template <typename IsValid, typename Throw>
+void CheckAll(size_t count,
+              const Context& context,
+              IsValid&& is_valid,
+              Throw&& throw_error) {
+  constexpr size_t kGrain = 1 << 16;
+  std::vector<size_t> first_bad(NumChunks(count, kGrain), count);
+  ParallelChunks(
+      context, count, kGrain, [&](size_t chunk, size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          if (!is_valid(i)) {
+            first_bad[chunk] = i;
+            return;
+          }
+        }
+      });
+  for (const size_t i : first_bad) {
+    if (i != count) {
+      throw_error(i);
+    }
+  }
+}
+
+[[noreturn]] void ThrowValue(std::string_view field,
+                             const VoxelGrid& grid,
+                             size_t index,
+                             float value,
+                             std::string_view constraint) {
+  MortonCode voxel = 0;
+  grid.ForEach([&](VoxelGrid::Index i, MortonCode code) {
+    if (i == index) {
+      voxel = code;
+    }
+  });
+  throw InputError(fmt::format("cut problem: {} of voxel {} = {}: {}",
+                               field,
+                               VoxelName(voxel),
+                               value,
+                               constraint));
+}
+
+void CheckTies(FaceTies ties, bool border, int face, MortonCode code) {
+  const bool outside = ties & OutsideTie(face);
+  const bool inside = ties & InsideTie(face);
+  if (outside && inside) {
+    throw InputError(
+        fmt::format("cut problem: face {} of voxel {} is tied both outside "
+                    "and inside",
+                    kFaceNames[face],
+                    VoxelName(code)));
+  }
+  if (border && !outside && !inside) {
+    throw InputError(
+        fmt::format("cut problem: face {} of voxel {} is on the border of the "
+                    "crust and not tied",
+                    kFaceNames[face],
+                    VoxelName(code)));
+  }
+}
+
+}  // namespace
+
+void CheckCutValues(const OctahedralCutProblem& problem,
+                    const Context& context) {
+  if (problem.crust == nullptr) {
+    throw InputError("cut problem: no crust");
+  }
+  const VoxelGrid& grid = *problem.crust;
+  CheckSize("weights", problem.weights.size(), grid.Size());
+  CheckSize("ties", problem.ties.size(), grid.Size());
+  CheckAll(
+      grid.Size(),
+      context,
+      [&](size_t i) {
+        return problem.weights[i] > 0 && problem.weights[i] <= kMaxCutWeight;
+      },
+      [&](size_t i) {
+        ThrowValue("weight",
+                   grid,
+                   i,
+                   problem.weights[i],
+                   fmt::format("must be > 0 and at most {}", kMaxCutWeight));
+      });
+  if (problem.evidence.empty()) {
+    return;
+  }
+  CheckSize("evidence values", problem.evidence.size(), grid.Size());
+  constexpr float kMaxEvidence = 6 * kMaxCutWeight;
+  CheckAll(
+      grid.Size(),
+      context,
+      [&](size_t i) { return std::abs(problem.evidence[i]) <= kMaxEvidence; },
+      [&](size_t i) {
+        ThrowValue(
+            "evidence",
+            grid,
+            i,
+            problem.evidence[i],
+            fmt::format("must be at most {} in magnitude", kMaxEvidence));
+      });
+}
+
+std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
+                                    const Context& context) {
+  const VoxelGrid& grid = *problem.crust;
+  std::vector<FaceTies> merged(grid.Size());
+  ParallelFor(
+      context,
+      grid.Bricks().size(),
+      kCutBrickGrain,
+      [&](size_t begin, size_t end) {
+        ForEachWithNeighbors(
+            grid,
+            begin,
+            end,
+            [&](VoxelGrid::Index i, MortonCode code, const auto& neighbors) {
+              FaceTies ties = problem.ties[i];
+              for (int face = 0; face < kNumFaces; ++face) {
+                const bool border = neighbors[face] == VoxelGrid::kNone;
+                if (!border) {
+                  const FaceTies other = problem.ties[neighbors[face]];
+                  const int opposite = OppositeFace(face);
+                  ties |= ((other >> opposite) & 0x41) << face;
+                }
+                CheckTies(ties, border, face, code);
+              }
+              merged[i] = ties;
+            });
+      });
+  return merged;
+}
+
+int64_t LabellingCost(const OctahedralCutProblem& problem,
+                      std::span<const FaceTies> merged_ties,
+                      std::span<const FaceLabels> labels,
+                      const Context& context) {
+  const VoxelGrid& grid = *problem.crust;
+  const bool with_evidence = !problem.evidence.empty();
+  std::vector<int64_t> costs(NumChunks(grid.Bricks().size(), kCutBrickGrain));
+  const auto face_cost = [&](size_t i, int face, size_t j) {
+    if (((labels[i] >> face) & 1) != ((labels[j] >> (face ^ 1)) & 1)) {
+      throw InvariantError("cut: two voxels disagree on the face they share");
+    }
+    if (!with_evidence || ((merged_ties[i] >> face) & 0x41)) {
+      return int64_t{0};
+    }
+    const int64_t inside = int64_t{FixedFaceEvidence(problem.evidence[i])} +
+                           FixedFaceEvidence(problem.evidence[j]);
+    const bool is_inside = (labels[i] >> face) & 1;
+    return is_inside ? std::max<int64_t>(0, -inside)
+                     : std::max<int64_t>(0, inside);
+  };
+  ParallelChunks(
+      context,
+      grid.Bricks().size(),
+      kCutBrickGrain,
+      [&](size_t chunk, size_t begin, size_t end) {
+        int64_t cost = 0;
+        ForEachWithNeighbors(
+            grid,
+            begin,
+            end,
+            [&](VoxelGrid::Index i, MortonCode, const auto& neighbors) {
+              const int outside_ties = merged_ties[i] & kAllFaces;
+              const int inside_ties = merged_ties[i] >> kNumFaces;
+              if ((labels[i] & outside_ties) || (~labels[i] & inside_ties)) {
+                throw InvariantError("cut: a label contradicts its tie");
+              }
+              cost += int64_t{NumCutEdges(labels[i])} *
+                      FixedWeight(problem.weights[i]);
+              for (int face = 0; face < kNumFaces; face += 2) {
+                if (neighbors[face] != VoxelGrid::kNone) {
+                  cost += face_cost(i, face, neighbors[face]);
+                }
+              }
+            });
+        costs[chunk] = cost;
+      });
+  return std::accumulate(costs.begin(), costs.end(), int64_t{0});
+}
+
+}  // namespace octacut

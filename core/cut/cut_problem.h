@@ -1,0 +1,45 @@
+// Checks of a cut problem, and the two quantities every solver and proof
+// derives from it: the ties of shared faces and the cost of a labelling.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/cut/octahedral_cut.h"
+
+namespace octacut {
+
+// Bricks a task handles at once: some ten thousand voxels.
+inline constexpr size_t kCutBrickGrain = 512;
+
+// Throws InputError unless sizes agree and every weight and evidence is
+// finite and in the range of fixed_point.h.
+void CheckCutValues(const OctahedralCutProblem& problem,
+                    const Context& context);
+
+// The ties of every voxel with those its neighbours state of shared faces.
+// Throws InputError for a face tied both ways or an untied border face.
+std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
+                                    const Context& context);
+
+// Cost of a labelling in fixed point, from the definition: w for each of a
+// voxel's twelve edges whose faces differ, and for each untied face the
+// evidence it is labelled against; the evidence of a face between two voxels
+// is the signed sum of their shares. `merged_ties` as of MergeFaceTies.
+// Throws InvariantError when two voxels disagree on a face or a label
+// contradicts a tie.
+int64_t LabellingCost(const OctahedralCutProblem& problem,
+                      std::span<const FaceTies> merged_ties,
+                      std::span<const FaceLabels> labels,
+                      const Context& context);
+
+// Number of cut edges of a voxel: pairs of faces that are not opposite and
+// differ; with n inside faces n (6 - n) pairs less the opposite ones.
+inline int NumCutEdges(FaceLabels labels) {
+  const int inside = __builtin_popcount(labels);
+  const int opposite = __builtin_popcount((labels ^ (labels >> 1)) & 0x15);
+  return inside * (6 - inside) - opposite;
+}
+
+}  // namespace octacut

@@ -1,0 +1,34 @@
+// The fixed point in which cuts are solved: units of 2^-20, so that a cut is
+// exact, adds up in any order and is the same on every machine.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace octacut {
+
+inline constexpr int kCutFractionBits = 20;
+inline constexpr double kCutScale = double(1 << kCutFractionBits);
+
+// Largest capacity of one arc or one voxel's share of a face's evidence: a
+// residual is at most twice that and a face sums two shares, both of which
+// still fit an int32_t.
+inline constexpr int32_t kMaxFixedCapacity = (1 << 30) - 1;
+// The same in units of the weights, rounded down.
+inline constexpr float kMaxCutWeight = 1023.0f;
+
+// `weight` in (0, kMaxCutWeight].
+inline int32_t FixedWeight(float weight) {
+  const int64_t fixed = std::llround(double(weight) * kCutScale);
+  return fixed < 1 ? 1 : int32_t(fixed);
+}
+
+// A voxel's share in the evidence of each of its six faces, signed;
+// |evidence| at most 6 kMaxCutWeight.
+inline int32_t FixedFaceEvidence(float evidence) {
+  return int32_t(std::llround(double(evidence) / 6 * kCutScale));
+}
+
+inline double FromFixed(int64_t value) { return double(value) / kCutScale; }
+
+}  // namespace octacut

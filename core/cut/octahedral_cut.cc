@@ -1,0 +1,38 @@
+#include "core/cut/octahedral_cut.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/cut/boost_cut.h"
+#include "core/cut/cut_problem.h"
+#include "core/cut/fixed_point.h"
+
+namespace octacut {
+
+OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
+                                 const OctahedralCutOptions& options,
+                                 const Context& context) {
+  options.Check();
+  CheckCutValues(problem, context);
+  const std::vector<FaceTies> ties = MergeFaceTies(problem, context);
+  context.ThrowIfCancelled();
+  OctahedralCut cut = SolveWithBoost(problem, ties);
+  // A cut that costs what flows is a minimum cut, and the flow a maximum.
+  const int64_t cost = LabellingCost(problem, ties, cut.labels, context);
+  if (cost != cut.cost_fixed_point) {
+    throw InvariantError(fmt::format(
+        "cut: cost {} differs from flow {}", cost, cut.cost_fixed_point));
+  }
+  cut.cost = FromFixed(cost);
+  cut.num_cut_voxels =
+      size_t(std::count_if(cut.labels.begin(), cut.labels.end(), IsCut));
+  return cut;
+}
+
+size_t EstimateOctahedralCutBytes(size_t num_voxels, bool with_evidence) {
+  return EstimateBoostCutBytes(num_voxels, with_evidence);
+}
+
+}  // namespace octacut

@@ -2,11 +2,10 @@
 // silhouettes, and what structure from motion knows of its surface.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include <Eigen/Core>
 #include <opencv2/core/mat.hpp>
+#include <string>
+#include <vector>
 
 #include "core/scene/camera.h"
 

@@ -1,0 +1,38 @@
+// A coarse, conservative visual hull inside a box, for finding the region.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/scene/silhouette.h"
+
+namespace octacut {
+
+struct CoarseHull {
+  Eigen::AlignedBox3d box;      // world coordinates, not a cube in general
+  int resolution = 0;           // cells along each side of the box
+  std::vector<uint8_t> inside;  // x fastest; 0 = background in some view
+
+  size_t CellNumber(const Eigen::Vector3i& cell) const {
+    return (size_t(cell.z()) * resolution + cell.y()) * resolution + cell.x();
+  }
+  Eigen::AlignedBox3d CellBox(const Eigen::Vector3i& cell) const;
+};
+
+// Cells of the box that no silhouette calls background, at (2^level)^3 cells;
+// level at least 1.
+CoarseHull CarveBox(const std::vector<Silhouette>& silhouettes,
+                    const Eigen::AlignedBox3d& box,
+                    int level,
+                    const Context& context);
+
+// Bounding box in world coordinates of the pieces (26-connected) with at least
+// `min_fraction` of the largest one's cells; empty when there is no cell.
+Eigen::AlignedBox3d BoundingBoxOfPieces(const CoarseHull& hull,
+                                        double min_fraction);
+
+}  // namespace octacut

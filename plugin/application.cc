@@ -1,0 +1,154 @@
+#include "plugin/application.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <vector>
+
+#include "core/base/error.h"
+#include "plugin/common_options.h"
+#include "plugin/help_text.h"
+#include "plugin/log.h"
+#include "plugin/progress.h"
+#include "plugin/suggestion.h"
+
+namespace octacut {
+namespace {
+
+// What went wrong, as one line and an exit code.
+struct Failure {
+  std::string message;
+  int exit_code = kExitFailure;
+};
+
+std::string OneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+// To be called in a catch block.
+Failure DescribeCurrentException(const OptionManager& options) {
+  try {
+    throw;
+  } catch (const CancelledError& error) {
+    return {error.what(), kExitInterrupted};
+  } catch (const OptionError& error) {
+    return {options.NameOption(OneLine(error.what()))};
+  } catch (const InvariantError& error) {
+    return {OneLine(
+        fmt::format("internal check failed, please report: {}", error.what()))};
+  } catch (const std::bad_alloc&) {
+    return {"out of memory; a lower target level or fewer images need less"};
+  } catch (const std::exception& error) {
+    return {OneLine(error.what())};
+  } catch (...) {
+    return {"unknown failure"};
+  }
+}
+
+const RegistryEntry& FindCommand(std::span<const RegistryEntry> commands,
+                                 const std::string& name) {
+  std::vector<std::string> names = {"help"};
+  for (const RegistryEntry& command : commands) {
+    if (command.name == name) {
+      return command;
+    }
+    names.emplace_back(command.name);
+  }
+  const std::string nearest = NearestName(name, names);
+  throw OptionError(fmt::format(
+      "unknown command `{}`; {}to list the commands, run `octacut help`",
+      name,
+      nearest.empty() ? "" : fmt::format("did you mean `{}`? ", nearest)));
+}
+
+// The part of a run that has a log; errors go to its file, too.
+void RunLogged(const RegistryEntry& entry,
+               Command& command,
+               const OptionManager& options,
+               const CommonOptions& common,
+               std::ostream& out,
+               const std::atomic<bool>* cancelled) {
+  Log log(common.log, entry.name);
+  ProgressReporter progress(log);
+  PhaseTimer timer(&progress);
+  const Context context(
+      common.num_threads, &timer, cancelled, common.random_seed);
+  log.Debug(fmt::format(
+      "{} with options {}",
+      entry.name,
+      options.ToJson().dump(-1, ' ', false, Json::error_handler_t::replace)));
+  try {
+    command.Run({entry.name, options, context, timer, out});
+    log.SetStatus("");
+  } catch (...) {
+    log.ErrorToFile(DescribeCurrentException(options).message);
+    throw;
+  }
+}
+
+int RunCommand(const RegistryEntry& entry,
+               std::span<const std::string> arguments,
+               std::ostream& out,
+               std::ostream& err,
+               const std::atomic<bool>* cancelled) {
+  OptionManager options;
+  try {
+    const std::unique_ptr<Command> command = entry.make();
+    command->DeclareOptions(options);
+    CommonOptions common;
+    common.Declare(options);
+    if (options.Parse(arguments) == OptionManager::ParseResult::kHelp) {
+      out << CommandHelp(entry, options);
+    } else {
+      common.Check();
+      RunLogged(entry, *command, options, common, out, cancelled);
+    }
+    out.flush();
+    if (!out) {
+      throw Error("standard output cannot be written");
+    }
+    return kExitSuccess;
+  } catch (...) {
+    const Failure failure = DescribeCurrentException(options);
+    err << "ERROR: " << failure.message << std::endl;
+    return failure.exit_code;
+  }
+}
+
+}  // namespace
+
+int RunApplication(std::span<const std::string> arguments,
+                   std::span<const RegistryEntry> commands,
+                   std::ostream& out,
+                   std::ostream& err,
+                   const std::atomic<bool>* cancelled) {
+  try {
+    std::string name = arguments.empty() ? "help" : arguments.front();
+    arguments = arguments.empty() ? arguments : arguments.subspan(1);
+    if (name == "--version") {
+      name = "version";
+    }
+    const bool is_help = name == "help" || name == "-h" || name == "--help";
+    if (is_help && (arguments.empty() || arguments.front().starts_with('-'))) {
+      out << ProgramHelp(commands) << std::flush;
+      return kExitSuccess;
+    }
+    if (is_help) {
+      const std::vector<std::string> help = {"--help"};
+      return RunCommand(
+          FindCommand(commands, arguments.front()), help, out, err, cancelled);
+    }
+    return RunCommand(
+        FindCommand(commands, name), arguments, out, err, cancelled);
+  } catch (...) {
+    err << "ERROR: " << DescribeCurrentException(OptionManager()).message
+        << std::endl;
+    return kExitFailure;
+  }
+}
+
+}  // namespace octacut

@@ -1,0 +1,110 @@
+#include "plugin/help_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "plugin/report.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kLineWidth = 80;
+
+// `text` in lines of at most kLineWidth characters, each after `indent`.
+std::string Wrap(const std::string& text, size_t indent) {
+  std::istringstream words(text);
+  std::string lines;
+  std::string line;
+  for (std::string word; words >> word;) {
+    if (!line.empty() && indent + line.size() + 1 + word.size() > kLineWidth) {
+      lines += fmt::format("{:{}}{}\n", "", indent, line);
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return line.empty() ? lines
+                      : lines + fmt::format("{:{}}{}\n", "", indent, line);
+}
+
+std::string OptionHelp(const Option& option) {
+  std::string value = "arg";
+  if (option.required) {
+    value += " (required)";
+  } else if (!option.default_text.empty()) {
+    value += fmt::format(" (={})", option.default_text);
+  }
+  return fmt::format(
+      "  --{} {}\n{}", option.name, value, Wrap(option.description, 8));
+}
+
+std::string UsageLine(const RegistryEntry& command,
+                      const OptionManager& options) {
+  std::string line = fmt::format("octacut {}", command.name);
+  for (const Option& option : options.Options()) {
+    if (option.required) {
+      line += fmt::format(" --{} arg", option.name);
+    }
+  }
+  return Wrap(line + " [options]", 2);
+}
+
+}  // namespace
+
+std::string ProgramHelp(std::span<const RegistryEntry> commands) {
+  size_t width = 0;
+  for (const RegistryEntry& command : commands) {
+    width = std::max(width, command.name.size());
+  }
+  std::string text = fmt::format(
+      "octacut {} -- closed manifold meshes from COLMAP models and "
+      "silhouettes\n\n"
+      "Usage:\n"
+      "  octacut [command] [options]\n"
+      "  octacut [command] -h [ --help ]\n\n"
+      "Commands:\n",
+      OctacutVersion());
+  for (const RegistryEntry& command : commands) {
+    text += fmt::format("  {:{}}  {}\n", command.name, width, command.summary);
+  }
+  text += fmt::format("  {:{}}  {}\n",
+                      "help",
+                      width,
+                      "Print this list, or the options of a command");
+  return text;
+}
+
+std::string CommandHelp(const RegistryEntry& command,
+                        const OptionManager& options) {
+  std::string text = fmt::format("octacut {} {}\n\n{}\n\nUsage:\n{}",
+                                 OctacutVersion(),
+                                 command.name,
+                                 command.summary,
+                                 UsageLine(command, options));
+  text += "\nOptions (also from the file of --project_path):\n";
+  // The command's own options first, then each section once.
+  std::vector<std::string> sections = {""};
+  for (const Option& option : options.Options()) {
+    if (std::find(sections.begin(), sections.end(), option.section) ==
+        sections.end()) {
+      sections.push_back(option.section);
+    }
+  }
+  for (const std::string& section : sections) {
+    if (section.empty()) {
+      text += "  -h [ --help ]\n        Print this text\n";
+    } else {
+      text += fmt::format("\n{}:\n", section);
+    }
+    for (const Option& option : options.Options()) {
+      if (option.section == section) {
+        text += OptionHelp(option);
+      }
+    }
+  }
+  return text;
+}
+
+}  // namespace octacut

@@ -1,0 +1,18 @@
+#include "plugin/registry.h"
+
+#include <array>
+
+#include "plugin/commands/version.h"
+
+namespace octacut {
+
+std::span<const RegistryEntry> CommandRegistry() {
+  static constexpr auto kCommands = std::to_array<RegistryEntry>({
+      {"version",
+       "Print the versions of octacut and its libraries",
+       &MakeVersion},
+  });
+  return kCommands;
+}
+
+}  // namespace octacut

@@ -1,0 +1,310 @@
+#include "core/synthetic/implicit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace octacut {
+
+Eigen::Vector3d ImplicitGradient(const ImplicitShape& shape,
+                                 const Eigen::Vector3d& point,
+                                 double step) {
+  // Four corners of a tetrahedron around the point.
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& corner : {Eigen::Vector3d(1, -1, -1),
+                                        Eigen::Vector3d(-1, -1, 1),
+                                        Eigen::Vector3d(-1, 1, -1),
+                                        Eigen::Vector3d(1, 1, 1)}) {
+    gradient += shape(point + step * corner) * corner;
+  }
+  return gradient / (4 * step);
+}
+
+ImplicitShape MakeSphere(double radius) {
+  const Eigen::Vector3d corner = Eigen::Vector3d::Constant(radius);
+  return {[radius](const Eigen::Vector3d& p) { return p.norm() - radius; },
+          {-corner, corner}};
+}
+
+ImplicitShape MakeTorus(double major_radius, double minor_radius) {
+  const double outer = major_radius + minor_radius;
+  const Eigen::Vector3d corner(outer, outer, minor_radius);
+  return {[=](const Eigen::Vector3d& p) {
+            return std::hypot(std::hypot(p.x(), p.y()) - major_radius, p.z()) -
+                   minor_radius;
+          },
+          {-corner, corner}};
+}
+
+ImplicitShape MakeBox(const Eigen::Vector3d& half_edges, double rounding) {
+  const Eigen::Vector3d core = half_edges - Eigen::Vector3d::Constant(rounding);
+  return {[=](const Eigen::Vector3d& p) {
+            const Eigen::Vector3d beyond = p.cwiseAbs() - core;
+            return beyond.cwiseMax(0).norm() +
+                   std::min(beyond.maxCoeff(), 0.0) - rounding;
+          },
+          {-half_edges, half_edges}};
+}
+
+ImplicitShape MakeCylinder(double radius, double half_height, double rounding) {
+  const Eigen::Vector3d corner(radius, radius, half_height);
+  return {[=](const Eigen::Vector3d& p) {
+            const double side = std::hypot(p.x(), p.y()) - radius + rounding;
+            const double top = std::abs(p.z()) - half_height + rounding;
+            return std::hypot(std::max(side, 0.0), std::max(top, 0.0)) +
+                   std::min(std::max(side, top), 0.0) - rounding;
+          },
+          {-corner, corner}};
+}
+
+ImplicitShape MakeBar(const Eigen::Vector3d& begin,
+                      const Eigen::Vector3d& end,
+                      double begin_radius,
+                      double end_radius) {
+  Eigen::AlignedBox3d box;
+  box.extend(begin - Eigen::Vector3d::Constant(begin_radius));
+  box.extend(begin + Eigen::Vector3d::Constant(begin_radius));
+  box.extend(end - Eigen::Vector3d::Constant(end_radius));
+  box.extend(end + Eigen::Vector3d::Constant(end_radius));
+  const Eigen::Vector3d along = end - begin;
+  const double length = along.norm();
+  const Eigen::Vector3d scaled = along / (length * length);
+  const double growth = end_radius - begin_radius;
+  return {[=](const Eigen::Vector3d& p) {
+            const double t = std::clamp(scaled.dot(p - begin), 0.0, 1.0);
+            return (p - begin - t * along).norm() - begin_radius - t * growth;
+          },
+          box,
+          1 + std::abs(growth) / length};
+}
+
+namespace {
+
+// Never more than the distance to the part of a shape within `box`.
+double DistanceToBox(const Eigen::AlignedBox3d& box,
+                     const Eigen::Vector3d& point) {
+  return std::sqrt(box.squaredExteriorDistance(point));
+}
+
+// Smooth minimum with quadratic transition: its slope does not exceed that of
+// the steeper operand.
+double BlendedMin(double a, double b, double blend) {
+  if (blend <= 0) {
+    return std::min(a, b);
+  }
+  const double overlap = std::max(blend - std::abs(a - b), 0.0);
+  return std::min(a, b) - overlap * overlap / (4 * blend);
+}
+
+Eigen::Vector4d CatmullRom(const Eigen::Vector4d& before,
+                           const Eigen::Vector4d& begin,
+                           const Eigen::Vector4d& end,
+                           const Eigen::Vector4d& after,
+                           double t) {
+  const double t2 = t * t;
+  const double t3 = t2 * t;
+  return 0.5 * (2 * begin + (end - before) * t +
+                (2 * before - 5 * begin + 4 * end - after) * t2 +
+                (3 * begin - before - 3 * end + after) * t3);
+}
+
+}  // namespace
+
+ImplicitShape MakeTube(const std::vector<Eigen::Vector4d>& points, int steps) {
+  std::vector<Eigen::Vector4d> curve{points.front()};
+  const int last = static_cast<int>(points.size()) - 1;
+  for (int i = 0; i < last; ++i) {
+    for (int k = 1; k <= steps; ++k) {
+      curve.push_back(CatmullRom(points[std::max(i - 1, 0)],
+                                 points[i],
+                                 points[i + 1],
+                                 points[std::min(i + 2, last)],
+                                 double(k) / steps));
+    }
+  }
+  // One function over all pieces: far cheaper than a union of bars.
+  Eigen::AlignedBox3d box;
+  double lipschitz = 1;
+  for (size_t i = 0; i < curve.size(); ++i) {
+    const Eigen::Vector3d corner = Eigen::Vector3d::Constant(curve[i].w());
+    box.extend(curve[i].head<3>() - corner);
+    box.extend(curve[i].head<3>() + corner);
+    if (i > 0) {
+      const Eigen::Vector4d along = curve[i] - curve[i - 1];
+      lipschitz =
+          std::max(lipschitz, 1 + std::abs(along.w()) / along.head<3>().norm());
+    }
+  }
+  return {[curve = std::move(curve)](const Eigen::Vector3d& p) {
+            double best = std::numeric_limits<double>::infinity();
+            for (size_t i = 1; i < curve.size(); ++i) {
+              const Eigen::Vector3d begin = curve[i - 1].head<3>();
+              const Eigen::Vector3d along = curve[i].head<3>() - begin;
+              const double t = std::clamp(
+                  along.dot(p - begin) / along.squaredNorm(), 0.0, 1.0);
+              const double radius =
+                  curve[i - 1].w() + t * (curve[i].w() - curve[i - 1].w());
+              best = std::min(best, (p - begin - t * along).norm() - radius);
+            }
+            return best;
+          },
+          box,
+          lipschitz};
+}
+
+ImplicitShape MakeLathe(const std::vector<Eigen::Vector2d>& profile,
+                        double rounding) {
+  double radius = 0;
+  Eigen::AlignedBox1d heights;
+  for (const Eigen::Vector2d& point : profile) {
+    radius = std::max(radius, point.x());
+    heights.extend(Eigen::Matrix<double, 1, 1>(point.y()));
+  }
+  radius += rounding;
+  const Eigen::Vector3d low(-radius, -radius, heights.min()(0) - rounding);
+  const Eigen::Vector3d high(radius, radius, heights.max()(0) + rounding);
+  return {[=](const Eigen::Vector3d& p) {
+            // Signed distance to a polygon: nearest edge, and the parity of
+            // the edges that a ray to the right crosses.
+            const Eigen::Vector2d q(std::hypot(p.x(), p.y()), p.z());
+            double squared = std::numeric_limits<double>::infinity();
+            bool inside = false;
+            Eigen::Vector2d a = profile.back();
+            for (const Eigen::Vector2d& b : profile) {
+              const Eigen::Vector2d ab = b - a;
+              const Eigen::Vector2d aq = q - a;
+              const double t =
+                  std::clamp(ab.dot(aq) / ab.squaredNorm(), 0.0, 1.0);
+              squared = std::min(squared, (aq - t * ab).squaredNorm());
+              if ((a.y() > q.y()) != (b.y() > q.y()) &&
+                  aq.x() < ab.x() * aq.y() / ab.y()) {
+                inside = !inside;
+              }
+              a = b;
+            }
+            const double distance = std::sqrt(squared);
+            return (inside ? -distance : distance) - rounding;
+          },
+          {low, high}};
+}
+
+ImplicitShape Union(std::vector<ImplicitShape> shapes, double blend) {
+  Eigen::AlignedBox3d box;
+  double lipschitz = 0;
+  double box_slope = 1;
+  for (const ImplicitShape& shape : shapes) {
+    box.extend(shape.box);
+    box_slope = std::min(box_slope, shape.box_slope);
+    lipschitz = std::max(lipschitz, shape.lipschitz);
+  }
+  const Eigen::Vector3d bulge = Eigen::Vector3d::Constant(blend / 4);
+  const Eigen::AlignedBox3d grown(box.min() - bulge, box.max() + bulge);
+  return {
+      [shapes = std::move(shapes), blend](const Eigen::Vector3d& p) {
+        double value = std::numeric_limits<double>::infinity();
+        for (const ImplicitShape& shape : shapes) {
+          // A shape this far away changes nothing.
+          if (shape.box_slope * DistanceToBox(shape.box, p) < value + blend) {
+            value = BlendedMin(value, shape(p), blend);
+          }
+        }
+        return value;
+      },
+      grown,
+      lipschitz,
+      box_slope};
+}
+
+ImplicitShape Intersect(ImplicitShape a, ImplicitShape b, double blend) {
+  const Eigen::AlignedBox3d box = a.box.intersection(b.box);
+  const double lipschitz = std::max(a.lipschitz, b.lipschitz);
+  // Beyond a corner of both boxes neither value is the distance to it.
+  const double box_slope = std::min(a.box_slope, b.box_slope) / std::sqrt(3.0);
+  return {
+      [a = std::move(a), b = std::move(b), blend](const Eigen::Vector3d& p) {
+        return -BlendedMin(-a(p), -b(p), blend);
+      },
+      box,
+      lipschitz,
+      box_slope};
+}
+
+ImplicitShape Subtract(ImplicitShape a, ImplicitShape b, double blend) {
+  const Eigen::AlignedBox3d box = a.box;
+  const double lipschitz = std::max(a.lipschitz, b.lipschitz);
+  const double box_slope = a.box_slope;
+  return {
+      [a = std::move(a), b = std::move(b), blend](const Eigen::Vector3d& p) {
+        return -BlendedMin(-a(p), b(p), blend);
+      },
+      box,
+      lipschitz,
+      box_slope};
+}
+
+ImplicitShape Move(ImplicitShape shape, const Eigen::Vector3d& offset) {
+  const Eigen::AlignedBox3d box(shape.box.min() + offset,
+                                shape.box.max() + offset);
+  const double lipschitz = shape.lipschitz;
+  const double box_slope = shape.box_slope;
+  return {[shape = std::move(shape), offset](const Eigen::Vector3d& p) {
+            return shape(p - offset);
+          },
+          box,
+          lipschitz,
+          box_slope};
+}
+
+ImplicitShape Rotate(ImplicitShape shape, const Eigen::Matrix3d& rotation) {
+  const Eigen::Vector3d center = rotation * shape.box.center();
+  const Eigen::Vector3d half = rotation.cwiseAbs() * (shape.box.sizes() / 2);
+  const double lipschitz = shape.lipschitz;
+  const double box_slope = shape.box_slope;
+  return {[shape = std::move(shape), rotation](const Eigen::Vector3d& p) {
+            return shape(rotation.transpose() * p);
+          },
+          {center - half, center + half},
+          lipschitz,
+          box_slope};
+}
+
+ImplicitShape Stretch(ImplicitShape shape, const Eigen::Vector3d& factors) {
+  const Eigen::AlignedBox3d box(shape.box.min().cwiseProduct(factors),
+                                shape.box.max().cwiseProduct(factors));
+  const double smallest = factors.minCoeff();
+  const double lipschitz = shape.lipschitz;
+  const double box_slope = shape.box_slope * smallest / factors.maxCoeff();
+  return {
+      [shape = std::move(shape), factors, smallest](const Eigen::Vector3d& p) {
+        return smallest * shape(p.cwiseQuotient(factors));
+      },
+      box,
+      lipschitz,
+      box_slope};
+}
+
+ImplicitShape Displace(ImplicitShape shape,
+                       std::function<double(const Eigen::Vector3d&)> height,
+                       double bound,
+                       double slope) {
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(bound);
+  const Eigen::AlignedBox3d box(shape.box.min() - margin,
+                                shape.box.max() + margin);
+  const double lipschitz = shape.lipschitz + slope;
+  const double box_slope = shape.box_slope;
+  return {[shape = std::move(shape), height = std::move(height), bound](
+              const Eigen::Vector3d& p) {
+            const double value = shape(p);
+            // Further out the height fades to nothing, within four times its
+            // bound; the surface lies nearer.
+            const double fade =
+                std::clamp(2 - std::abs(value) / (2 * bound), 0.0, 1.0);
+            return fade > 0 ? value - fade * height(p) : value;
+          },
+          box,
+          // The fade's own slope is 1 / (2 bound), the height at most bound.
+          lipschitz * 1.5,
+          box_slope};
+}
+
+}  // namespace octacut

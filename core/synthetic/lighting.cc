@@ -1,0 +1,143 @@
+#include "core/synthetic/lighting.h"
+
+#include <cmath>
+#include <Eigen/Geometry>
+#include <limits>
+#include <numbers>
+
+#include "core/base/check_option.h"
+#include "core/base/parallel.h"
+#include "core/synthetic/noise.h"
+
+namespace octacut {
+
+void LightingOptions::Check() const {
+  for (const AreaLight& light : lights) {
+    CheckOption(light.direction.norm() > 0,
+                "lighting.lights.direction",
+                light.direction.norm(),
+                "must not be zero");
+    CheckOption(light.angular_radius >= 0 && light.angular_radius < 80,
+                "lighting.lights.angular_radius",
+                light.angular_radius,
+                "must be in [0, 80)");
+  }
+  CheckOption(
+      specular >= 0, "lighting.specular", specular, "must not be negative");
+  CheckOption(
+      shininess > 0, "lighting.shininess", shininess, "must be positive");
+  CheckOption(num_samples >= 1,
+              "lighting.num_samples",
+              num_samples,
+              "must be positive");
+}
+
+namespace {
+
+constexpr size_t kGrain = 512;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Point `index` of an evenly spread sequence over the unit disc, turned and
+// shifted by `bits`: the square's R2 sequence, wrapped onto the disc.
+Eigen::Vector2d DiscSample(int index, uint64_t bits) {
+  const double u = std::fmod(
+      HashUniform(HashBits(bits, 1)) + 0.7548776662466927 * index, 1.0);
+  const double v = std::fmod(
+      HashUniform(HashBits(bits, 2)) + 0.5698402909980532 * index, 1.0);
+  const double angle = 2 * std::numbers::pi * u;
+  return std::sqrt(v) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+}
+
+// How far above the surface rays begin: the mesh is a polyhedron, its own
+// neighbouring triangles must not count.
+double RayOffset(const IndexedMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    box.extend(position);
+  }
+  return 5e-4 * box.diagonal().norm();
+}
+
+struct Frame {
+  explicit Frame(const Eigen::Vector3d& axis)
+      : z(axis), x(axis.unitOrthogonal()), y(z.cross(x)) {}
+  Eigen::Vector3d z, x, y;
+};
+
+// Mean of `is_free(sample index)`; where the first samples agree the rest is
+// spared.
+template <typename IsFree>
+float AdaptiveMean(int num_samples, int num_first, IsFree&& is_free) {
+  int num_free = 0;
+  for (int i = 0; i < num_samples; ++i) {
+    if (i == num_first && (num_free == 0 || num_free == i)) {
+      return num_free == 0 ? 0.0f : 1.0f;
+    }
+    num_free += is_free(i);
+  }
+  return static_cast<float>(num_free) / static_cast<float>(num_samples);
+}
+
+}  // namespace
+
+std::vector<float> BakeVisibility(const IndexedMesh& mesh,
+                                  const RayScene& rays,
+                                  const Eigen::Vector3d& direction,
+                                  double angular_radius,
+                                  int num_samples,
+                                  const Context& context) {
+  std::vector<float> visibility(mesh.positions.size(), 0.0f);
+  const Frame frame(direction.normalized());
+  const double radius = std::tan(angular_radius * std::numbers::pi / 180);
+  const double offset = RayOffset(mesh);
+  const int count = radius > 0 ? num_samples : 1;
+  ParallelFor(
+      context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const Eigen::Vector3d normal = mesh.normals[i].cast<double>();
+          if (normal.dot(frame.z) < -radius) {
+            continue;  // turned away: no part of the disc is above
+          }
+          const Eigen::Vector3d origin = mesh.positions[i] + offset * normal;
+          visibility[i] = AdaptiveMean(count, 6, [&](int sample) {
+            const Eigen::Vector2d disc = radius * DiscSample(sample, i);
+            return !rays.IsOccluded(
+                origin,
+                frame.z + disc.x() * frame.x + disc.y() * frame.y,
+                0,
+                kInfinity);
+          });
+        }
+      });
+  return visibility;
+}
+
+std::vector<float> BakeOpenness(const IndexedMesh& mesh,
+                                const RayScene& rays,
+                                int num_samples,
+                                const Context& context) {
+  std::vector<float> openness(mesh.positions.size());
+  const double offset = RayOffset(mesh);
+  ParallelFor(
+      context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const Frame frame(mesh.normals[i].cast<double>().normalized());
+          const Eigen::Vector3d origin = mesh.positions[i] + offset * frame.z;
+          openness[i] = AdaptiveMean(num_samples, 10, [&](int sample) {
+            // Points of the disc, lifted onto the hemisphere, are
+            // cosine-weighted directions.
+            const Eigen::Vector2d disc = DiscSample(sample, i);
+            const double height =
+                std::sqrt(std::max(0.0, 1 - disc.squaredNorm()));
+            return !rays.IsOccluded(
+                origin,
+                height * frame.z + disc.x() * frame.x + disc.y() * frame.y,
+                0,
+                kInfinity);
+          });
+        }
+      });
+  return openness;
+}
+
+}  // namespace octacut

@@ -1,0 +1,53 @@
+// Photo-consistency of crust voxels [HK06 section 3, eq. (1)].
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/grid/voxel_grid.h"
+#include "core/views/view_set.h"
+#include "core/visibility/visibility.h"
+
+namespace octacut {
+
+enum class ConsistencyMeasure {
+  kNormalizedVariance,  // equation (1): colours normalised per image
+  kNcc,                 // zero-mean normalised cross-correlation of pairs
+  kVariance,            // plain weighted colour variance
+};
+
+struct ConsistencyOptions {
+  ConsistencyMeasure measure = ConsistencyMeasure::kNormalizedVariance;
+  // Samples are (2 r + 1)^2 points, a voxel apart, on the tangent plane
+  // through the voxel's centre; r in 1 .. 4.
+  int patch_radius = 2;
+  // Value of voxels that fewer than two views see, and of plain patches, so
+  // that the surface closes there by minimal area; 0 .. 1.
+  double neutral = 0.5;
+  // Standard deviation of pixel noise, in grey levels of 255: contrast below
+  // it counts as plain.
+  double pixel_noise = 3;
+  void Check() const;
+};
+
+struct ConsistencySummary {
+  size_t num_voxels = 0;
+  size_t num_unseen = 0;  // by fewer than two views
+  double mean = 0;        // of phi over the seen voxels
+};
+
+struct PhotoConsistency {
+  std::vector<float> phi;  // one a voxel, 0 (consistent) .. 1
+  ConsistencySummary summary;
+};
+
+// phi of every voxel of `voxels`, sampled from the pyramid level whose pixels
+// match the spacing of the samples.
+PhotoConsistency EstimateConsistency(const ViewSet& views,
+                                     const VoxelGrid& voxels,
+                                     const Visibility& visibility,
+                                     const ConsistencyOptions& options,
+                                     const Context& context);
+
+}  // namespace octacut

@@ -1,0 +1,141 @@
+#include "core/crust/crust.h"
+
+#include "core/base/check_option.h"
+#include "core/base/parallel.h"
+#include "core/crust/medial_voxels.h"
+#include "core/grid/morphology.h"
+#include "core/grid/neighbors.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kBrickGrain = 256;
+
+void TieInterfaces(const LabelHierarchy& hierarchy,
+                   const Context& context,
+                   Crust* crust) {
+  const VoxelGrid& voxels = crust->voxels;
+  const int level = voxels.Level();
+  crust->ties.assign(voxels.Size(), 0);
+  ParallelFor(context,
+              voxels.Bricks().size(),
+              kBrickGrain,
+              [&](size_t begin, size_t end) {
+                ForEachWithNeighbors(
+                    voxels,
+                    begin,
+                    end,
+                    [&](VoxelGrid::Index index,
+                        MortonCode code,
+                        const NeighborIndices& neighbors) {
+                      for (int face = 0; face < kNumFaces; ++face) {
+                        if (neighbors[face] != VoxelGrid::kNone) {
+                          continue;
+                        }
+                        const Eigen::Vector3i across =
+                            NeighborVoxel(DecodeMorton(code), face);
+                        const bool inside =
+                            (across.array() >= 0).all() &&
+                            (across.array() < voxels.Resolution()).all() &&
+                            hierarchy.InsideFraction(across, level) > 0.5f;
+                        crust->ties[index] |=
+                            inside ? InsideTie(face) : OutsideTie(face);
+                      }
+                    });
+              });
+}
+
+void EstimatePrior(const LabelHierarchy& hierarchy,
+                   const Context& context,
+                   Crust* crust) {
+  const VoxelGrid& voxels = crust->voxels;
+  crust->prior.resize(voxels.Size());
+  ParallelFor(context,
+              voxels.Bricks().size(),
+              kBrickGrain,
+              [&](size_t begin, size_t end) {
+                voxels.ForEachInBricks(
+                    begin, end, [&](VoxelGrid::Index index, MortonCode code) {
+                      crust->prior[index] = hierarchy.InsideFraction(
+                          DecodeMorton(code), voxels.Level());
+                    });
+              });
+}
+
+Crust MakeCrust(const LabelHierarchy& hierarchy,
+                VoxelGrid voxels,
+                const Context& context) {
+  Crust crust;
+  crust.voxels = std::move(voxels);
+  TieInterfaces(hierarchy, context, &crust);
+  EstimatePrior(hierarchy, context, &crust);
+  crust.num_medial_voxels =
+      TieMedialVoxels(crust.voxels, crust.prior, context, &crust.ties);
+  return crust;
+}
+
+}  // namespace
+
+void CrustOptions::Check() const {
+  CheckOption(crust_dilation >= 1 && crust_dilation <= 8,
+              "crust_dilation",
+              crust_dilation,
+              "must be in 1 .. 8");
+}
+
+Crust InitialCrust(const VoxelGrid& hull, const Context& context) {
+  Crust crust;
+  crust.voxels = hull;
+  TieInterfaces(LabelHierarchy(), context, &crust);
+  crust.prior.assign(hull.Size(), 1.0f);
+  return crust;
+}
+
+Crust RefineCrust(const LabelHierarchy& hierarchy,
+                  const CrustOptions& options,
+                  const Context& context) {
+  options.Check();
+  const LabeledCrust& coarse = hierarchy.Finest();
+  std::vector<uint8_t> cut(coarse.labels.size());
+  for (size_t i = 0; i < cut.size(); ++i) {
+    cut[i] = IsCut(coarse.labels[i]);
+  }
+  const VoxelGrid proxy = Children(Subset(coarse.voxels, cut));
+  return MakeCrust(
+      hierarchy, Dilate(proxy, options.crust_dilation, context), context);
+}
+
+Crust GrowCrust(const LabelHierarchy& hierarchy,
+                const Crust& crust,
+                const std::vector<FaceLabels>& labels,
+                int steps,
+                size_t* num_border,
+                const Context& context) {
+  std::vector<uint8_t> grow(crust.voxels.Size(), 0);
+  *num_border = 0;
+  ForEachWithNeighbors(crust.voxels,
+                       0,
+                       crust.voxels.Bricks().size(),
+                       [&](VoxelGrid::Index index,
+                           MortonCode,
+                           const NeighborIndices& neighbors) {
+                         if (!IsCut(labels[index])) {
+                           return;
+                         }
+                         for (int face = 0; face < kNumFaces; ++face) {
+                           if (neighbors[face] == VoxelGrid::kNone) {
+                             grow[index] = 1;
+                           }
+                         }
+                         *num_border += grow[index];
+                       });
+  if (*num_border == 0) {
+    return crust;
+  }
+  return MakeCrust(
+      hierarchy,
+      Union(crust.voxels, Dilate(Subset(crust.voxels, grow), steps, context)),
+      context);
+}
+
+}  // namespace octacut

@@ -1,0 +1,55 @@
+// The crust of a level: the voxels in which the surface is looked for, with
+// what is known about their inside and outside beforehand [HK06 section 3].
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/crust/label_hierarchy.h"
+#include "core/cut/octahedral_cut.h"
+#include "core/grid/voxel_grid.h"
+
+namespace octacut {
+
+struct CrustOptions {
+  // Times that the proxy surface is dilated (d of the paper); 1 .. 8.
+  int crust_dilation = 2;
+  void Check() const;
+};
+
+struct Crust {
+  VoxelGrid voxels;
+  // Ties at the interfaces to the interior and to the exterior, and at the
+  // medial voxels of parts too thin to have an interior of their own.
+  std::vector<FaceTies> ties;
+  // Share of the voxel that lies inside as far as coarser levels know, 0 .. 1.
+  std::vector<float> prior;
+  size_t num_medial_voxels = 0;
+};
+
+// The crust of l0: every voxel of the hull. All interfaces are exterior; what
+// lies inside is for the evidence to say.
+Crust InitialCrust(const VoxelGrid& hull, const Context& context);
+
+// The crust of the level after hierarchy.Finest(): the children of its cut
+// voxels, dilated. Voxels outside the crust are inside or outside by the
+// coarser cuts. Where a limb (or a gap) is so thin that the crust spans it,
+// its medial voxels are tied, so that a minimal cut can neither amputate the
+// limb nor fill the gap.
+Crust RefineCrust(const LabelHierarchy& hierarchy,
+                  const CrustOptions& options,
+                  const Context& context);
+
+// `crust` grown by `steps` dilations around the cut voxels that touch its
+// border where it could grow (the voxel across is no hull exterior of l0);
+// the number of voxels grown from comes back in `num_border`. The same crust
+// when there is none.
+Crust GrowCrust(const LabelHierarchy& hierarchy,
+                const Crust& crust,
+                const std::vector<FaceLabels>& labels,
+                int steps,
+                size_t* num_border,
+                const Context& context);
+
+}  // namespace octacut

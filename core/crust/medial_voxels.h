@@ -1,0 +1,26 @@
+// Seeds for limbs and gaps that are too thin to have an interior (exterior)
+// outside the crust.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/cut/octahedral_cut.h"
+#include "core/grid/voxel_grid.h"
+
+namespace octacut {
+
+// Ties all faces of the medial voxels of the thin parts of a crust, inside
+// ones (by `prior`, one a voxel) to the inside and outside ones to the
+// outside. Depth is counted in 6-neighbour steps from the prior surface; a
+// voxel is medial when it is at least two deep, no deeper voxel is near, and
+// no interface of its own kind is within reach. Faces with a tie keep theirs,
+// and a voxel beside a tie of the other kind is left free. Returns the number
+// of voxels tied.
+size_t TieMedialVoxels(const VoxelGrid& voxels,
+                       const std::vector<float>& prior,
+                       const Context& context,
+                       std::vector<FaceTies>* ties);
+
+}  // namespace octacut

@@ -1,0 +1,56 @@
+// Coarse depth maps by plane sweeping, restricted to a voxel hull.
+//
+// Each view is compared with a few neighbouring views along its own viewing
+// rays by zero-mean normalised cross-correlation; no surface is needed
+// beforehand, so it can tell what lies in concavities of the hull (Hernandez,
+// Vogiatzis, Cipolla CVPR 2007; Campbell et al. ECCV 2008).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/grid/voxel_grid.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+struct DepthSweepOptions {
+  int num_neighbors = 5;           // views compared with each view; 2 .. 8
+  double min_angle = 4;            // degrees between the viewing directions
+  double max_angle = 45;           // of neighbours
+  double samples_per_voxel = 1.5;  // pixels across a hull voxel
+  double planes_per_voxel = 1.25;  // depth planes across a hull voxel
+  int window_radius = 2;           // of the correlation window, in samples
+  double min_score = 0.6;          // correlation of an accepted depth
+  void Check() const;
+};
+
+// A view's depth map at the hull's scale; one sample is 1 / scale pixels.
+struct SweptDepthMap {
+  int width = 0;
+  int height = 0;
+  float scale = 1;
+  std::vector<float> depths;  // unit coordinates; 0 where nothing was found
+  std::vector<float> scores;  // correlation, min_score .. 1
+
+  // Depth at pixel coordinates of the view; 0 for none.
+  float DepthAt(float u, float v) const {
+    const int x = int(u * scale);
+    const int y = int(v * scale);
+    return u >= 0 && v >= 0 && x < width && y < height
+               ? depths[size_t(y) * width + x]
+               : 0;
+  }
+};
+
+// One map a view. The neighbours that were compared with view i come back in
+// neighbors[i].
+std::vector<SweptDepthMap> SweepDepths(
+    const ViewSet& views,
+    const VoxelGrid& hull,
+    const DepthSweepOptions& options,
+    const Context& context,
+    std::vector<std::vector<int>>* neighbors);
+
+}  // namespace octacut

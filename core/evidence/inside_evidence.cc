@@ -1,0 +1,161 @@
+#include "core/evidence/inside_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/check_option.h"
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kBrickGrain = 64;
+// In hull voxels: how far two depths may differ and still agree; how far
+// before a surface space is surely free; the zone behind it that is surely
+// matter.
+constexpr float kAgreement = 1.5f;
+constexpr float kFreeBefore = 1.5f;
+constexpr float kMatterFrom = 1.0f;
+constexpr float kMatterTo = 3.5f;
+// Views of one kind that count at most, so that many views of one side do not
+// drown the others.
+constexpr float kMaxVotes = 4;
+
+// Removes the depths that fewer than `min_agreeing` neighbours confirm.
+std::vector<SweptDepthMap> KeepAgreeing(
+    const ViewSet& views,
+    const std::vector<SweptDepthMap>& maps,
+    const std::vector<std::vector<int>>& neighbors,
+    float voxel,
+    int min_agreeing,
+    const Context& context) {
+  std::vector<SweptDepthMap> kept = maps;
+  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const ViewProjection& projection = views[i].projection;
+      const Eigen::Matrix3f rays = projection.linear.inverse();
+      for (int y = 0; y < maps[i].height; ++y) {
+        for (int x = 0; x < maps[i].width; ++x) {
+          float& depth = kept[i].depths[size_t(y) * maps[i].width + x];
+          if (depth == 0) {
+            continue;
+          }
+          const Eigen::Vector3f pixel((float(x) + 0.5f) / maps[i].scale,
+                                      (float(y) + 0.5f) / maps[i].scale,
+                                      1);
+          const Eigen::Vector3f point =
+              projection.center + depth * (rays * pixel);
+          int agreeing = 0;
+          for (const int j : neighbors[i]) {
+            const Eigen::Vector3f h = views[j].projection.Homogeneous(point);
+            if (h.z() <= 0) {
+              continue;
+            }
+            const float other = maps[j].DepthAt(h.x() / h.z(), h.y() / h.z());
+            agreeing +=
+                other > 0 && std::abs(other - h.z()) <= kAgreement * voxel;
+          }
+          if (agreeing < min_agreeing) {
+            depth = 0;
+          }
+        }
+      }
+    }
+  });
+  return kept;
+}
+
+size_t CountDepths(const std::vector<SweptDepthMap>& maps) {
+  size_t count = 0;
+  for (const SweptDepthMap& map : maps) {
+    count += map.depths.size() -
+             size_t(std::count(map.depths.begin(), map.depths.end(), 0.0f));
+  }
+  return count;
+}
+
+float EvidenceAt(const ViewSet& views,
+                 const std::vector<SweptDepthMap>& maps,
+                 const Eigen::Vector3f& point,
+                 float voxel,
+                 const InsideEvidenceOptions& options) {
+  float matter = 0;
+  float free_space = 0;
+  for (size_t i = 0; i < views.size(); ++i) {
+    const Eigen::Vector3f h = views[i].projection.Homogeneous(point);
+    if (h.z() <= 0) {
+      continue;
+    }
+    const float depth = maps[i].DepthAt(h.x() / h.z(), h.y() / h.z());
+    if (depth == 0) {
+      continue;
+    }
+    const float behind = (h.z() - depth) / voxel;
+    if (behind < -kFreeBefore) {
+      free_space += 1;
+    } else if (behind > kMatterFrom && behind < kMatterTo) {
+      matter += 1;
+    }
+  }
+  return float(options.ballooning) +
+         float(options.matter_weight) * std::min(matter, kMaxVotes) -
+         float(options.free_space_weight) * std::min(free_space, 2 * kMaxVotes);
+}
+
+}  // namespace
+
+void InsideEvidenceOptions::Check() const {
+  sweep.Check();
+  CheckOption(min_agreeing_views >= 1 && min_agreeing_views <= 8,
+              "min_agreeing_views",
+              min_agreeing_views,
+              "must be in 1 .. 8");
+  CheckOption(
+      ballooning >= 0, "ballooning", ballooning, "must not be negative");
+  CheckOption(matter_weight >= 0,
+              "matter_weight",
+              matter_weight,
+              "must not be negative");
+  CheckOption(free_space_weight >= 0,
+              "free_space_weight",
+              free_space_weight,
+              "must not be negative");
+}
+
+InsideEvidence EstimateInsideEvidence(const ViewSet& views,
+                                      const VoxelGrid& hull,
+                                      const InsideEvidenceOptions& options,
+                                      const Context& context) {
+  options.Check();
+  const float voxel = 1.0f / float(hull.Resolution());
+  std::vector<std::vector<int>> neighbors;
+  const std::vector<SweptDepthMap> swept =
+      SweepDepths(views, hull, options.sweep, context, &neighbors);
+  const std::vector<SweptDepthMap> agreeing = KeepAgreeing(
+      views, swept, neighbors, voxel, options.min_agreeing_views, context);
+  InsideEvidence evidence;
+  evidence.values.resize(hull.Size());
+  ParallelFor(context,
+              hull.Bricks().size(),
+              kBrickGrain,
+              [&](size_t begin, size_t end) {
+                hull.ForEachInBricks(
+                    begin, end, [&](VoxelGrid::Index index, MortonCode code) {
+                      evidence.values[index] = EvidenceAt(
+                          views,
+                          agreeing,
+                          VoxelCenter(DecodeMorton(code), hull.Level()),
+                          voxel,
+                          options);
+                    });
+              });
+  evidence.summary.num_depths = CountDepths(swept);
+  evidence.summary.num_agreeing = CountDepths(agreeing);
+  evidence.summary.num_free_voxels = size_t(std::count_if(
+      evidence.values.begin(), evidence.values.end(), [](float value) {
+        return value < 0;
+      }));
+  return evidence;
+}
+
+}  // namespace octacut

@@ -1,0 +1,46 @@
+// Evidence for the inside and the outside at l0, where the crust is the whole
+// hull and nothing says what the sink is: a view that sees a photo-consistent
+// surface at some depth has seen free space before it and matter just behind.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/evidence/depth_sweep.h"
+#include "core/grid/voxel_grid.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+struct InsideEvidenceOptions {
+  DepthSweepOptions sweep;
+  // Other views whose depth maps must agree (within 1.5 hull voxels) before a
+  // depth counts.
+  int min_agreeing_views = 2;
+  // Evidence a voxel, in units of the graph's weights: what every voxel of the
+  // hull has for inside when nothing speaks against it (so unseen parts keep
+  // the hull and thin limbs survive), and what one view's word is worth.
+  double ballooning = 0.6;
+  double matter_weight = 0.5;  // a view with its surface just before the voxel
+  double free_space_weight = 0.5;  // a view that sees through the voxel
+  void Check() const;
+};
+
+struct InsideEvidenceSummary {
+  size_t num_depths = 0;       // found by the sweep
+  size_t num_agreeing = 0;     // of them, confirmed by other views
+  size_t num_free_voxels = 0;  // with evidence for outside
+};
+
+struct InsideEvidence {
+  std::vector<float> values;  // one a hull voxel; > 0 speaks for inside
+  InsideEvidenceSummary summary;
+};
+
+InsideEvidence EstimateInsideEvidence(const ViewSet& views,
+                                      const VoxelGrid& hull,
+                                      const InsideEvidenceOptions& options,
+                                      const Context& context);
+
+}  // namespace octacut

@@ -1,0 +1,23 @@
+// Normals throughout a crust, from where its inside is believed to be.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/cut/octahedral_cut.h"
+#include "core/grid/voxel_grid.h"
+
+namespace octacut {
+
+// Outward unit normal of every voxel: minus the gradient of `prior` (share of
+// the voxel that is inside) after `blur_steps` averagings with the six
+// neighbours; interfaces of the crust count as all inside or all outside as
+// they are tied. Zero where there is no gradient, deep in the inside.
+std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
+                                             const std::vector<FaceTies>& ties,
+                                             const std::vector<float>& prior,
+                                             int blur_steps,
+                                             const Context& context);
+
+}  // namespace octacut

@@ -1,0 +1,133 @@
+#include "core/visibility/visibility.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/check_option.h"
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+// Map pixels that a surface voxel at the cube's centre covers, and how much a
+// splat exceeds its voxel so that no ray slips between two neighbours.
+constexpr float kPixelsPerVoxel = 2.0f;
+constexpr float kSplatRadius = 0.6f;  // voxels
+
+DepthMap RenderSurface(const ViewProjection& projection,
+                       const VoxelGrid& surface,
+                       const std::vector<FaceLabels>& labels) {
+  const float voxel = 1.0f / float(surface.Resolution());
+  const float center_depth =
+      projection.Homogeneous(Eigen::Vector3f::Constant(0.5f)).z();
+  const float footprint =
+      projection.Footprint(voxel, std::max(center_depth, voxel));
+  const float scale = std::min(1.0f, kPixelsPerVoxel / footprint);
+  DepthMap map(projection, scale);
+  surface.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    if (!IsCut(labels[index])) {
+      return;
+    }
+    const Eigen::Vector3f h = projection.Homogeneous(
+        VoxelCenter(DecodeMorton(code), surface.Level()));
+    if (h.z() > voxel) {
+      map.Splat(h.x() / h.z(),
+                h.y() / h.z(),
+                kSplatRadius * scale * projection.Footprint(voxel, h.z()),
+                h.z());
+    }
+  });
+  return map;
+}
+
+}  // namespace
+
+void VisibilityOptions::Check() const {
+  CheckOption(max_angle > 0 && max_angle < 90,
+              "max_angle",
+              max_angle,
+              "must lie between 0 and 90 degrees");
+  CheckOption(max_views >= 2 && max_views <= Visibility::kMaxViews,
+              "max_views",
+              max_views,
+              "must be in 2 .. 16");
+  CheckOption(depth_tolerance > 0,
+              "depth_tolerance",
+              depth_tolerance,
+              "must be positive");
+}
+
+Visibility Visibility::Estimate(const ViewSet& views,
+                                const VoxelGrid& surface,
+                                const std::vector<FaceLabels>& labels,
+                                int level,
+                                std::vector<Eigen::Vector3f> normals,
+                                const VisibilityOptions& options,
+                                const Context& context) {
+  options.Check();
+  Visibility visibility;
+  visibility.views_ = &views;
+  visibility.normals_ = std::move(normals);
+  visibility.min_cosine_ =
+      float(std::cos(options.max_angle * std::numbers::pi / 180));
+  visibility.tolerance_ = float(options.depth_tolerance / double(1 << level));
+  visibility.max_views_ = options.max_views;
+  visibility.depth_maps_.resize(views.size());
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      visibility.depth_maps_[i] =
+          RenderSurface(views[i].projection, surface, labels);
+    }
+  });
+  return visibility;
+}
+
+bool Visibility::Sees(size_t view,
+                      const Eigen::Vector3f& point,
+                      float cosine) const {
+  const ViewProjection& projection = (*views_)[view].projection;
+  const Eigen::Vector3f h = projection.Homogeneous(point);
+  if (!(h.z() > 0)) {
+    return false;
+  }
+  const float u = h.x() / h.z();
+  const float v = h.y() / h.z();
+  if (!projection.InFrame(u, v)) {
+    return false;
+  }
+  return h.z() <= depth_maps_[view].At(u, v) + tolerance_ / cosine;
+}
+
+Visibility::Selection Visibility::Select(size_t voxel,
+                                         const Eigen::Vector3f& point) const {
+  Selection selection;
+  const Eigen::Vector3f& normal = normals_[voxel];
+  if (normal.squaredNorm() == 0) {
+    return selection;
+  }
+  // Insertion into a short sorted list of the best candidates; the depth test
+  // comes first so that the list holds seeing views only.
+  for (size_t i = 0; i < views_->size(); ++i) {
+    const Eigen::Vector3f to_camera = (*views_)[i].projection.center - point;
+    const float along = normal.dot(to_camera);
+    if (along <= 0) {
+      continue;
+    }
+    const float cosine = along / to_camera.norm();
+    const bool full = selection.count == max_views_;
+    if (cosine < min_cosine_ ||
+        (full && cosine <= selection.views[selection.count - 1].weight) ||
+        !Sees(i, point, cosine)) {
+      continue;
+    }
+    int slot = full ? selection.count - 1 : selection.count++;
+    for (; slot > 0 && selection.views[slot - 1].weight < cosine; --slot) {
+      selection.views[slot] = selection.views[slot - 1];
+    }
+    selection.views[slot] = {uint16_t(i), cosine};
+  }
+  return selection;
+}
+
+}  // namespace octacut

@@ -11,7 +11,7 @@ namespace {
 // verdict on the parent was kMixed.
 class Carver {
  public:
-  Carver(const std::vector<Silhouette>& silhouettes, CoarseHull* hull)
+  Carver(const std::vector<SilhouettePyramid>& silhouettes, CoarseHull* hull)
       : silhouettes_(silhouettes), hull_(*hull) {}
 
   void Refine(const Eigen::Vector3i& first,
@@ -21,11 +21,11 @@ class Carver {
         hull_.CellBox(first).merged(hull_.CellBox(first.array() + (size - 1)));
     std::vector<uint32_t> mixed;
     for (uint32_t s : undecided) {
-      const Footprint footprint = silhouettes_[s].Classify(box);
-      if (footprint == Footprint::kBackground) {
+      const BoxVerdict verdict = silhouettes_[s].Classify(box);
+      if (verdict == BoxVerdict::kBackground) {
         return;
       }
-      if (footprint == Footprint::kMixed) {
+      if (verdict == BoxVerdict::kMixed) {
         mixed.push_back(s);
       }
     }
@@ -52,7 +52,7 @@ class Carver {
     }
   }
 
-  const std::vector<Silhouette>& silhouettes_;
+  const std::vector<SilhouettePyramid>& silhouettes_;
   CoarseHull& hull_;
 };
 
@@ -95,7 +95,7 @@ Eigen::AlignedBox3d CoarseHull::CellBox(const Eigen::Vector3i& cell) const {
   return {first.matrix(), (first + step).matrix()};
 }
 
-CoarseHull CarveBox(const std::vector<Silhouette>& silhouettes,
+CoarseHull CarveBox(const std::vector<SilhouettePyramid>& silhouettes,
                     const Eigen::AlignedBox3d& box,
                     int level,
                     const Context& context) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/scene/silhouette.h"
+#include "core/scene/silhouette_pyramid.h"
 
 namespace octacut {
 
@@ -25,7 +25,7 @@ struct CoarseHull {
 
 // Cells of the box that no silhouette calls background, at (2^level)^3 cells;
 // level at least 1.
-CoarseHull CarveBox(const std::vector<Silhouette>& silhouettes,
+CoarseHull CarveBox(const std::vector<SilhouettePyramid>& silhouettes,
                     const Eigen::AlignedBox3d& box,
                     int level,
                     const Context& context);

@@ -8,7 +8,7 @@
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/scene/coarse_hull.h"
-#include "core/scene/silhouette.h"
+#include "core/scene/silhouette_pyramid.h"
 
 namespace octacut {
 namespace {
@@ -25,9 +25,9 @@ constexpr size_t kMinPoints = 8;
 // side: that of directions spread over a cone of 45 degrees about its axis.
 constexpr double kOneSided = 0.85;
 
-std::vector<Silhouette> MakeSilhouettes(const std::vector<View>& views,
-                                        bool trust_sides) {
-  std::vector<Silhouette> silhouettes;
+std::vector<SilhouettePyramid> MakeSilhouettes(const std::vector<View>& views,
+                                               bool trust_sides) {
+  std::vector<SilhouettePyramid> silhouettes;
   silhouettes.reserve(views.size());
   for (const View& view : views) {
     silhouettes.emplace_back(view, trust_sides);
@@ -48,10 +48,11 @@ Region MakeRegion(const Eigen::AlignedBox3d& box,
 }
 
 // Shrinks the box to the hull inside it until nothing changes.
-Eigen::AlignedBox3d ShrinkToHull(const std::vector<Silhouette>& silhouettes,
-                                 Eigen::AlignedBox3d box,
-                                 int level,
-                                 const Context& context) {
+Eigen::AlignedBox3d ShrinkToHull(
+    const std::vector<SilhouettePyramid>& silhouettes,
+    Eigen::AlignedBox3d box,
+    int level,
+    const Context& context) {
   // Pieces are told apart only once cells are small against the object.
   double min_fraction = 0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {

@@ -7,8 +7,8 @@
 namespace octacut {
 namespace {
 
-std::vector<Silhouette> SphereSilhouettes() {
-  std::vector<Silhouette> silhouettes;
+std::vector<SilhouettePyramid> SphereSilhouettes() {
+  std::vector<SilhouettePyramid> silhouettes;
   for (const View& view : testing::RenderAllAround(
            {0, 0, 0}, 4, 300, testing::Sphere({0, 0, 0}, 1))) {
     silhouettes.emplace_back(view);
@@ -21,16 +21,16 @@ const Eigen::AlignedBox3d kBox(Eigen::Vector3d(-1.5, -2, -1.5),
 
 // Refinement with early decisions gives what testing every cell gives.
 TEST(CoarseHull, EqualsTestingEveryCell) {
-  const std::vector<Silhouette> silhouettes = SphereSilhouettes();
+  const std::vector<SilhouettePyramid> silhouettes = SphereSilhouettes();
   const CoarseHull hull = CarveBox(silhouettes, kBox, 4, Context(2));
   size_t inside = 0;
   for (int z = 0; z < 16; ++z) {
     for (int y = 0; y < 16; ++y) {
       for (int x = 0; x < 16; ++x) {
         bool expected = true;
-        for (const Silhouette& silhouette : silhouettes) {
+        for (const SilhouettePyramid& silhouette : silhouettes) {
           expected = expected && silhouette.Classify(hull.CellBox({x, y, z})) !=
-                                     Footprint::kBackground;
+                                     BoxVerdict::kBackground;
         }
         EXPECT_EQ(hull.inside[hull.CellNumber({x, y, z})] != 0, expected);
         inside += expected;
@@ -41,7 +41,7 @@ TEST(CoarseHull, EqualsTestingEveryCell) {
 }
 
 TEST(CoarseHull, IsTheSameForAnyNumberOfThreads) {
-  const std::vector<Silhouette> silhouettes = SphereSilhouettes();
+  const std::vector<SilhouettePyramid> silhouettes = SphereSilhouettes();
   const CoarseHull one = CarveBox(silhouettes, kBox, 6, Context(1));
   const CoarseHull four = CarveBox(silhouettes, kBox, 6, Context(4));
   EXPECT_EQ(one.inside, four.inside);

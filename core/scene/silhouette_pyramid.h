@@ -1,6 +1,6 @@
-// The silhouette of one view as a summed-area table: what a box in space may
-// be, judged by this view alone. Conservative: no box that holds part of the
-// object is called background.
+// The silhouette of one view as a summed-area table and as the pyramid over its
+// bounds: what a box in space may be, judged by this view alone. Conservative:
+// no box that holds part of the object is called background.
 #pragma once
 
 #include <cstdint>
@@ -12,18 +12,18 @@
 
 namespace octacut {
 
-enum class Footprint : uint8_t {
+enum class BoxVerdict : uint8_t {
   kBackground,  // no point of the box is object
   kMixed,       // a part of the box may tell more
   kObject,      // every point of the box projects onto the object
   kUnknown,     // the box is out of this view's sight: no part tells more
 };
 
-class Silhouette {
+class SilhouettePyramid {
  public:
   // Keeps neither image nor mask. With `trust_sides` a view whose silhouette
   // touches some sides of its frame still bounds the object at the others.
-  explicit Silhouette(const View& view, bool trust_sides = false);
+  explicit SilhouettePyramid(const View& view, bool trust_sides = false);
 
   // The silhouette touches no side of its frame. Since the object is one
   // piece, all of it is inside the frame, and what projects outside is
@@ -32,10 +32,10 @@ class Silhouette {
   bool HasObject() const { return max_x_ > min_x_; }
 
   // An axis-aligned box in world coordinates.
-  Footprint Classify(const Eigen::AlignedBox3d& box) const;
+  BoxVerdict Classify(const Eigen::AlignedBox3d& box) const;
   // The same for one point; kObject or kBackground or, out of sight of an open
   // view, kUnknown.
-  Footprint Classify(const Eigen::Vector3d& point) const;
+  BoxVerdict Classify(const Eigen::Vector3d& point) const;
 
  private:
   struct Plane {  // in world coordinates; object only where value >= 0
@@ -44,7 +44,10 @@ class Silhouette {
   };
   void BuildTable(const cv::Mat& mask);
   void BuildPlanes(bool trust_sides);
-  Footprint ClassifyRectangle(double x0, double y0, double x1, double y1) const;
+  BoxVerdict ClassifyRectangle(double x0,
+                               double y0,
+                               double x1,
+                               double y1) const;
   int64_t Count(int x0, int y0, int x1, int y1) const;
 
   PinholeCamera camera_;

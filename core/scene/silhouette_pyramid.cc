@@ -1,4 +1,4 @@
-#include "core/scene/silhouette.h"
+#include "core/scene/silhouette_pyramid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ constexpr int kObjectThreshold = 128;  // as scene.h defines the mask
 
 }  // namespace
 
-Silhouette::Silhouette(const View& view, bool trust_sides)
+SilhouettePyramid::SilhouettePyramid(const View& view, bool trust_sides)
     : camera_(view.camera), cam_from_world_(view.cam_from_world) {
   BuildTable(view.mask);
   closed_ = HasObject() && min_x_ > 0 && min_y_ > 0 && max_x_ < camera_.width &&
@@ -19,7 +19,7 @@ Silhouette::Silhouette(const View& view, bool trust_sides)
   BuildPlanes(trust_sides);
 }
 
-void Silhouette::BuildTable(const cv::Mat& mask) {
+void SilhouettePyramid::BuildTable(const cv::Mat& mask) {
   const int width = mask.cols;
   const int height = mask.rows;
   const size_t stride = size_t(width) + 1;
@@ -44,7 +44,7 @@ void Silhouette::BuildTable(const cv::Mat& mask) {
   }
 }
 
-void Silhouette::BuildPlanes(bool trust_sides) {
+void SilhouettePyramid::BuildPlanes(bool trust_sides) {
   if (!HasObject() || !(closed_ || trust_sides)) {
     return;
   }
@@ -61,26 +61,26 @@ void Silhouette::BuildPlanes(bool trust_sides) {
   if (!planes_.empty()) add({0, 0, 1});
 }
 
-int64_t Silhouette::Count(int x0, int y0, int x1, int y1) const {
+int64_t SilhouettePyramid::Count(int x0, int y0, int x1, int y1) const {
   const size_t stride = size_t(camera_.width) + 1;
   const uint32_t* top = table_.data() + size_t(y0) * stride;
   const uint32_t* bottom = table_.data() + size_t(y1) * stride;
   return int64_t(bottom[x1]) - bottom[x0] - top[x1] + top[x0];
 }
 
-Footprint Silhouette::ClassifyRectangle(double x0,
-                                        double y0,
-                                        double x1,
-                                        double y1) const {
+BoxVerdict SilhouettePyramid::ClassifyRectangle(double x0,
+                                                double y0,
+                                                double x1,
+                                                double y1) const {
   const bool inside =
       x0 >= 0 && y0 >= 0 && x1 <= camera_.width && y1 <= camera_.height;
   const bool outside =
       x1 <= 0 || y1 <= 0 || x0 >= camera_.width || y0 >= camera_.height;
   if (outside) {
-    return closed_ ? Footprint::kBackground : Footprint::kUnknown;
+    return closed_ ? BoxVerdict::kBackground : BoxVerdict::kUnknown;
   }
   if (!inside && !closed_) {
-    return Footprint::kMixed;
+    return BoxVerdict::kMixed;
   }
   // Every pixel that the rectangle touches.
   const int left = int(std::floor(std::max(x0, 0.0)));
@@ -89,31 +89,31 @@ Footprint Silhouette::ClassifyRectangle(double x0,
   const int bottom = int(std::ceil(std::min(y1, double(camera_.height))));
   const int64_t count = Count(left, top, right, bottom);
   if (count == 0) {
-    return Footprint::kBackground;
+    return BoxVerdict::kBackground;
   }
   const bool full = count == int64_t(right - left) * (bottom - top);
-  return inside && full ? Footprint::kObject : Footprint::kMixed;
+  return inside && full ? BoxVerdict::kObject : BoxVerdict::kMixed;
 }
 
-Footprint Silhouette::Classify(const Eigen::AlignedBox3d& box) const {
+BoxVerdict SilhouettePyramid::Classify(const Eigen::AlignedBox3d& box) const {
   const Eigen::Vector3d center = box.center();
   const Eigen::Vector3d half = 0.5 * box.sizes();
   for (const Plane& plane : planes_) {
     const double reach = plane.normal.cwiseAbs().dot(half);
     if (plane.normal.dot(center) + plane.offset + reach < 0) {
-      return Footprint::kBackground;
+      return BoxVerdict::kBackground;
     }
   }
   const Eigen::Vector3d center_in_cam = cam_from_world_ * center;
   const auto& rotation = cam_from_world_.rotation;
   const double reach_z = rotation.row(2).cwiseAbs().transpose().dot(half);
   if (center_in_cam.z() + reach_z <= 0) {
-    return Footprint::kUnknown;  // behind an open view
+    return BoxVerdict::kUnknown;  // behind an open view
   }
   // A box that begins this near to the camera's plane has an unbounded or
   // useless footprint.
   if (center_in_cam.z() - reach_z <= 1e-3 * center_in_cam.z()) {
-    return Footprint::kMixed;
+    return BoxVerdict::kMixed;
   }
   double x0 = std::numeric_limits<double>::infinity();
   double y0 = x0;
@@ -133,9 +133,9 @@ Footprint Silhouette::Classify(const Eigen::AlignedBox3d& box) const {
   return ClassifyRectangle(x0, y0, x1, y1);
 }
 
-Footprint Silhouette::Classify(const Eigen::Vector3d& point) const {
-  const Footprint out_of_sight =
-      closed_ ? Footprint::kBackground : Footprint::kUnknown;
+BoxVerdict SilhouettePyramid::Classify(const Eigen::Vector3d& point) const {
+  const BoxVerdict out_of_sight =
+      closed_ ? BoxVerdict::kBackground : BoxVerdict::kUnknown;
   const Eigen::Vector3d point_in_cam = cam_from_world_ * point;
   if (point_in_cam.z() <= 0) {
     return out_of_sight;
@@ -147,8 +147,8 @@ Footprint Silhouette::Classify(const Eigen::Vector3d& point) const {
   }
   const int x = int(pixel.x());
   const int y = int(pixel.y());
-  return Count(x, y, x + 1, y + 1) > 0 ? Footprint::kObject
-                                       : Footprint::kBackground;
+  return Count(x, y, x + 1, y + 1) > 0 ? BoxVerdict::kObject
+                                       : BoxVerdict::kBackground;
 }
 
 }  // namespace octacut

@@ -7,9 +7,10 @@
 namespace octacut {
 namespace {
 
-// Smallest sizes of a record: a camera with three parameters, an image with a
-// name of one letter, a point without a track.
-constexpr uint64_t kMinCameraBytes = 4 + 4 + 8 + 8 + 3 * 8;
+// Smallest sizes of a record: a camera with two parameters (EQUIRECTANGULAR,
+// to be refused by its name), an image with a name of one letter, a point
+// without a track.
+constexpr uint64_t kMinCameraBytes = 4 + 4 + 8 + 8 + 2 * 8;
 constexpr uint64_t kMinImageBytes = 4 + 7 * 8 + 4 + 2 + 8;
 constexpr uint64_t kMinPointBytes = 8 + 3 * 8 + 3 + 8 + 8;
 

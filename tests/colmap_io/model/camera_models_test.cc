@@ -8,22 +8,12 @@
 
 #include "colmap_io/model/camera_projector.h"
 #include "core/base/error.h"
-#include "tests/colmap_io/model/test_cameras.h"
+#include "tests/colmap_io/model/test_models.h"
 
 namespace octacut {
 namespace {
 
 using ::testing::HasSubstr;
-
-template <typename Function>
-std::string InputErrorOf(const Function& function) {
-  try {
-    function();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no InputError";
-}
 
 TEST(CameraModelTable, NamesAndCountsAgree) {
   for (int id = 0; id < camera_model::kCount; ++id) {

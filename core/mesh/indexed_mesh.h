@@ -3,9 +3,8 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
-
 #include <Eigen/Core>
+#include <vector>
 
 namespace octacut {
 

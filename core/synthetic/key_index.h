@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/synthetic/noise.h"
+#include "core/raycast/sampling.h"
 
 namespace octacut {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
-#include "core/synthetic/noise.h"
+#include "core/raycast/sampling.h"
 
 namespace octacut {
 
@@ -37,17 +37,6 @@ namespace {
 constexpr size_t kGrain = 512;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Point `index` of an evenly spread sequence over the unit disc, turned and
-// shifted by `bits`: the square's R2 sequence, wrapped onto the disc.
-Eigen::Vector2d DiscSample(int index, uint64_t bits) {
-  const double u = std::fmod(
-      HashUniform(HashBits(bits, 1)) + 0.7548776662466927 * index, 1.0);
-  const double v = std::fmod(
-      HashUniform(HashBits(bits, 2)) + 0.5698402909980532 * index, 1.0);
-  const double angle = 2 * std::numbers::pi * u;
-  return std::sqrt(v) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-}
-
 // How far above the surface rays begin: the mesh is a polyhedron, its own
 // neighbouring triangles must not count.
 double RayOffset(const IndexedMesh& mesh) {
@@ -57,12 +46,6 @@ double RayOffset(const IndexedMesh& mesh) {
   }
   return 5e-4 * box.diagonal().norm();
 }
-
-struct Frame {
-  explicit Frame(const Eigen::Vector3d& axis)
-      : z(axis), x(axis.unitOrthogonal()), y(z.cross(x)) {}
-  Eigen::Vector3d z, x, y;
-};
 
 // Mean of `is_free(sample index)`; where the first samples agree the rest is
 // spared.
@@ -87,7 +70,7 @@ std::vector<float> BakeVisibility(const IndexedMesh& mesh,
                                   int num_samples,
                                   const Context& context) {
   std::vector<float> visibility(mesh.positions.size(), 0.0f);
-  const Frame frame(direction.normalized());
+  const AxisFrame frame(direction.normalized());
   const double radius = std::tan(angular_radius * std::numbers::pi / 180);
   const double offset = RayOffset(mesh);
   const int count = radius > 0 ? num_samples : 1;
@@ -101,11 +84,7 @@ std::vector<float> BakeVisibility(const IndexedMesh& mesh,
           const Eigen::Vector3d origin = mesh.positions[i] + offset * normal;
           visibility[i] = AdaptiveMean(count, 6, [&](int sample) {
             const Eigen::Vector2d disc = radius * DiscSample(sample, i);
-            return !rays.IsOccluded(
-                origin,
-                frame.z + disc.x() * frame.x + disc.y() * frame.y,
-                0,
-                kInfinity);
+            return !rays.IsOccluded(origin, frame.Disc(disc), 0, kInfinity);
           });
         }
       });
@@ -121,19 +100,11 @@ std::vector<float> BakeOpenness(const IndexedMesh& mesh,
   ParallelFor(
       context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-          const Frame frame(mesh.normals[i].cast<double>().normalized());
+          const AxisFrame frame(mesh.normals[i].cast<double>().normalized());
           const Eigen::Vector3d origin = mesh.positions[i] + offset * frame.z;
           openness[i] = AdaptiveMean(num_samples, 10, [&](int sample) {
-            // Points of the disc, lifted onto the hemisphere, are
-            // cosine-weighted directions.
-            const Eigen::Vector2d disc = DiscSample(sample, i);
-            const double height =
-                std::sqrt(std::max(0.0, 1 - disc.squaredNorm()));
             return !rays.IsOccluded(
-                origin,
-                height * frame.z + disc.x() * frame.x + disc.y() * frame.y,
-                0,
-                kInfinity);
+                origin, frame.Hemisphere(DiscSample(sample, i)), 0, kInfinity);
           });
         }
       });

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/raycast/tone_curve.h"
 
 namespace octacut {
 
@@ -47,28 +48,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-
-// From linear light in [0, 1] to sRGB's 8 bits.
-class ToneCurve {
- public:
-  ToneCurve() {
-    for (size_t i = 0; i < table_.size(); ++i) {
-      const double linear = (i + 0.5) / table_.size();
-      const double encoded = linear <= 0.0031308
-                                 ? 12.92 * linear
-                                 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-      table_[i] = static_cast<uint8_t>(std::lround(255 * encoded));
-    }
-  }
-  uint8_t operator()(float linear) const {
-    const float scaled = linear * static_cast<float>(table_.size());
-    return table_[static_cast<size_t>(
-        std::clamp(scaled, 0.0f, static_cast<float>(table_.size() - 1)))];
-  }
-
- private:
-  std::array<uint8_t, 8192> table_;
-};
 
 // One view's render: the pixels are independent.
 class ViewRenderer {

@@ -4,7 +4,8 @@
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
-#include "core/synthetic/noise.h"
+#include "core/raycast/sampling.h"
+#include "core/raycast/tone_curve.h"
 #include "core/synthetic/sparse_points.h"
 
 namespace octacut {
@@ -59,7 +60,7 @@ void ColorReference(const TextureOptions& texture,
               TextureColor(texture, mesh.positions[i].cast<float>());
           for (int k = 0; k < 3; ++k) {
             mesh.colors[i][k] = static_cast<uint8_t>(
-                std::lround(255 * std::pow(color[k], 1 / 2.2f)));
+                std::lround(255 * ToneCurve::Encode(color[k])));
           }
         }
       });

@@ -1,0 +1,52 @@
+// Pictures of a mesh as a camera sees it: shaded, depth, silhouette.
+#pragma once
+
+#include <Eigen/Core>
+#include <opencv2/core/mat.hpp>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/raycast/ray_scene.h"
+#include "core/scene/camera.h"
+
+namespace octacut {
+
+struct RenderOptions {
+  // Paint with the mesh's vertex colours, where it has them, instead of clay.
+  bool use_vertex_colors = false;
+  // sRGB in [0, 1]: red, green, blue.
+  Eigen::Vector3d clay_color{0.80, 0.76, 0.70};
+  Eigen::Vector3d background_color{1, 1, 1};
+  // Rays a pixel for the sky's light in hollows; 0: none.
+  int num_occlusion_samples = 24;
+  // A main light from the upper left behind the camera casts a shadow.
+  bool cast_shadow = true;
+
+  void Check() const;  // throws OptionError
+};
+
+// The mesh of `rays` in smooth shading (vertex normals of the mesh, or means
+// of the triangles' where it has none), 2 x 2 samples a pixel. CV_8UC3, BGR,
+// of the camera's size. The same bytes for any number of threads.
+cv::Mat RenderShaded(const IndexedMesh& mesh,
+                     const RayScene& rays,
+                     const PinholeCamera& camera,
+                     const Rigid3d& cam_from_world,
+                     const RenderOptions& options,
+                     const Context& context);
+
+// z in the camera's frame at pixel centres, 0 where nothing is hit. CV_32FC1.
+cv::Mat RenderDepth(const RayScene& rays,
+                    const PinholeCamera& camera,
+                    const Rigid3d& cam_from_world,
+                    const Context& context);
+
+// Coverage of each pixel by the mesh from 0 to 255, out of `samples` x
+// `samples` rays (1: the pixel's centre alone). CV_8UC1.
+cv::Mat RenderMask(const RayScene& rays,
+                   const PinholeCamera& camera,
+                   const Rigid3d& cam_from_world,
+                   const Context& context,
+                   int samples = 4);
+
+}  // namespace octacut

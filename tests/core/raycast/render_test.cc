@@ -1,0 +1,159 @@
+#include "core/raycast/render.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <opencv2/core.hpp>
+
+#include "core/base/error.h"
+#include "core/raycast/compose_comparison.h"
+#include "tests/core/raycast/random_mesh.h"
+
+namespace octacut {
+namespace {
+
+// A square of edge `size` in the plane z, seen from the camera at the origin.
+IndexedMesh Square(double size, double z) {
+  IndexedMesh mesh;
+  const double h = size / 2;
+  mesh.positions = {{-h, -h, z}, {-h, h, z}, {h, h, z}, {h, -h, z}};
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+PinholeCamera TestCamera() { return {64, 48, 60, 60, 32, 24}; }
+
+TEST(RenderMask, CoversWhatTheSquareCovers) {
+  // 2 units at distance 4: 30 x 30 pixels around the centre, its borders on
+  // pixel borders.
+  const RayScene rays(Square(2, 4));
+  const cv::Mat mask = RenderMask(rays, TestCamera(), {}, Context(2));
+  ASSERT_EQ(mask.type(), CV_8UC1);
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      const bool inside = x >= 17 && x < 47 && y >= 9 && y < 39;
+      ASSERT_EQ(mask.at<uint8_t>(y, x), inside ? 255 : 0) << x << " " << y;
+    }
+  }
+}
+
+TEST(RenderMask, BordersAreCoverage) {
+  // 30.5 pixels wide: a quarter of each border pixel.
+  const RayScene rays(Square(30.5 / 15, 4));
+  const cv::Mat mask = RenderMask(rays, TestCamera(), {}, Context(2));
+  EXPECT_EQ(mask.at<uint8_t>(24, 16), 64);
+  EXPECT_EQ(mask.at<uint8_t>(24, 47), 64);
+  EXPECT_EQ(mask.at<uint8_t>(8, 30), 64);
+  EXPECT_EQ(mask.at<uint8_t>(8, 16), 16);
+}
+
+TEST(RenderDepth, IsTheDistanceAlongTheViewingAxis) {
+  Rigid3d cam_from_world;
+  cam_from_world.translation = {0, 0, 1.5};
+  const RayScene rays(Square(2, 4));
+  const cv::Mat depth =
+      RenderDepth(rays, TestCamera(), cam_from_world, Context(2));
+  ASSERT_EQ(depth.type(), CV_32FC1);
+  EXPECT_FLOAT_EQ(depth.at<float>(24, 32), 5.5f);
+  EXPECT_FLOAT_EQ(depth.at<float>(20, 24), 5.5f);
+  EXPECT_EQ(depth.at<float>(2, 2), 0);
+}
+
+TEST(RenderShaded, IsBackgroundWhereNothingIs) {
+  RenderOptions options;
+  options.background_color = {1, 0.5, 0};
+  const IndexedMesh mesh = Square(2, 4);
+  const cv::Mat image =
+      RenderShaded(mesh, RayScene(mesh), TestCamera(), {}, options, Context(2));
+  const cv::Vec3b background = image.at<cv::Vec3b>(1, 1);
+  EXPECT_EQ(background[2], 255);
+  EXPECT_NEAR(background[1], 127.5, 1);
+  EXPECT_EQ(background[0], 0);
+  EXPECT_NE(image.at<cv::Vec3b>(24, 32), background);
+}
+
+TEST(RenderShaded, PaintsVertexColors) {
+  IndexedMesh mesh = Square(2, 4);
+  mesh.colors.assign(4, {200, 0, 0});
+  RenderOptions options;
+  options.use_vertex_colors = true;
+  const cv::Mat image =
+      RenderShaded(mesh, RayScene(mesh), TestCamera(), {}, options, Context(2));
+  const cv::Vec3b pixel = image.at<cv::Vec3b>(24, 32);
+  EXPECT_GT(pixel[2], 100);
+  EXPECT_EQ(pixel[1], 0);
+}
+
+TEST(RenderShaded, HollowsAndShadowsAreDarker) {
+  // A small square floats before a large one, toward the light.
+  IndexedMesh mesh = Square(4, 4);
+  const IndexedMesh front = Square(0.8, 3.6);
+  for (const auto& triangle : front.triangles) {
+    mesh.triangles.push_back(
+        {triangle[0] + 4, triangle[1] + 4, triangle[2] + 4});
+  }
+  mesh.positions.insert(
+      mesh.positions.end(), front.positions.begin(), front.positions.end());
+  RenderOptions options;
+  const auto brightness = [&](int x, int y) {
+    const cv::Mat image = RenderShaded(
+        mesh, RayScene(mesh), TestCamera(), {}, options, Context(2));
+    return cv::mean(image(cv::Rect(x, y, 3, 3)))[1];
+  };
+  // The light comes from the upper left: the shadow falls to the lower right.
+  const double shadow = brightness(40, 32);
+  const double open = brightness(14, 8);
+  EXPECT_LT(shadow, open - 30);
+  options.cast_shadow = false;
+  const double unshadowed = brightness(40, 32);
+  EXPECT_GT(unshadowed, shadow + 20);
+  EXPECT_LT(unshadowed, open);
+  options.num_occlusion_samples = 0;
+  EXPECT_NEAR(brightness(40, 32), open, 3);
+}
+
+TEST(RenderShaded, GivesTheSameBytesForAnyNumberOfThreads) {
+  std::mt19937 rng(3);
+  const IndexedMesh mesh = RandomSoup(rng, 100, {0, 0, 4}, 1, 0.5);
+  const RayScene rays(mesh);
+  const cv::Mat one =
+      RenderShaded(mesh, rays, TestCamera(), {}, {}, Context(1));
+  for (const int num_threads : {2, 4}) {
+    const cv::Mat many =
+        RenderShaded(mesh, rays, TestCamera(), {}, {}, Context(num_threads));
+    EXPECT_EQ(std::memcmp(one.data, many.data, one.total() * 3), 0);
+  }
+}
+
+TEST(RenderShaded, RefusesBadOptions) {
+  RenderOptions options;
+  options.num_occlusion_samples = -1;
+  EXPECT_THROW(options.Check(), OptionError);
+  options = {};
+  options.clay_color.y() = 1.5;
+  EXPECT_THROW(options.Check(), OptionError);
+  options = {};
+  options.background_color.x() = -0.1;
+  EXPECT_THROW(options.Check(), OptionError);
+  EXPECT_NO_THROW(RenderOptions{}.Check());
+  EXPECT_THROW(
+      RenderMask(RayScene(Square(1, 4)), TestCamera(), {}, Context(1), 0),
+      OptionError);
+}
+
+TEST(ComposeComparison, PutsThemSideBySide) {
+  const cv::Mat left(100, 60, CV_8UC3, cv::Scalar(10, 20, 30));
+  const cv::Mat right(200, 80, CV_8UC3, cv::Scalar(40, 50, 60));
+  const cv::Mat both = ComposeComparison(left, right);
+  EXPECT_EQ(both.rows, 100);
+  EXPECT_EQ(both.cols, 60 + 2 + 40);
+  EXPECT_EQ(both.at<cv::Vec3b>(50, 59), cv::Vec3b(10, 20, 30));
+  EXPECT_EQ(both.at<cv::Vec3b>(50, 60), cv::Vec3b(255, 255, 255));
+  EXPECT_EQ(both.at<cv::Vec3b>(50, 62), cv::Vec3b(40, 50, 60));
+  EXPECT_THROW(ComposeComparison(cv::Mat(), right), OptionError);
+  EXPECT_THROW(ComposeComparison(left, cv::Mat(9, 9, CV_8UC1)), OptionError);
+}
+
+}  // namespace
+}  // namespace octacut

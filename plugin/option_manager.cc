@@ -89,6 +89,9 @@ OptionManager::ParseResult OptionManager::ReadCommandLine(
     if (token == "-h" || token == "--help") {
       return ParseResult::kHelp;
     }
+    if (token.starts_with('-') && !token.starts_with("--")) {
+      throw OptionError(fmt::format("unknown option `{}`", token));
+    }
     if (!token.starts_with("--")) {
       throw OptionError(fmt::format("unexpected argument `{}`", token));
     }

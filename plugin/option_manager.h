@@ -58,14 +58,14 @@ class OptionManager {
   void AddEnum(std::string name,
                E* value,
                std::vector<std::pair<std::string, E>> names,
-               std::string description);
+               const std::string& description);
 
   // May be given several times; each time adds one element. Giving it at all
   // replaces the default.
   template <typename T>
   void AddRepeatable(std::string name,
                      std::vector<T>* values,
-                     std::string description);
+                     const std::string& description);
 
   // As AddRepeatable, at least once.
   template <typename T>
@@ -149,7 +149,7 @@ template <typename E>
 void OptionManager::AddEnum(std::string name,
                             E* value,
                             std::vector<std::pair<std::string, E>> names,
-                            std::string description) {
+                            const std::string& description) {
   std::string all;
   for (const auto& [text, element] : names) {
     all += (all.empty() ? "" : ", ") + text;
@@ -179,7 +179,7 @@ void OptionManager::AddEnum(std::string name,
 template <typename T>
 void OptionManager::AddRepeatable(std::string name,
                                   std::vector<T>* values,
-                                  std::string description) {
+                                  const std::string& description) {
   Option& option =
       AddOption(std::move(name), description + " (may be repeated)");
   for (const T& value : *values) {

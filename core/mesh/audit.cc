@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/mesh_components.h"
 #include "core/mesh/vertex_corners.h"
 
 namespace octacut {
@@ -211,39 +212,6 @@ void AuditVertices(const std::vector<Triangle>& triangles,
   }
 }
 
-// Components and referenced vertices by union-find.
-void CountComponents(const std::vector<Triangle>& triangles,
-                     size_t num_vertices,
-                     MeshAudit& audit) {
-  constexpr uint32_t kUnreferenced = 0xffffffffu;
-  std::vector<uint32_t> parents(num_vertices, kUnreferenced);
-  const auto root = [&](uint32_t v) {
-    if (parents[v] == kUnreferenced) {
-      parents[v] = v;
-    }
-    while (parents[v] != v) {
-      v = parents[v] = parents[parents[v]];
-    }
-    return v;
-  };
-  for (const Triangle& triangle : triangles) {
-    const uint32_t a = root(triangle[0]);
-    const uint32_t b = root(triangle[1]);
-    parents[std::max(a, b)] = std::min(a, b);
-    const uint32_t c = root(triangle[2]);
-    const uint32_t ab = std::min(a, b);
-    parents[std::max(ab, c)] = std::min(ab, c);
-  }
-  size_t num_referenced = 0;
-  for (size_t v = 0; v < num_vertices; ++v) {
-    num_referenced += parents[v] != kUnreferenced;
-    audit.num_components += parents[v] == v;
-  }
-  audit.euler_characteristic = int64_t(num_referenced) -
-                               int64_t(audit.num_edges) +
-                               int64_t(triangles.size());
-}
-
 size_t CountUnreferenced(const IndexedMesh& mesh) {
   std::vector<uint8_t> referenced(mesh.positions.size(), 0);
   for (const Triangle& triangle : mesh.triangles) {
@@ -285,7 +253,15 @@ MeshAudit AuditMesh(const IndexedMesh& mesh, const Context& context) {
   }
   Measure(mesh, usable, context, audit);
   AuditVertices(usable, mesh.positions.size(), context, audit);
-  CountComponents(usable, mesh.positions.size(), audit);
+  const MeshComponents components =
+      FindComponents(mesh.positions.size(), usable);
+  audit.num_components = components.count;
+  const int64_t num_connected =
+      int64_t(mesh.positions.size()) - std::count(components.of_vertex.begin(),
+                                                  components.of_vertex.end(),
+                                                  MeshComponents::kNone);
+  audit.euler_characteristic =
+      num_connected - int64_t(audit.num_edges) + int64_t(usable.size());
   if (audit.IsClosed() && audit.IsEdgeManifold() && audit.IsVertexManifold() &&
       audit.IsOriented()) {
     // Euler: the characteristic of a closed surface is 2 - 2 genus.

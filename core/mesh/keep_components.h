@@ -1,0 +1,32 @@
+// Removes crumbs: small components of a closed mesh.
+#pragma once
+
+#include <cstddef>
+
+#include "core/mesh/indexed_mesh.h"
+
+namespace octacut {
+
+struct KeepComponentsSummary {
+  size_t num_components = 0;
+  size_t num_removed = 0;           // both kinds together
+  size_t num_removed_cavities = 0;  // of negative volume
+  size_t num_removed_triangles = 0;
+};
+
+struct KeptComponents {
+  IndexedMesh mesh;
+  KeepComponentsSummary summary;
+};
+
+// Keeps the components (connected through vertices) whose volume is at least
+// `min_fraction` (in [0, 1], else OptionError) of the largest one's. 1 keeps
+// the largest alone, 0 everything.
+//
+// A component of negative volume bounds a cavity of another one. It is judged
+// by its absolute volume, so small cavities are filled; removing a component
+// removes no cavity in it, but such a cavity is smaller still. The order of
+// vertices and triangles stays.
+KeptComponents KeepLargestComponents(IndexedMesh mesh, double min_fraction);
+
+}  // namespace octacut

@@ -1,0 +1,141 @@
+#include "core/mesh/smooth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/base/check_option.h"
+#include "core/base/parallel.h"
+#include "core/mesh/thin_triangles.h"
+#include "core/mesh/vertex_corners.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kGrain = 1 << 14;
+
+using Positions = std::vector<Eigen::Vector3d>;
+
+// Neighbours of every vertex. In a closed, oriented mesh each one follows the
+// vertex in exactly one triangle, so the corners turn into neighbours.
+VertexCorners FindNeighbors(const IndexedMesh& mesh, const Context& context) {
+  VertexCorners result =
+      FindVertexCorners(mesh.positions.size(), mesh.triangles);
+  ParallelFor(
+      context, result.corners.size(), kGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const uint32_t corner = result.corners[i];
+          result.corners[i] = mesh.triangles[corner / 3][(corner + 1) % 3];
+        }
+      });
+  return result;
+}
+
+// One step of HK06 step 9, V <- V + weight * Laplacian(V), within the bound.
+void Step(const VertexCorners& neighbors,
+          const Positions& anchors,
+          double weight,
+          double bound,
+          const Context& context,
+          const Positions& from,
+          Positions& to) {
+  ParallelFor(context, from.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t v = begin; v < end; ++v) {
+      const std::span<const uint32_t> around = neighbors.Of(v);
+      if (around.empty()) {
+        to[v] = from[v];
+        continue;
+      }
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const uint32_t neighbor : around) {
+        sum += from[neighbor];
+      }
+      const Eigen::Vector3d laplacian = sum / double(around.size()) - from[v];
+      const Eigen::Vector3d moved = from[v] + weight * laplacian;
+      const Eigen::Vector3d displacement = moved - anchors[v];
+      const double squared_length = displacement.squaredNorm();
+      to[v] =
+          squared_length > bound * bound
+              ? anchors[v] + bound / std::sqrt(squared_length) * displacement
+              : moved;
+    }
+  });
+}
+
+void Summarize(const Positions& anchors,
+               const Positions& positions,
+               double voxel_size,
+               double bound,
+               SmoothSummary& summary) {
+  double sum = 0;
+  for (size_t v = 0; v < positions.size(); ++v) {
+    const double displacement = (positions[v] - anchors[v]).norm() / voxel_size;
+    sum += displacement;
+    summary.max_displacement = std::max(summary.max_displacement, displacement);
+    summary.num_bounded += displacement >= bound * (1 - 1e-9);
+  }
+  if (!positions.empty()) {
+    summary.mean_displacement = sum / double(positions.size());
+  }
+}
+
+}  // namespace
+
+void SmoothOptions::Check() const {
+  CheckOption(iterations >= 0, "iterations", iterations, "must be at least 0");
+  CheckOption(lambda > 0 && lambda <= 1, "lambda", lambda, "must be in (0, 1]");
+  CheckOption(taubin_mu == 0 || (taubin_mu < -lambda && taubin_mu >= -1.2),
+              "taubin_mu",
+              taubin_mu,
+              "must be 0 (none) or in [-1.2, -lambda)");
+  CheckOption(max_displacement >= 0 && std::isfinite(max_displacement),
+              "max_displacement",
+              max_displacement,
+              "must be at least 0");
+  CheckOption(min_height >= 0 && min_height <= 0.4,
+              "min_height",
+              min_height,
+              "must be in [0, 0.4]");
+}
+
+SmoothedSurface SmoothSurface(IndexedMesh mesh,
+                              double voxel_size,
+                              const SmoothOptions& options,
+                              const Context& context) {
+  options.Check();
+  CheckOption(voxel_size > 0, "voxel_size", voxel_size, "must be positive");
+  SmoothedSurface result;
+  result.mesh = std::move(mesh);
+  result.mesh.normals.clear();
+  Positions& positions = result.mesh.positions;
+  const Positions anchors = positions;
+  const double bound = options.max_displacement * voxel_size;
+  {
+    const VertexCorners neighbors = FindNeighbors(result.mesh, context);
+    Positions buffer(positions.size());
+    const auto step = [&](double weight) {
+      Step(neighbors, anchors, weight, bound, context, positions, buffer);
+      positions.swap(buffer);
+    };
+    for (int i = 0; i < options.iterations; ++i) {
+      step(options.lambda);
+      if (options.taubin_mu != 0) {
+        step(options.taubin_mu);
+      }
+    }
+  }
+  const WithdrawSummary withdrawn =
+      WithdrawFromThinTriangles(result.mesh.triangles,
+                                anchors,
+                                options.min_height * voxel_size,
+                                context,
+                                positions);
+  result.summary.num_withdrawn = withdrawn.num_withdrawn;
+  result.summary.num_thin = withdrawn.num_thin;
+  Summarize(
+      anchors, positions, voxel_size, options.max_displacement, result.summary);
+  return result;
+}
+
+}  // namespace octacut

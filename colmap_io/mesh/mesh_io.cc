@@ -1,0 +1,126 @@
+#include "colmap_io/mesh/mesh_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include "colmap_io/mesh/atomic_file.h"
+#include "colmap_io/mesh/mesh_readers.h"
+#include "colmap_io/mesh/mesh_writers.h"
+#include "core/base/error.h"
+
+namespace octacut {
+namespace {
+
+bool BeginsAsPly(std::istream& stream) {
+  char head[4] = {};
+  stream.read(head, 4);
+  const bool is_ply = stream.gcount() == 4 &&
+                      std::string_view(head, 3) == "ply" &&
+                      (head[3] == '\n' || head[3] == '\r');
+  stream.clear();
+  stream.seekg(0);
+  return is_ply;
+}
+
+void CheckSizes(const IndexedMesh& mesh) {
+  const size_t count = mesh.positions.size();
+  if ((!mesh.normals.empty() && mesh.normals.size() != count) ||
+      (!mesh.colors.empty() && mesh.colors.size() != count)) {
+    throw InvariantError(
+        fmt::format("mesh to write has {} vertices, {} normals, {} colours",
+                    count,
+                    mesh.normals.size(),
+                    mesh.colors.size()));
+  }
+}
+
+}  // namespace
+
+MeshFormat MeshFormatOf(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(
+      extension.begin(), extension.end(), extension.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      });
+  if (extension == ".ply") return MeshFormat::kPly;
+  if (extension == ".obj") return MeshFormat::kObj;
+  if (extension == ".off") return MeshFormat::kOff;
+  if (extension == ".stl") return MeshFormat::kStl;
+  throw OptionError(fmt::format(
+      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off or .stl",
+      path.string(),
+      extension));
+}
+
+MeshFile ReadMesh(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    throw InputError(fmt::format("{}: is a folder, not a mesh", path.string()));
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw InputError(fmt::format("{}: cannot be opened", path.string()));
+  }
+  const MeshFormat format =
+      BeginsAsPly(stream) ? MeshFormat::kPly : MeshFormatOf(path);
+  return ReadMesh(stream, format, path.string());
+}
+
+MeshFile ReadMesh(std::istream& stream,
+                  MeshFormat format,
+                  const std::string& name) {
+  ByteSource source(stream, name);
+  MeshFile result;
+  PolygonMesh polygons;
+  switch (format) {
+    case MeshFormat::kPly:
+      polygons = ReadPly(&source, &result.notes);
+      break;
+    case MeshFormat::kObj:
+      polygons = ReadObj(&source, &result.notes);
+      break;
+    case MeshFormat::kOff:
+      polygons = ReadOff(&source, &result.notes);
+      break;
+    case MeshFormat::kStl:
+      polygons = ReadStl(&source, &result.notes);
+      break;
+  }
+  result.mesh = Triangulate(std::move(polygons), name, &result.notes);
+  return result;
+}
+
+void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
+  const MeshFormat format = MeshFormatOf(path);
+  CheckSizes(mesh);
+  AtomicFile file(path);
+  WriteMesh(file.Stream(), format, mesh);
+  file.Commit();
+}
+
+void WriteMesh(std::ostream& stream,
+               MeshFormat format,
+               const IndexedMesh& mesh) {
+  CheckSizes(mesh);
+  switch (format) {
+    case MeshFormat::kPly:
+      return WritePly(mesh, stream);
+    case MeshFormat::kObj:
+      return WriteObj(mesh, stream);
+    case MeshFormat::kOff:
+      return WriteOff(mesh, stream);
+    case MeshFormat::kStl:
+      return WriteStl(mesh, stream);
+  }
+}
+
+void CheckMeshPath(const std::filesystem::path& path) {
+  MeshFormatOf(path);
+  // Creates and removes the temporary file: the surest way to know.
+  const AtomicFile probe(path);
+}
+
+}  // namespace octacut

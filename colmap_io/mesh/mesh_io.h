@@ -1,0 +1,54 @@
+// Meshes from and to files: PLY, OBJ, OFF and STL, by extension.
+#pragma once
+
+#include <filesystem>
+#include <istream>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/mesh/indexed_mesh.h"
+
+namespace octacut {
+
+enum class MeshFormat { kPly, kObj, kOff, kStl };
+
+// By the extension of `path`, whatever its case. Throws OptionError that names
+// the extension and lists the known ones.
+MeshFormat MeshFormatOf(const std::filesystem::path& path);
+
+struct MeshFile {
+  // May be open, not manifold, and without any triangle (a point cloud).
+  // Normals and colours of vertices where the file has them.
+  IndexedMesh mesh;
+  // What was changed or left out on the way, a line each.
+  std::vector<std::string> notes;
+};
+
+// Reads a mesh of anybody's making; what each format may hold is said in
+// mesh_readers.h and polygon_mesh.h. A file that begins with "ply" is read as
+// PLY whatever its extension. Throws InputError "<file>: ..." that names the
+// first bad element or line when the file is missing, truncated, has
+// coordinates that are not finite or indices out of range. Counts are checked
+// against the size of the file before memory is taken for them.
+MeshFile ReadMesh(const std::filesystem::path& path);
+MeshFile ReadMesh(std::istream& stream,
+                  MeshFormat format,
+                  const std::string& name);
+
+// Writes by extension, as mesh_writers.h says. `normals` and `colors` are
+// empty or of the size of `positions`. The file appears whole or not at all;
+// an older one is replaced. Throws as CheckMeshPath does, and InputError when
+// writing fails.
+void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh);
+void WriteMesh(std::ostream& stream,
+               MeshFormat format,
+               const IndexedMesh& mesh);
+
+// To be asked before any long work: throws OptionError for an unknown
+// extension and InputError when the folder is missing or cannot be written
+// to, or the path is there and no regular file.
+void CheckMeshPath(const std::filesystem::path& path);
+
+}  // namespace octacut

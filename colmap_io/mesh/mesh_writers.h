@@ -1,0 +1,27 @@
+// One writer a format, onto streams. The same bytes whatever the locale.
+#pragma once
+
+#include <ostream>
+
+#include "core/mesh/indexed_mesh.h"
+
+namespace octacut {
+
+// Binary little endian as COLMAP's meshers write it: float x y z, nx ny nz and
+// uchar red green blue where present; list uchar int vertex_indices. Floats
+// hold 24 bits: of a mesh that is far from the origin compared with its size,
+// the other formats (but STL) keep more.
+void WritePly(const IndexedMesh& mesh, std::ostream& stream);
+
+// v with colours from 0 to 1 as MeshLab has them, vn, f v//vn. Coordinates
+// with all their digits.
+void WriteObj(const IndexedMesh& mesh, std::ostream& stream);
+
+// OFF, or COFF with colours from 0 to 255; no normals. Coordinates with all
+// their digits.
+void WriteOff(const IndexedMesh& mesh, std::ostream& stream);
+
+// Binary, with normals of facets; neither colours nor normals of vertices.
+void WriteStl(const IndexedMesh& mesh, std::ostream& stream);
+
+}  // namespace octacut

@@ -1,0 +1,126 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "colmap_io/mesh/atomic_file.h"
+#include "core/base/error.h"
+#include "tests/colmap_io/mesh/test_meshes.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+size_t NumFiles(const fs::path& folder) {
+  return static_cast<size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+std::string Contents(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST(MeshPath, UnknownExtensionIsAnOptionError) {
+  for (const char* name : {"mesh.xyz", "mesh", "ply", ".ply"}) {
+    EXPECT_THAT([&] { CheckMeshPath(name); },
+                ThrowsMessage<OptionError>(
+                    testing::AllOf(HasSubstr(name), HasSubstr(".stl"))));
+  }
+  EXPECT_THROW(WriteMesh("mesh.xyz", TestMesh(false, false)), OptionError);
+}
+
+TEST(MeshPath, MissingFolderIsNamed) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "missing" / "a.ply";
+  const auto names_it = ThrowsMessage<InputError>(HasSubstr(path.string()));
+  EXPECT_THAT([&] { CheckMeshPath(path); }, names_it);
+  EXPECT_THAT([&] { WriteMesh(path, TestMesh(false, false)); }, names_it);
+}
+
+TEST(MeshPath, UnwritableFolderIsNamed) {
+  const TemporaryFolder folder;
+  fs::permissions(folder.Path(), fs::perms::owner_read | fs::perms::owner_exec);
+  // Root may write everywhere but there.
+  const fs::path path =
+      (::geteuid() == 0 ? fs::path("/proc") : folder.Path()) / "a.ply";
+  EXPECT_THAT([&] { CheckMeshPath(path); },
+              ThrowsMessage<InputError>(HasSubstr(path.string())));
+}
+
+TEST(MeshPath, FolderOrDeviceInPlaceOfTheFileIsRefused) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.Path() / "a.ply");
+  EXPECT_THROW(CheckMeshPath(folder.Path() / "a.ply"), InputError);
+  fs::create_symlink("/dev/null", folder.Path() / "b.ply");
+  EXPECT_THROW(CheckMeshPath(folder.Path() / "b.ply"), InputError);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST(MeshPath, CheckLeavesNothingAndTouchesNothing) {
+  const TemporaryFolder folder;
+  CheckMeshPath(folder.Path() / "a.ply");
+  EXPECT_EQ(NumFiles(folder.Path()), 0u);
+  std::ofstream(folder.Path() / "b.ply") << "precious";
+  CheckMeshPath(folder.Path() / "b.ply");
+  EXPECT_EQ(NumFiles(folder.Path()), 1u);
+  EXPECT_EQ(Contents(folder.Path() / "b.ply"), "precious");
+}
+
+TEST(MeshPath, WriteReplacesAndLeavesNoTemporary) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "a.off";
+  std::ofstream(path) << "old";
+  WriteMesh(path, TestMesh(false, false));
+  EXPECT_EQ(NumFiles(folder.Path()), 1u);
+  EXPECT_EQ(ReadMesh(path).mesh.triangles.size(), 8u);
+}
+
+TEST(MeshPath, WriteThroughASymbolicLinkReplacesItsTarget) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.Path() / "elsewhere");
+  const fs::path target = folder.Path() / "elsewhere" / "real.ply";
+  std::ofstream(target) << "old";
+  fs::create_symlink(target, folder.Path() / "a.ply");
+  WriteMesh(folder.Path() / "a.ply", TestMesh(false, false));
+  EXPECT_TRUE(fs::is_symlink(folder.Path() / "a.ply"));
+  EXPECT_EQ(ReadMesh(target).mesh.triangles.size(), 8u);
+}
+
+TEST(MeshPath, FailureKeepsTheOldFileAndRemovesTheTemporary) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "a.ply";
+  std::ofstream(path) << "old";
+  {
+    AtomicFile file(path);
+    file.Stream() << "half";
+    EXPECT_EQ(NumFiles(folder.Path()), 2u);
+  }
+  {
+    AtomicFile file(path);
+    file.Stream().setstate(std::ios::badbit);
+    EXPECT_THROW(file.Commit(), InputError);
+  }
+  EXPECT_EQ(NumFiles(folder.Path()), 1u);
+  EXPECT_EQ(Contents(path), "old");
+}
+
+TEST(MeshPath, MissingFileAndFolderAreNamedOnReading) {
+  const TemporaryFolder folder;
+  EXPECT_THAT([&] { ReadMesh(folder.Path() / "none.ply"); },
+              ThrowsMessage<InputError>(HasSubstr("none.ply")));
+  EXPECT_THROW(ReadMesh(folder.Path()), InputError);
+}
+
+TEST(MeshPath, PlyIsKnownByItsContents) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "mesh.txt";
+  std::ofstream(path) << WriteText(TestMesh(false, false), MeshFormat::kPly);
+  EXPECT_EQ(ReadMesh(path).mesh.triangles.size(), 8u);
+}
+
+}  // namespace
+}  // namespace octacut

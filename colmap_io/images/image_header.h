@@ -1,0 +1,29 @@
+// The size of a picture from its header alone, and whether its data ends
+// early: what image libraries do not tell or only print.
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <optional>
+#include <vector>
+
+namespace octacut {
+
+struct ImageSize {
+  uint64_t width = 0;  // pixels, as stored: EXIF orientation not applied
+  uint64_t height = 0;
+
+  bool operator==(const ImageSize&) const = default;
+};
+
+// Of a PNG or JPEG file; empty for other formats and for damaged headers. Reads
+// no pixels.
+std::optional<ImageSize> ReadImageSize(std::istream& stream);
+
+// True for a JPEG file whose data stops before its end marker: decoders fill
+// the rest with grey and say nothing.
+bool IsTruncatedJpeg(const std::vector<uint8_t>& bytes);
+
+bool IsJpeg(const std::vector<uint8_t>& bytes);
+
+}  // namespace octacut

@@ -1,0 +1,378 @@
+#include "colmap_io/images/load_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "colmap_io/images/image_file.h"
+#include "colmap_io/images/image_header.h"
+#include "colmap_io/images/mask_file.h"
+#include "colmap_io/images/reduce_mask.h"
+#include "colmap_io/images/scene_points.h"
+#include "colmap_io/images/undistort.h"
+#include "core/base/check_option.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMinViews = 3;
+constexpr int kReducedMaskSize = 640;
+// Decoded bytes of one photograph in flight, a pixel: image, mask, file.
+constexpr size_t kBytesPerPixel = 6;
+
+// An image of the model on its way to a view.
+struct Candidate {
+  const SparseImage* image = nullptr;
+  const SparseCamera* camera = nullptr;
+  fs::path mask_file;
+  SparseCamera mask_camera;
+};
+
+double SecondsSince(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
+      .count();
+}
+
+class Loader {
+ public:
+  Loader(const fs::path& workspace_path,
+         const LoadSceneOptions& options,
+         int target_level,
+         const Context& context)
+      : options_(options),
+        target_level_(target_level),
+        context_(context),
+        workspace_(OpenWorkspace(workspace_path, options.workspace, context)),
+        mask_cameras_(
+            workspace_, options.mask_geometry, options.original_path) {}
+
+  LoadedScene Run() {
+    LoadSceneSummary& summary = result_.summary;
+    summary.image_path = workspace_.image_path;
+    summary.model_path = workspace_.model_path;
+    summary.mask_path = workspace_.mask_path;
+    summary.num_images = workspace_.model.images.size();
+    summary.num_model_points = workspace_.model.points.size();
+
+    auto begin = std::chrono::steady_clock::now();
+    FindFiles();
+    ReadReducedMasks();
+    summary.mask_seconds = SecondsSince(begin);
+
+    begin = std::chrono::steady_clock::now();
+    result_.scene.points = ScenePoints(workspace_.model.points, reduced_);
+    summary.num_points = result_.scene.points.size();
+    result_.region = EstimateRegion(
+        reduced_, result_.scene.points, options_.region, context_);
+    reduced_ = {};
+    summary.region_seconds = SecondsSince(begin);
+
+    begin = std::chrono::steady_clock::now();
+    PlanWindows();
+    ReadViews();
+    summary.image_seconds = SecondsSince(begin);
+    return std::move(result_);
+  }
+
+ private:
+  void FindFiles();
+  void CheckImageSize(const Candidate& candidate) const;
+  void ReadReducedMasks();
+  View ReadReducedMask(Candidate* candidate) const;
+  void PlanWindows();
+  void ReadViews();
+  void ReadView(const Candidate& candidate, View* view) const;
+  void RequireViews(size_t count) const;
+  // Calls body(i) for all candidates, as many at a time as decode_budget
+  // allows; the first candidate's error is thrown.
+  void ForEachCandidate(std::string_view phase,
+                        const std::function<void(size_t)>& body) const;
+  const Frame& FrameOf(const SparseCamera& camera) const {
+    return frames_.at(camera.id);
+  }
+
+  const LoadSceneOptions& options_;
+  const int target_level_;
+  const Context& context_;
+  const Workspace workspace_;
+  const MaskCameras mask_cameras_;
+  std::map<uint32_t, Frame> frames_;  // by camera id
+  std::vector<Candidate> candidates_;
+  std::vector<View> reduced_;
+  LoadedScene result_;
+};
+
+void Loader::RequireViews(size_t count) const {
+  if (count < kMinViews) {
+    throw InputError(
+        fmt::format("{}: {} usable views of {} images; at least {} are needed",
+                    workspace_.model_path.string(),
+                    count,
+                    workspace_.model.images.size(),
+                    kMinViews));
+  }
+}
+
+void Loader::FindFiles() {
+  LoadSceneSummary& summary = result_.summary;
+  std::string first_missing_image;
+  std::string first_missing_mask;
+  for (const SparseImage& image : workspace_.model.images) {
+    std::error_code ignored;
+    if (options_.load_images &&
+        !fs::is_regular_file(workspace_.image_path / image.name, ignored)) {
+      if (summary.num_missing_images++ == 0) {
+        first_missing_image = (workspace_.image_path / image.name).string();
+      }
+      continue;
+    }
+    const auto mask_file =
+        FindMaskFile(workspace_.mask_path, image.name, workspace_.image_path);
+    if (!mask_file) {
+      if (summary.num_missing_masks++ == 0) {
+        first_missing_mask =
+            (workspace_.mask_path / (image.name + ".png")).string();
+      }
+      continue;
+    }
+    const SparseCamera* camera = workspace_.model.FindCamera(image.camera_id);
+    candidates_.push_back({&image, camera, *mask_file, {}});
+  }
+  const auto report = [&](size_t count,
+                          const std::string& first,
+                          std::string_view what,
+                          bool skip) {
+    if (count == 0) {
+      return;
+    }
+    const std::string message =
+        fmt::format("{}: no such {}; missing for {} of {} images",
+                    first,
+                    what,
+                    count,
+                    workspace_.model.images.size());
+    if (!skip) {
+      throw InputError(fmt::format(
+          "{} (--skip_missing_{}s 1 goes on without them)", message, what));
+    }
+    context_.Warn(message + ", which are left out");
+  };
+  report(summary.num_missing_images,
+         first_missing_image,
+         "image",
+         options_.skip_missing_images);
+  report(summary.num_missing_masks,
+         first_missing_mask,
+         "mask",
+         options_.skip_missing_masks);
+  RequireViews(candidates_.size());
+  for (const Candidate& candidate : candidates_) {
+    CheckImageSize(candidate);
+    if (!frames_.contains(candidate.camera->id)) {
+      frames_.emplace(candidate.camera->id, FrameOfCamera(*candidate.camera));
+    }
+  }
+}
+
+void Loader::CheckImageSize(const Candidate& candidate) const {
+  if (!options_.load_images) {
+    return;
+  }
+  const fs::path path = workspace_.image_path / candidate.image->name;
+  std::ifstream stream(path, std::ios::binary);
+  const std::optional<ImageSize> size = ReadImageSize(stream);
+  const SparseCamera& camera = *candidate.camera;
+  if (size && *size != ImageSize{camera.width, camera.height}) {
+    throw InputError(fmt::format(
+        "{}: the image has {}x{} pixels, but its camera {} has {}x{}",
+        path.string(),
+        size->width,
+        size->height,
+        camera.id,
+        camera.width,
+        camera.height));
+  }
+}
+
+void Loader::ForEachCandidate(std::string_view name,
+                              const std::function<void(size_t)>& body) const {
+  size_t pixels = 1;
+  for (const Candidate& candidate : candidates_) {
+    pixels = std::max(
+        pixels, size_t(candidate.camera->width * candidate.camera->height));
+  }
+  const size_t in_flight =
+      std::clamp(options_.decode_budget / (kBytesPerPixel * pixels),
+                 size_t{1},
+                 size_t(context_.NumThreads()));
+  std::vector<std::optional<std::string>> errors(candidates_.size());
+  Phase phase(context_, name, candidates_.size());
+  const size_t batch = 4 * in_flight;
+  for (size_t first = 0; first < candidates_.size(); first += batch) {
+    const size_t count = std::min(batch, candidates_.size() - first);
+    const size_t grain = (count + in_flight - 1) / in_flight;
+    ParallelFor(context_, count, grain, [&](size_t begin, size_t end) {
+      for (size_t i = first + begin; i < first + end; ++i) {
+        try {
+          body(i);
+        } catch (const InputError& error) {
+          errors[i] = error.what();
+        }
+        phase.Advance();
+      }
+    });
+    for (const auto& error : errors) {
+      if (error) {
+        throw InputError(*error);
+      }
+    }
+  }
+}
+
+View Loader::ReadReducedMask(Candidate* candidate) const {
+  const std::string name = candidate->mask_file.string();
+  const cv::Mat mask = ReadMask(candidate->mask_file);
+  candidate->mask_camera =
+      mask_cameras_.Find(*candidate->image,
+                         *candidate->camera,
+                         {uint64_t(mask.cols), uint64_t(mask.rows)},
+                         name);
+  const cv::Mat object = mask >= 128;
+  const int count = cv::countNonZero(object);
+  if (count == 0) {
+    throw InputError(fmt::format("{}: the mask is all background", name));
+  }
+  if (size_t(count) == mask.total()) {
+    throw InputError(fmt::format("{}: the mask is all object", name));
+  }
+  const bool own =
+      candidate->mask_camera.model_id == candidate->camera->model_id &&
+      candidate->mask_camera.params == candidate->camera->params;
+  ReducedMask reduced = ReduceMask(
+      mask,
+      candidate->mask_camera,
+      own ? FrameOf(*candidate->camera) : FrameOfCamera(candidate->mask_camera),
+      kReducedMaskSize);
+  View view;
+  view.name = candidate->image->name;
+  view.camera = reduced.camera;
+  view.cam_from_world = candidate->image->CamFromWorld();
+  view.mask = std::move(reduced.mask);
+  return view;
+}
+
+void Loader::ReadReducedMasks() {
+  reduced_.resize(candidates_.size());
+  ForEachCandidate("reading masks", [&](size_t i) {
+    reduced_[i] = ReadReducedMask(&candidates_[i]);
+  });
+}
+
+void Loader::PlanWindows() {
+  std::vector<Candidate> kept;
+  std::vector<PinholeCamera> windows;
+  for (const Candidate& candidate : candidates_) {
+    const auto window = PlanWindow(*candidate.camera,
+                                   FrameOf(*candidate.camera),
+                                   candidate.image->CamFromWorld(),
+                                   result_.region,
+                                   target_level_,
+                                   options_.window);
+    if (window) {
+      View& view = result_.scene.views.emplace_back();
+      view.name = candidate.image->name;
+      view.camera = *window;
+      view.cam_from_world = candidate.image->CamFromWorld();
+      kept.push_back(candidate);
+      windows.push_back(*window);
+    }
+  }
+  LoadSceneSummary& summary = result_.summary;
+  summary.num_views_elsewhere = candidates_.size() - kept.size();
+  summary.num_views = kept.size();
+  summary.scene_bytes = SceneBytes(windows);
+  candidates_ = std::move(kept);
+  if (summary.num_views_elsewhere > 0) {
+    context_.Warn(
+        fmt::format("{} of {} images do not show the region and are "
+                    "left out",
+                    summary.num_views_elsewhere,
+                    workspace_.model.images.size()));
+  }
+  RequireViews(summary.num_views);
+  context_.Info(fmt::format("{} views, {:.0f} MB of pixels",
+                            summary.num_views,
+                            double(summary.scene_bytes) / 1e6));
+}
+
+void Loader::ReadView(const Candidate& candidate, View* view) const {
+  // Views are loaded side by side; each by one thread.
+  const Context alone(1);
+  view->mask = Undistort(ReadMask(candidate.mask_file),
+                         candidate.mask_camera,
+                         view->camera,
+                         255,
+                         alone);
+  if (!options_.load_images) {
+    return;
+  }
+  const fs::path path = workspace_.image_path / candidate.image->name;
+  const cv::Mat photograph = ReadPhotograph(path);
+  const SparseCamera& camera = *candidate.camera;
+  if (uint64_t(photograph.cols) != camera.width ||
+      uint64_t(photograph.rows) != camera.height) {
+    throw InputError(fmt::format(
+        "{}: the image has {}x{} pixels, but its camera {} has {}x{}",
+        path.string(),
+        photograph.cols,
+        photograph.rows,
+        camera.id,
+        camera.width,
+        camera.height));
+  }
+  view->image = Undistort(photograph, camera, view->camera, 0, alone);
+}
+
+void Loader::ReadViews() {
+  ForEachCandidate("reading images", [&](size_t i) {
+    ReadView(candidates_[i], &result_.scene.views[i]);
+  });
+}
+
+}  // namespace
+
+void LoadSceneOptions::Check() const {
+  region.Check();
+  window.Check();
+  CheckOption(decode_budget > 0,
+              "decode_budget",
+              decode_budget,
+              "must be greater than 0");
+}
+
+LoadedScene LoadScene(const fs::path& workspace_path,
+                      const LoadSceneOptions& options,
+                      int target_level,
+                      const Context& context) {
+  options.Check();
+  CheckOption(target_level >= 1 && target_level <= 20,
+              "target_level",
+              target_level,
+              "must be in [1, 20]");
+  return Loader(workspace_path, options, target_level, context).Run();
+}
+
+}  // namespace octacut

@@ -1,0 +1,23 @@
+// Where the mask of a photograph is.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace octacut {
+
+// The mask of image `image_name` (as the model has it, may hold folders) in
+// folder `mask_path`: the first that exists of, for abc/012.jpg,
+//   abc/012.jpg.png   COLMAP
+//   abc/012.png       newer COLMAP
+//   abc/012.mask.png  OpenMVS
+//   abc/012.jpg       the very same name
+// and of the first three with .jpg or .jpeg. Never `image_path`/`image_name`
+// itself.
+std::optional<std::filesystem::path> FindMaskFile(
+    const std::filesystem::path& mask_path,
+    const std::string& image_name,
+    const std::filesystem::path& image_path);
+
+}  // namespace octacut

@@ -1,0 +1,152 @@
+#include "colmap_io/images/mask_geometry.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "colmap_io/images/undistort.h"
+#include "colmap_io/model/read_sparse_model.h"
+#include "core/base/check_option.h"
+#include "core/base/error.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool HasSize(const SparseCamera& camera, const ImageSize& size) {
+  return camera.width == size.width && camera.height == size.height;
+}
+
+SparseCamera ToSparseCamera(const PinholeCamera& camera) {
+  SparseCamera result;
+  result.model_id = camera_model::kPinhole;
+  result.width = uint64_t(camera.width);
+  result.height = uint64_t(camera.height);
+  result.params = {camera.fx, camera.fy, camera.cx, camera.cy};
+  return result;
+}
+
+}  // namespace
+
+MaskGeometry ParseMaskGeometry(const std::string& name) {
+  if (name == "original") {
+    return MaskGeometry::kOriginal;
+  }
+  if (name == "undistorted") {
+    return MaskGeometry::kUndistorted;
+  }
+  CheckOption(name == "auto",
+              "mask_geometry",
+              name,
+              "must be auto, original or undistorted");
+  return MaskGeometry::kAuto;
+}
+
+MaskCameras::MaskCameras(const Workspace& workspace,
+                         MaskGeometry geometry,
+                         const fs::path& original_path)
+    : workspace_(workspace),
+      geometry_(geometry),
+      original_path_(original_path) {}
+
+SparseCamera MaskCameras::Find(const SparseImage& image,
+                               const SparseCamera& camera,
+                               const ImageSize& mask_size,
+                               const std::string& mask_name) const {
+  // The images of a dense folder are undistorted, those of a project original.
+  const MaskGeometry own = workspace_.is_dense_folder
+                               ? MaskGeometry::kUndistorted
+                               : MaskGeometry::kOriginal;
+  const bool own_allowed =
+      geometry_ == MaskGeometry::kAuto || geometry_ == own ||
+      (!workspace_.is_dense_folder && IsUndistorted(camera));
+  if (own_allowed && HasSize(camera, mask_size)) {
+    return camera;
+  }
+  const bool other_allowed = geometry_ != own;
+  if (other_allowed) {
+    const std::optional<SparseCamera> other = OtherCamera(image, camera);
+    if (other && HasSize(*other, mask_size)) {
+      return *other;
+    }
+    if (!other && workspace_.is_dense_folder) {
+      throw InputError(fmt::format(
+          "{}: the mask has {}x{} pixels, image {} {}x{}: if it was made for "
+          "the original photograph, --original_path must name the sparse model "
+          "of the originals",
+          mask_name,
+          mask_size.width,
+          mask_size.height,
+          image.name,
+          camera.width,
+          camera.height));
+    }
+  }
+  throw InputError(fmt::format(
+      "{}: the mask has {}x{} pixels, which is the size neither of image {} "
+      "({}x{}) nor of its other geometry (--mask_geometry {})",
+      mask_name,
+      mask_size.width,
+      mask_size.height,
+      image.name,
+      camera.width,
+      camera.height,
+      geometry_ == MaskGeometry::kAuto       ? "auto"
+      : geometry_ == MaskGeometry::kOriginal ? "original"
+                                             : "undistorted"));
+}
+
+std::optional<SparseCamera> MaskCameras::OtherCamera(
+    const SparseImage& image, const SparseCamera& camera) const {
+  const CamerasByName& others = OtherCameras();
+  const auto found = others.find(image.name);
+  if (found != others.end()) {
+    return found->second;
+  }
+  if (!workspace_.is_dense_folder) {
+    return ToSparseCamera(UndistortedCamera(camera));
+  }
+  return {};
+}
+
+const MaskCameras::CamerasByName& MaskCameras::OtherCameras() const {
+  std::call_once(once_, [this] { ReadOtherCameras(); });
+  return others_;
+}
+
+void MaskCameras::ReadOtherCameras() const {
+  std::vector<fs::path> folders;
+  const fs::path here = fs::absolute(workspace_.path / "").parent_path();
+  if (workspace_.is_dense_folder) {
+    folders =
+        original_path_.empty()
+            ? std::vector<fs::path>{here.parent_path() / "sparse",
+                                    here.parent_path().parent_path() / "sparse"}
+            : std::vector<fs::path>{original_path_};
+  } else {
+    folders = {here / "dense" / "sparse"};
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(here / "dense", ignored)) {
+      folders.push_back(entry.path() / "sparse");
+    }
+  }
+  for (const fs::path& folder : folders) {
+    for (const fs::path& path : FindModels(folder)) {
+      SparseModel model;
+      try {
+        model = ReadSparseModel(path);
+      } catch (const InputError&) {
+        if (!original_path_.empty()) {
+          throw;
+        }
+        continue;  // a neighbour that nobody asked for
+      }
+      for (const SparseImage& image : model.images) {
+        others_.emplace(image.name, *model.FindCamera(image.camera_id));
+      }
+    }
+  }
+}
+
+}  // namespace octacut

@@ -1,0 +1,22 @@
+// The sparse points of a model that lie on the object.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "colmap_io/model/sparse_model.h"
+#include "core/scene/scene.h"
+
+namespace octacut {
+
+// Positions of the points, in the order of the model, that
+// - have a reprojection error of at most four times the median error (points
+//   whose error is not known pass),
+// - are seen in at least three images, or two when the model has tracks no
+//   longer than that,
+// - lie inside the masks as PointsInsideMasks has it. `views` may hold masks
+//   of low resolution.
+std::vector<Eigen::Vector3d> ScenePoints(const std::vector<SparsePoint>& points,
+                                         const std::vector<View>& views);
+
+}  // namespace octacut

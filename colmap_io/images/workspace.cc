@@ -1,0 +1,166 @@
+#include "colmap_io/images/workspace.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <tuple>
+
+#include "colmap_io/model/read_sparse_model.h"
+#include "core/base/error.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsFolder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
+}
+
+bool HasModelFile(const fs::path& folder) {
+  std::error_code ignored;
+  for (const char* name : {"cameras", "images", "points3D"}) {
+    for (const char* extension : {".bin", ".txt"}) {
+      if (fs::is_regular_file(folder / (std::string(name) + extension),
+                              ignored)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// "2" before "10", numbers before names.
+bool ComesBefore(const fs::path& a, const fs::path& b) {
+  const auto key = [](const fs::path& path) {
+    const std::string name = path.filename().string();
+    const bool number =
+        !name.empty() && name.find_first_not_of("0123456789") == name.npos;
+    return std::make_tuple(!number, number ? name.size() : 0, name);
+  };
+  return key(a) < key(b);
+}
+
+SparseModel LargestModel(const std::vector<fs::path>& folders,
+                         fs::path* chosen,
+                         const Context& context) {
+  uint64_t most = 0;
+  std::string first_error;
+  std::vector<fs::path> readable;
+  for (const fs::path& folder : folders) {
+    try {
+      const uint64_t count = CountSparseImages(folder);
+      readable.push_back(folder);
+      if (readable.size() == 1 || count > most) {
+        most = count;
+        *chosen = folder;
+      }
+    } catch (const InputError& error) {
+      first_error = first_error.empty() ? error.what() : first_error;
+      if (folders.size() > 1) {
+        context.Warn(fmt::format(
+            "{}: model left out: {}", folder.string(), error.what()));
+      }
+    }
+  }
+  if (readable.empty()) {
+    throw InputError(first_error);
+  }
+  if (folders.size() > 1) {
+    context.Info(fmt::format(
+        "{} models: using {}, the one with the most images ({}); --input_path "
+        "chooses another",
+        folders.size(),
+        chosen->string(),
+        most));
+  }
+  return ReadSparseModel(*chosen);
+}
+
+fs::path FindMasks(const Workspace& workspace,
+                   const fs::path& given,
+                   const Context& context) {
+  if (!given.empty()) {
+    if (!IsFolder(given)) {
+      throw InputError(
+          fmt::format("mask_path {}: no such folder", given.string()));
+    }
+    return given;
+  }
+  const fs::path here = workspace.path / "masks";
+  if (IsFolder(here)) {
+    return here;
+  }
+  if (workspace.is_dense_folder) {
+    const fs::path absolute = fs::absolute(workspace.path / "").parent_path();
+    for (const fs::path& parent :
+         {absolute.parent_path(), absolute.parent_path().parent_path()}) {
+      if (IsFolder(parent / "masks")) {
+        context.Info(fmt::format("masks: {}", (parent / "masks").string()));
+        return parent / "masks";
+      }
+    }
+  }
+  throw InputError(fmt::format("{}: no folder of masks; --mask_path names it",
+                               here.string()));
+}
+
+}  // namespace
+
+std::vector<fs::path> FindModels(const fs::path& folder) {
+  if (HasModelFile(folder)) {
+    return {folder};
+  }
+  std::vector<fs::path> models;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.is_directory(ignored) && HasModelFile(entry.path())) {
+      models.push_back(entry.path());
+    }
+  }
+  std::sort(models.begin(), models.end(), ComesBefore);
+  return models;
+}
+
+Workspace OpenWorkspace(const fs::path& path,
+                        const WorkspaceOptions& options,
+                        const Context& context) {
+  if (!IsFolder(path)) {
+    throw InputError(
+        fmt::format("workspace_path {}: no such folder", path.string()));
+  }
+  Workspace workspace;
+  workspace.path = path;
+  workspace.image_path =
+      options.image_path.empty() ? path / "images" : options.image_path;
+  if (!IsFolder(workspace.image_path)) {
+    throw InputError(
+        fmt::format("{}: no folder of images; --image_path names it",
+                    workspace.image_path.string()));
+  }
+  const bool given = !options.input_path.empty();
+  const fs::path models = given ? options.input_path : path / "sparse";
+  if (!IsFolder(models)) {
+    throw InputError(fmt::format("{}: no folder of sparse models{}",
+                                 models.string(),
+                                 given ? "" : "; --input_path names it"));
+  }
+  const std::vector<fs::path> folders = FindModels(models);
+  if (folders.empty()) {
+    throw InputError(fmt::format(
+        "{}: neither holds a sparse model (cameras, images, points3D as .bin "
+        "or .txt) nor folders with one",
+        models.string()));
+  }
+  workspace.model = LargestModel(folders, &workspace.model_path, context);
+  workspace.is_dense_folder = HasModelFile(path / "sparse") &&
+                              std::all_of(workspace.model.cameras.begin(),
+                                          workspace.model.cameras.end(),
+                                          IsUndistorted);
+  workspace.mask_path = FindMasks(workspace, options.mask_path, context);
+  return workspace;
+}
+
+}  // namespace octacut

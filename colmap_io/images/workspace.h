@@ -1,0 +1,47 @@
+// The parts of a COLMAP workspace.
+//
+//   dense folder  W/images, W/sparse/{cameras,images,points3D}: the output of
+//                 image_undistorter (W may be dense/<i> of COLMAP 4)
+//   project       W/images, W/sparse/<i>/: the mapper's models
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "colmap_io/model/sparse_model.h"
+#include "core/base/context.h"
+
+namespace octacut {
+
+// Empty: the default place in the workspace.
+struct WorkspaceOptions {
+  std::filesystem::path image_path;  // folder of images; default W/images
+  std::filesystem::path input_path;  // folder of the model, or of models
+  std::filesystem::path mask_path;   // folder of masks; default W/masks, in a
+                                     // dense folder also ../masks, ../../masks
+};
+
+struct Workspace {
+  std::filesystem::path path;
+  std::filesystem::path image_path;
+  std::filesystem::path model_path;
+  std::filesystem::path mask_path;
+  // The model lies in `sparse` itself, as image_undistorter leaves it.
+  bool is_dense_folder = false;
+  SparseModel model;
+};
+
+// Finds the parts and reads the model: of several the one with the most
+// registered images (the first of equals), which context.Info names. Throws
+// InputError naming the part that is missing.
+Workspace OpenWorkspace(const std::filesystem::path& path,
+                        const WorkspaceOptions& options,
+                        const Context& context);
+
+// Folders below `folder` (itself and one level down) that hold a model, in
+// the order of their names; numbers in the order of their values.
+std::vector<std::filesystem::path> FindModels(
+    const std::filesystem::path& folder);
+
+}  // namespace octacut

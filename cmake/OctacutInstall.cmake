@@ -8,8 +8,9 @@ list(REMOVE_ITEM modules octacut_plugin)
 
 # octacut::core and octacut::colmap_io: all modules of a layer at once.
 foreach(layer core colmap_io)
+  string(REPLACE "_io" "" prefix ${layer}) # modules colmap_model, ...
   set(layer_modules ${modules})
-  list(FILTER layer_modules INCLUDE REGEX "^octacut_${layer}_")
+  list(FILTER layer_modules INCLUDE REGEX "^octacut_${prefix}_")
   add_library(octacut_${layer} INTERFACE)
   add_library(octacut::${layer} ALIAS octacut_${layer})
   set_target_properties(octacut_${layer} PROPERTIES EXPORT_NAME ${layer})

@@ -19,6 +19,13 @@ std::string_view GroupOf(std::string_view name) {
                                        : name.substr(0, dot);
 }
 
+std::string ToLower(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
+    return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : char(c);
+  });
+  return text;
+}
+
 }  // namespace
 
 OptionManager::OptionManager() {
@@ -190,15 +197,15 @@ Json OptionManager::ToJson() const {
 }
 
 std::string OptionManager::NameOption(const std::string& message) const {
-  const std::string_view field =
-      std::string_view(message).substr(0, message.find(" = "));
+  const size_t field_size = message.find(" = ");
+  if (field_size == std::string::npos) {
+    return message;
+  }
+  const std::string field = ToLower(message.substr(0, field_size));
   for (const Option& option : options_) {
-    const std::string_view group = GroupOf(option.name);
-    if (!group.empty() && option.name.substr(group.size() + 1) == field) {
-      return fmt::format("--{}.{}", group, message);
-    }
-    if (option.name == field) {
-      return "--" + message;
+    const std::string name = ToLower(option.name);
+    if (name == field || name.substr(name.find('.') + 1) == field) {
+      return fmt::format("--{}{}", option.name, message.substr(field_size));
     }
   }
   return message;

@@ -97,7 +97,8 @@ class OptionManager {
 
   // Completes a message "field = value: constraint" of a step's Check() with
   // the option that is bound to such a field: "--Group.field = value: ...".
-  // Other messages are returned as they are.
+  // A field may also be "group.field", as of an options struct inside another
+  // one. Messages about other fields are returned as they are.
   std::string NameOption(const std::string& message) const;
 
  private:

@@ -108,9 +108,41 @@ Eigen::Vector4d CatmullRom(const Eigen::Vector4d& before,
                 (3 * begin - before - 3 * end + after) * t3);
 }
 
-}  // namespace
+// One straight piece of a tube.
+struct TubePiece {
+  TubePiece(const Eigen::Vector4d& from, const Eigen::Vector4d& to)
+      : begin(from.head<3>()),
+        along(to.head<3>() - begin),
+        scaled(along / along.squaredNorm()),
+        radius(from.w()),
+        growth(to.w() - radius),
+        middle(begin + along / 2),
+        reach(along.norm() / 2 + std::max(from.w(), to.w())) {}
 
-ImplicitShape MakeTube(const std::vector<Eigen::Vector4d>& points, int steps) {
+  Eigen::Vector3d begin, along, scaled;
+  double radius, growth;
+  Eigen::Vector3d middle;  // the piece is within `reach` of it
+  double reach;
+};
+
+double TubeValue(const std::vector<TubePiece>& pieces,
+                 const Eigen::Vector3d& p) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const TubePiece& piece : pieces) {
+    const double limit = best + piece.reach;
+    if (limit > 0 && (p - piece.middle).squaredNorm() > limit * limit) {
+      continue;  // no nearer than what is found already
+    }
+    const double t = std::clamp(piece.scaled.dot(p - piece.begin), 0.0, 1.0);
+    best = std::min(best,
+                    (p - piece.begin - t * piece.along).norm() - piece.radius -
+                        t * piece.growth);
+  }
+  return best;
+}
+
+std::vector<Eigen::Vector4d> SampleSpline(
+    const std::vector<Eigen::Vector4d>& points, int steps) {
   std::vector<Eigen::Vector4d> curve{points.front()};
   const int last = static_cast<int>(points.size()) - 1;
   for (int i = 0; i < last; ++i) {
@@ -119,34 +151,32 @@ ImplicitShape MakeTube(const std::vector<Eigen::Vector4d>& points, int steps) {
                                  points[i],
                                  points[i + 1],
                                  points[std::min(i + 2, last)],
-                                 double(k) / steps));
+                                 static_cast<double>(k) / steps));
     }
   }
-  // One function over all pieces: far cheaper than a union of bars.
+  return curve;
+}
+
+}  // namespace
+
+ImplicitShape MakeTube(const std::vector<Eigen::Vector4d>& points, int steps) {
+  const std::vector<Eigen::Vector4d> curve = SampleSpline(points, steps);
   Eigen::AlignedBox3d box;
-  double lipschitz = 1;
-  for (size_t i = 0; i < curve.size(); ++i) {
-    const Eigen::Vector3d corner = Eigen::Vector3d::Constant(curve[i].w());
-    box.extend(curve[i].head<3>() - corner);
-    box.extend(curve[i].head<3>() + corner);
-    if (i > 0) {
-      const Eigen::Vector4d along = curve[i] - curve[i - 1];
-      lipschitz =
-          std::max(lipschitz, 1 + std::abs(along.w()) / along.head<3>().norm());
-    }
+  for (const Eigen::Vector4d& point : curve) {
+    const Eigen::Vector3d corner = Eigen::Vector3d::Constant(point.w());
+    box.extend(point.head<3>() - corner);
+    box.extend(point.head<3>() + corner);
   }
-  return {[curve = std::move(curve)](const Eigen::Vector3d& p) {
-            double best = std::numeric_limits<double>::infinity();
-            for (size_t i = 1; i < curve.size(); ++i) {
-              const Eigen::Vector3d begin = curve[i - 1].head<3>();
-              const Eigen::Vector3d along = curve[i].head<3>() - begin;
-              const double t = std::clamp(
-                  along.dot(p - begin) / along.squaredNorm(), 0.0, 1.0);
-              const double radius =
-                  curve[i - 1].w() + t * (curve[i].w() - curve[i - 1].w());
-              best = std::min(best, (p - begin - t * along).norm() - radius);
-            }
-            return best;
+  std::vector<TubePiece> pieces;
+  double lipschitz = 1;
+  for (size_t i = 1; i < curve.size(); ++i) {
+    pieces.emplace_back(curve[i - 1], curve[i]);
+    const TubePiece& piece = pieces.back();
+    lipschitz =
+        std::max(lipschitz, 1 + std::abs(piece.growth) / piece.along.norm());
+  }
+  return {[pieces = std::move(pieces)](const Eigen::Vector3d& p) {
+            return TubeValue(pieces, p);
           },
           box,
           lipschitz};

@@ -24,9 +24,9 @@ struct AreaLight {
 };
 
 struct LightingOptions {
-  std::vector<AreaLight> lights{{{0.55, -0.5, 0.8}, 9, {0.85f, 0.80f, 0.72f}},
-                                {{-0.8, 0.3, 0.35}, 14, {0.24f, 0.27f, 0.32f}}};
-  Eigen::Vector3f ambient{0.30f, 0.31f, 0.33f};
+  std::vector<AreaLight> lights{{{0.55, -0.5, 0.8}, 9, {1.30f, 1.22f, 1.10f}},
+                                {{-0.8, 0.3, 0.35}, 14, {0.30f, 0.34f, 0.40f}}};
+  Eigen::Vector3f ambient{0.42f, 0.43f, 0.46f};
   // The lights turn with the camera, as on a turntable.
   bool fixed_to_camera = false;
   // Strength and sharpness of highlights (Blinn-Phong); 0: matte.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/check_option.h"
+#include "core/synthetic/beast_ewer.h"
 
 namespace octacut {
 
@@ -76,8 +77,6 @@ SyntheticObject MakeTouchingSpheres() {
                 0.1)};
 }
 
-SyntheticObject MakeExample() { return MakeCup(1); }
-
 }  // namespace
 
 SyntheticObject MakeObject(std::string_view name,
@@ -105,7 +104,7 @@ SyntheticObject MakeObject(std::string_view name,
     return MakeTouchingSpheres();
   }
   if (name == "example") {
-    return MakeExample();
+    return {MakeBeastEwer(), 1};
   }
   throw OptionError(fmt::format("object = {}: unknown", name));
 }

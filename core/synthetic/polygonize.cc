@@ -273,19 +273,20 @@ class MarchingTetrahedra {
   IndexedMesh mesh_;
 };
 
-// Newton's method along the gradient; `reach` bounds a step.
+// Newton's method along the gradient; `reach` bounds a step. Values change
+// little along the surface, so one gradient serves twice.
 Eigen::Vector3d ProjectOntoSurface(const ImplicitShape& shape,
                                    Eigen::Vector3d point,
-                                   double reach) {
-  const double step = 1e-3 * reach;
-  for (int round = 0; round < 2; ++round) {
-    const Eigen::Vector3d gradient = ImplicitGradient(shape, point, step);
+                                   double reach,
+                                   int num_rounds) {
+  for (int round = 0; round < num_rounds; ++round) {
+    const Eigen::Vector3d gradient =
+        ImplicitGradient(shape, point, 1e-3 * reach);
     const double slope_squared = gradient.squaredNorm();
     if (slope_squared < 1e-6) {
       break;
     }
-    // Values change little along the surface: the gradient serves twice.
-    for (int repeat = 0; repeat < 2; ++repeat) {
+    for (int repeat = 0; repeat < num_rounds; ++repeat) {
       Eigen::Vector3d move = -shape(point) / slope_squared * gradient;
       const double length = move.norm();
       if (length > reach) {
@@ -299,13 +300,14 @@ Eigen::Vector3d ProjectOntoSurface(const ImplicitShape& shape,
 
 void ProjectVertices(const ImplicitShape& shape,
                      double reach,
+                     int num_rounds,
                      const Context& context,
                      IndexedMesh& mesh) {
   ParallelFor(
       context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
           mesh.positions[i] =
-              ProjectOntoSurface(shape, mesh.positions[i], reach);
+              ProjectOntoSurface(shape, mesh.positions[i], reach, num_rounds);
         }
       });
 }
@@ -363,11 +365,13 @@ IndexedMesh Polygonize(const ImplicitShape& shape,
   }
   IndexedMesh mesh = MarchingTetrahedra(lattice, sampling).Run();
   ThrowUnlessClosed(mesh);
-  ProjectVertices(shape, lattice.cell, context, mesh);
+  // Coarsely while vertices still move, to full precision in the end.
+  ProjectVertices(shape, lattice.cell, 1, context, mesh);
   for (int round = 0; round < options.smoothing_rounds; ++round) {
     SmoothVertices(mesh);
-    ProjectVertices(shape, lattice.cell, context, mesh);
+    ProjectVertices(shape, lattice.cell, 1, context, mesh);
   }
+  ProjectVertices(shape, lattice.cell, 2, context, mesh);
   mesh.normals.resize(mesh.positions.size());
   ParallelFor(
       context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {

@@ -18,7 +18,7 @@ struct PolygonizeOptions {
   int resolution = 200;
   // Rounds of moving vertices along the surface toward their neighbours'
   // mean, for evenly sized triangles.
-  int smoothing_rounds = 3;
+  int smoothing_rounds = 2;
 
   void Check() const;  // throws OptionError
 };

@@ -28,6 +28,12 @@ void SceneSpec::Check() const {
 SceneSpec NamedScene(const std::string& object) {
   SceneSpec spec;
   spec.object = object;
+  if (object == "example") {
+    spec.texture.kind = TextureKind::kPatina;
+    spec.texture.color = {0.50f, 0.25f, 0.11f};
+    spec.texture.scale = 0.35;
+    spec.reference.resolution = 256;
+  }
   return spec;
 }
 

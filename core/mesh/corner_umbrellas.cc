@@ -1,17 +1,9 @@
 #include "core/mesh/corner_umbrellas.h"
 
-#include "core/mesh/cube_topology.h"
-
 namespace octacut {
 namespace {
 
-int QuarterFace(int octant, int axis) {
-  const int b = NextAxis(axis);
-  const int c = NextAxis(b);
-  return 4 * axis + (octant >> b & 1) + 2 * (octant >> c & 1);
-}
-
-void Join(int a, int b, std::array<OctantMask, 8>& umbrellas) {
+constexpr void Join(int a, int b, std::array<OctantMask, 8>& umbrellas) {
   const OctantMask joined = umbrellas[a] | umbrellas[b];
   for (int octant = 0; octant < 8; ++octant) {
     if (joined >> octant & 1) {
@@ -22,21 +14,21 @@ void Join(int a, int b, std::array<OctantMask, 8>& umbrellas) {
 
 // Joins the polygons around the grid edge that leaves the corner along `axis`
 // to the side `sign` (0: -, 1: +). Returns how many there are.
-int JoinAroundEdge(QuarterFaceLabels labels,
-                   int axis,
-                   int sign,
-                   std::array<OctantMask, 8>& umbrellas) {
+constexpr int JoinAroundEdge(QuarterFaceLabels labels,
+                             int axis,
+                             int sign,
+                             std::array<OctantMask, 8>& umbrellas) {
   const int b = NextAxis(axis);
   const int c = NextAxis(b);
   const int base = sign << axis;
   const int ring[4] = {
       base, base | 1 << b, base | 1 << b | 1 << c, base | 1 << c};
   // inside[i]: the quarter face between ring octants i and i + 1.
-  bool inside[4];
+  bool inside[4] = {};
   for (int i = 0; i < 4; ++i) {
     inside[i] = labels >> QuarterFace(ring[i], i % 2 == 0 ? b : c) & 1;
   }
-  int split[4];
+  int split[4] = {};
   int num_split = 0;
   for (int i = 0; i < 4; ++i) {
     if (inside[i] != inside[(i + 3) % 4]) {
@@ -55,8 +47,8 @@ int JoinAroundEdge(QuarterFaceLabels labels,
   return num_split;
 }
 
-CornerUmbrellas FindUmbrellas(QuarterFaceLabels labels) {
-  CornerUmbrellas result;
+constexpr CornerUmbrellas FindUmbrellas(QuarterFaceLabels labels) {
+  CornerUmbrellas result{};
   for (int octant = 0; octant < 8; ++octant) {
     const QuarterFaceLabels faces = QuarterFacesOfOctant(octant);
     const bool cut = (labels & faces) != 0 && (labels & faces) != faces;
@@ -72,40 +64,34 @@ CornerUmbrellas FindUmbrellas(QuarterFaceLabels labels) {
   return result;
 }
 
-}  // namespace
-
-QuarterFaceLabels QuarterFacesOfOctant(int octant) {
-  return QuarterFaceLabels(1u << QuarterFace(octant, 0) |
-                           1u << QuarterFace(octant, 1) |
-                           1u << QuarterFace(octant, 2));
-}
-
-const std::array<CornerUmbrellas, 4096>& CornerUmbrellaTable() {
-  static const std::array<CornerUmbrellas, 4096> table = [] {
-    std::array<CornerUmbrellas, 4096> umbrellas;
-    for (int labels = 0; labels < 4096; ++labels) {
-      umbrellas[labels] = FindUmbrellas(QuarterFaceLabels(labels));
-    }
-    return umbrellas;
-  }();
+constexpr std::array<CornerUmbrellas, 4096> FindAllUmbrellas() {
+  std::array<CornerUmbrellas, 4096> table{};
+  for (int labels = 0; labels < 4096; ++labels) {
+    table[labels] = FindUmbrellas(QuarterFaceLabels(labels));
+  }
   return table;
 }
 
-const std::array<std::array<QuarterFaceLabels, 64>, 8>& QuarterFaceTable() {
-  static const std::array<std::array<QuarterFaceLabels, 64>, 8> table = [] {
-    std::array<std::array<QuarterFaceLabels, 64>, 8> faces{};
-    for (int octant = 0; octant < 8; ++octant) {
-      for (int labels = 0; labels < 64; ++labels) {
-        for (int axis = 0; axis < 3; ++axis) {
-          if (labels >> FaceAtCorner(7 ^ octant, axis) & 1) {
-            faces[octant][labels] |= 1u << QuarterFace(octant, axis);
-          }
+constexpr std::array<std::array<QuarterFaceLabels, 64>, 8> FindQuarterFaces() {
+  std::array<std::array<QuarterFaceLabels, 64>, 8> table{};
+  for (int octant = 0; octant < 8; ++octant) {
+    for (int labels = 0; labels < 64; ++labels) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if (labels >> FaceAtCorner(7 ^ octant, axis) & 1) {
+          table[octant][labels] |= 1u << QuarterFace(octant, axis);
         }
       }
     }
-    return faces;
-  }();
+  }
   return table;
 }
+
+}  // namespace
+
+constexpr std::array<CornerUmbrellas, 4096> kCornerUmbrellaTable =
+    FindAllUmbrellas();
+
+constexpr std::array<std::array<QuarterFaceLabels, 64>, 8> kQuarterFaceTable =
+    FindQuarterFaces();
 
 }  // namespace octacut

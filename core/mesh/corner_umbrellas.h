@@ -17,6 +17,7 @@
 #include <cstdint>
 
 #include "core/grid/face.h"
+#include "core/mesh/cube_topology.h"
 
 namespace octacut {
 
@@ -35,13 +36,24 @@ struct CornerUmbrellas {
 };
 
 // One element for each of the 2^12 labellings of a corner.
-const std::array<CornerUmbrellas, 4096>& CornerUmbrellaTable();
+extern const std::array<CornerUmbrellas, 4096> kCornerUmbrellaTable;
+
+// The quarter face of an octant across `axis`.
+inline constexpr int QuarterFace(int octant, int axis) {
+  const int b = NextAxis(axis);
+  const int c = NextAxis(b);
+  return 4 * axis + (octant >> b & 1) + 2 * (octant >> c & 1);
+}
 
 // The three quarter faces of an octant.
-QuarterFaceLabels QuarterFacesOfOctant(int octant);
+inline constexpr QuarterFaceLabels QuarterFacesOfOctant(int octant) {
+  return QuarterFaceLabels(1u << QuarterFace(octant, 0) |
+                           1u << QuarterFace(octant, 1) |
+                           1u << QuarterFace(octant, 2));
+}
 
 // The quarter faces that a voxel in `octant` labels inside, for each of its
 // 2^6 labellings.
-const std::array<std::array<QuarterFaceLabels, 64>, 8>& QuarterFaceTable();
+extern const std::array<std::array<QuarterFaceLabels, 64>, 8> kQuarterFaceTable;
 
 }  // namespace octacut

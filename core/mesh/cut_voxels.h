@@ -51,9 +51,12 @@ class CutVoxels {
   template <typename Body>
   void ForEachInBrick(size_t brick, Body&& body) const {
     Index number = first_[brick];
-    for (uint64_t mask = masks_[brick]; mask != 0; mask &= mask - 1) {
-      const int bit = std::countr_zero(mask);
-      body(number++, bit, labels_[crust_->FindInBrick(Index(brick), bit)]);
+    const VoxelGrid::Brick& bits = crust_->Bricks()[brick];
+    Index index = bits.first;
+    for (uint64_t mask = bits.mask; mask != 0; mask &= mask - 1, ++index) {
+      if (IsCut(labels_[index])) {
+        body(number++, std::countr_zero(mask), labels_[index]);
+      }
     }
   }
 
@@ -64,6 +67,11 @@ class CutVoxels {
   std::vector<Index> first_;
   size_t size_ = 0;
 };
+
+// Coordinate of the voxel at `bit` of a brick within the brick.
+inline constexpr int CoordinateInBrick(int bit, int axis) {
+  return (bit >> axis & 1) | (bit >> (axis + 2) & 2);
+}
 
 // The 6^3 voxels in and around a brick as a dense array.
 class CutBlock {
@@ -82,19 +90,15 @@ class CutBlock {
   CutVoxels::Index Number(int cell) const { return numbers_[cell]; }
 
  private:
+  // Loads the voxels of a brick that are in `touching`; `shift` is the way
+  // of their cells from those of the central brick.
   void LoadFrom(const CutVoxels& cut,
                 size_t brick,
-                const Eigen::Vector3i& side);
+                uint64_t touching,
+                int shift);
 
   std::array<uint8_t, kSide * kSide * kSide> labels_;
   std::array<CutVoxels::Index, kSide * kSide * kSide> numbers_;
 };
-
-// Coordinates of the voxel at `bit` of a brick within the brick.
-inline Eigen::Vector3i VoxelInBrick(int bit) {
-  return {(bit & 1) | (bit >> 2 & 2),
-          (bit >> 1 & 1) | (bit >> 3 & 2),
-          (bit >> 2 & 1) | (bit >> 4 & 2)};
-}
 
 }  // namespace octacut

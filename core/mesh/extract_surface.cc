@@ -70,7 +70,7 @@ void CountOfVoxel(const Drawing& drawing,
                   CutVoxels::Index number,
                   FaceLabels labels,
                   Counts& counts) {
-  const SplitLoops& loops = SplitLoopTable()[labels];
+  const SplitLoops& loops = kSplitLoopTable[labels];
   counts.polygons += loops.num_loops;
   for (int i = 0; i < loops.num_loops; ++i) {
     const SplitLoop& loop = loops.loops[i];
@@ -91,7 +91,7 @@ void WriteVoxel(const Drawing& drawing,
                 const Eigen::Vector3d& center,
                 Counts& next,
                 ExtractedSurface& surface) {
-  const SplitLoops& loops = SplitLoopTable()[labels];
+  const SplitLoops& loops = kSplitLoopTable[labels];
   auto& triangles = surface.mesh.triangles;
   for (int i = 0; i < loops.num_loops; ++i) {
     const SplitLoop& loop = loops.loops[i];

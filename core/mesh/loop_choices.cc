@@ -14,7 +14,7 @@ void ChooseOfVoxel(CutVoxels::Index number,
                    const UmbrellaVertices& umbrellas,
                    const CornerOffsets& offsets,
                    LoopChoices& result) {
-  const SplitLoops& loops = SplitLoopTable()[labels];
+  const SplitLoops& loops = kSplitLoopTable[labels];
   unsigned code = 0;
   uint32_t chords = 0;
   for (int i = 0; i < loops.num_loops; ++i) {

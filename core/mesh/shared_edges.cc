@@ -31,7 +31,7 @@ class SharedEdgeFinder {
 
   // Returns the fans of a voxel and adds what it finds to `result`.
   uint8_t Find(const CutVoxel& voxel, SharedEdges& result) const {
-    const SplitLoops& loops = SplitLoopTable()[voxel.labels];
+    const SplitLoops& loops = kSplitLoopTable[voxel.labels];
     uint8_t fans = 0;
     for (int i = 0; i < loops.num_loops; ++i) {
       const SplitLoop& loop = loops.loops[i];

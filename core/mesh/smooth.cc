@@ -85,10 +85,10 @@ void Summarize(const Positions& anchors,
 void SmoothOptions::Check() const {
   CheckOption(iterations >= 0, "iterations", iterations, "must be at least 0");
   CheckOption(lambda > 0 && lambda <= 1, "lambda", lambda, "must be in (0, 1]");
-  CheckOption(taubin_mu == 0 || (taubin_mu < -lambda && taubin_mu >= -1.2),
+  CheckOption(taubin_mu == 0 || (taubin_mu <= -lambda && taubin_mu >= -1.2),
               "taubin_mu",
               taubin_mu,
-              "must be 0 (none) or in [-1.2, -lambda)");
+              "must be 0 (none) or in [-1.2, -lambda]");
   CheckOption(max_displacement >= 0 && std::isfinite(max_displacement),
               "max_displacement",
               max_displacement,

@@ -9,13 +9,13 @@
 namespace octacut {
 
 struct SmoothOptions {
-  int iterations = 10;
+  int iterations = 5;
   // V <- V + lambda * Laplacian(V), with the uniform umbrella operator: mean of
   // the neighbours less the vertex.
   double lambda = 0.5;
-  // With mu < -lambda, every iteration is followed by one of V <- V + mu *
+  // With mu <= -lambda, every iteration is followed by one of V <- V + mu *
   // Laplacian(V), which gives back the volume that smoothing takes (Taubin,
-  // SIGGRAPH 1995). 0: none.
+  // SIGGRAPH 1995) but smooths less per iteration. 0: none.
   double taubin_mu = 0;
   // How far a vertex may come from where it began, in voxels.
   double max_displacement = 1;

@@ -7,7 +7,7 @@ namespace {
 
 // Corners of a face, clockwise seen from outside the cube: the polygon looks
 // at its inside face from within the voxel.
-std::array<int, 4> ClockwiseCorners(int face) {
+constexpr std::array<int, 4> ClockwiseCorners(int face) {
   const int axis = face / 2;
   const int u = 1 << NextAxis(axis);
   const int v = 1 << NextAxis(NextAxis(axis));
@@ -18,8 +18,8 @@ std::array<int, 4> ClockwiseCorners(int face) {
   return {base, base | u, base | u | v, base | v};
 }
 
-SplitLoops TraceLoops(FaceLabels labels) {
-  std::array<int, kNumCorners> next;
+constexpr SplitLoops TraceLoops(FaceLabels labels) {
+  std::array<int, kNumCorners> next{};
   next.fill(-1);
   for (int face = 0; face < kNumFaces; ++face) {
     if ((labels >> face & 1) == 0) {
@@ -50,17 +50,16 @@ SplitLoops TraceLoops(FaceLabels labels) {
   return result;
 }
 
-}  // namespace
-
-const std::array<SplitLoops, 64>& SplitLoopTable() {
-  static const std::array<SplitLoops, 64> table = [] {
-    std::array<SplitLoops, 64> loops;
-    for (int labels = 0; labels < 64; ++labels) {
-      loops[labels] = TraceLoops(FaceLabels(labels));
-    }
-    return loops;
-  }();
+constexpr std::array<SplitLoops, 64> TraceAll() {
+  std::array<SplitLoops, 64> table{};
+  for (int labels = 0; labels < 64; ++labels) {
+    table[labels] = TraceLoops(FaceLabels(labels));
+  }
   return table;
 }
+
+}  // namespace
+
+constexpr std::array<SplitLoops, 64> kSplitLoopTable = TraceAll();
 
 }  // namespace octacut

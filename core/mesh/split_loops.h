@@ -28,6 +28,6 @@ struct SplitLoops {
 };
 
 // Loops of each of the 2^6 labellings.
-const std::array<SplitLoops, 64>& SplitLoopTable();
+extern const std::array<SplitLoops, 64> kSplitLoopTable;
 
 }  // namespace octacut

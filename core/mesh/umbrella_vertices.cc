@@ -45,7 +45,6 @@ struct CornerCells {
 const char* QuarterFaces(const CutBlock& block,
                          const CornerCells& around,
                          QuarterFaceLabels* labels) {
-  const auto& quarter_faces = QuarterFaceTable();
   unsigned known = 0;
   unsigned inside = 0;
   unsigned unknown_octants = 0;
@@ -56,7 +55,7 @@ const char* QuarterFaces(const CutBlock& block,
       continue;
     }
     const unsigned faces = QuarterFacesOfOctant(octant);
-    const unsigned mine = quarter_faces[octant][voxel_labels];
+    const unsigned mine = kQuarterFaceTable[octant][voxel_labels];
     if (((inside ^ mine) & known & faces) != 0) {
       return "two voxels disagree about a face they share";
     }
@@ -97,8 +96,9 @@ bool IsFirst(const CutBlock& block,
 }
 
 int CellOfBit(int bit) {
-  const Eigen::Vector3i voxel = VoxelInBrick(bit);
-  return CutBlock::Cell(voxel.x(), voxel.y(), voxel.z());
+  return CutBlock::Cell(CoordinateInBrick(bit, 0),
+                        CoordinateInBrick(bit, 1),
+                        CoordinateInBrick(bit, 2));
 }
 
 // Calls body(corner) for the corners of a mask.
@@ -120,21 +120,19 @@ VertexCount FindUmbrellas(const CutVoxels& cut,
                           size_t brick,
                           CutBlock& block,
                           UmbrellaVertices& result) {
-  const auto& umbrella_table = CornerUmbrellaTable();
-  const auto& loops = SplitLoopTable();
   block.Load(cut, brick);
   VertexCount count;
   cut.ForEachInBrick(
       brick, [&](CutVoxels::Index number, int bit, FaceLabels voxel_labels) {
         size_t slot = result.first_slot[number];
         const int cell = CellOfBit(bit);
-        ForEachCorner(loops[voxel_labels].corner_mask, [&](int k) {
+        ForEachCorner(kSplitLoopTable[voxel_labels].corner_mask, [&](int k) {
           const CornerCells around(cell, k);
           QuarterFaceLabels labels = 0;
           if (const char* reason = QuarterFaces(block, around, &labels)) {
             ThrowNotClosed(cut, brick, bit, reason);
           }
-          const CornerUmbrellas& umbrellas = umbrella_table[labels];
+          const CornerUmbrellas& umbrellas = kCornerUmbrellaTable[labels];
           const OctantMask mine = umbrellas.of_octant[7 ^ k];
           result.umbrellas[slot++] = mine;
           result.near_four_polygon_edge[number] |=
@@ -160,7 +158,6 @@ uint32_t NumberVertices(const CutVoxels& cut,
                         CutBlock& block,
                         uint32_t next,
                         UmbrellaVertices& result) {
-  const auto& loops = SplitLoopTable();
   const double voxel_size = cube.VoxelSize(cut.Crust().Level());
   const VoxelGrid::Brick& bits = cut.Crust().Bricks()[brick];
   block.Load(cut, brick);
@@ -170,7 +167,7 @@ uint32_t NumberVertices(const CutVoxels& cut,
         const Eigen::Vector3i voxel =
             DecodeMorton(VoxelGrid::CodeOf(bits, bit));
         const int cell = CellOfBit(bit);
-        ForEachCorner(loops[labels].corner_mask, [&](int k) {
+        ForEachCorner(kSplitLoopTable[labels].corner_mask, [&](int k) {
           const CornerCells around(cell, k);
           const OctantMask umbrella = result.umbrellas[slot++];
           if (!IsFirst(block, around, umbrella, 7 ^ k)) {
@@ -195,14 +192,14 @@ uint32_t NumberVertices(const CutVoxels& cut,
 
 // Returns the number of slots.
 size_t NumberSlots(const CutVoxels& cut, std::vector<uint32_t>& first_slot) {
-  const auto& loops = SplitLoopTable();
   first_slot.resize(cut.Size());
   size_t num_slots = 0;
   for (size_t brick = 0; brick < cut.Crust().Bricks().size(); ++brick) {
     cut.ForEachInBrick(
         brick, [&](CutVoxels::Index number, int, FaceLabels labels) {
           first_slot[number] = uint32_t(num_slots);
-          num_slots += std::popcount(unsigned(loops[labels].corner_mask));
+          num_slots +=
+              std::popcount(unsigned(kSplitLoopTable[labels].corner_mask));
         });
   }
   if (num_slots > 0xffffffffu) {

@@ -35,7 +35,7 @@ struct UmbrellaVertices {
   size_t Slot(CutVoxels::Index number, FaceLabels labels, int corner) const {
     const unsigned below = (1u << corner) - 1;
     return first_slot[number] +
-           std::popcount(SplitLoopTable()[labels].corner_mask & below);
+           std::popcount(kSplitLoopTable[labels].corner_mask & below);
   }
   OctantMask Umbrella(CutVoxels::Index number,
                       FaceLabels labels,

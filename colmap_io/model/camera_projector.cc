@@ -63,8 +63,9 @@ void ProjectRow(const CameraIntrinsics& intrinsics,
                 float* x,
                 float* y) {
   constexpr double kFarthest = -CameraProjector::kNoPixel;
-  for (size_t i = 0; i < count; ++i) {
-    const double t = double(i);
+  // int, as the conversion of wider ones to double cannot be vectorized.
+  for (int i = 0; i < int(count); ++i) {
+    const double t = i;
     double px, py;
     const bool projects = Model::Project(intrinsics,
                                          first.x() + t * step.x(),
@@ -79,6 +80,35 @@ void ProjectRow(const CameraIntrinsics& intrinsics,
     y[i] = inside ? float(py) : CameraProjector::kNoPixel;
   }
 }
+
+// flatten: everything below is compiled for the instruction set at hand.
+// Without fused operations, wider vectors give the same bits.
+__attribute__((flatten)) void ProjectRowOfModel(int model_id,
+                                                const CameraIntrinsics& in,
+                                                const Eigen::Vector3d& first,
+                                                const Eigen::Vector3d& step,
+                                                size_t count,
+                                                float* x,
+                                                float* y) {
+  WithModel(model_id, [&]<typename Model>() {
+    ProjectRow<Model>(in, first, step, count, x, y);
+  });
+}
+
+#if defined(__x86_64__)
+__attribute__((target("avx2"), flatten)) void ProjectRowOfModelAvx2(
+    int model_id,
+    const CameraIntrinsics& in,
+    const Eigen::Vector3d& first,
+    const Eigen::Vector3d& step,
+    size_t count,
+    float* x,
+    float* y) {
+  WithModel(model_id, [&]<typename Model>() {
+    ProjectRow<Model>(in, first, step, count, x, y);
+  });
+}
+#endif
 
 }  // namespace
 
@@ -124,9 +154,13 @@ void CameraProjector::ImgFromCamRow(const Eigen::Vector3d& first,
                                     size_t count,
                                     float* x,
                                     float* y) const {
-  WithModel(model_id_, [&]<typename Model>() {
-    ProjectRow<Model>(intrinsics_, first, step, count, x, y);
-  });
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) {
+    ProjectRowOfModelAvx2(model_id_, intrinsics_, first, step, count, x, y);
+    return;
+  }
+#endif
+  ProjectRowOfModel(model_id_, intrinsics_, first, step, count, x, y);
 }
 
 }  // namespace octacut

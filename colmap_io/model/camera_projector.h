@@ -18,7 +18,8 @@ struct CameraIntrinsics {
   double fy = 1;
   double cx = 0;
   double cy = 0;
-  std::array<double, 12> extra{};  // distortion, in COLMAP's order
+  // Distortion in COLMAP's order; behind it what a model prepares.
+  std::array<double, 12> extra{};
 
   // Radius up to which the radial distortion grows, so that it can be
   // inverted: of normalized coordinates (perspective models, may be infinite)

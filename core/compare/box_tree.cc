@@ -1,0 +1,115 @@
+#include "core/compare/box_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <limits>
+#include <utility>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kGrain = 8192;
+
+// Spreads 21 bits so that two free ones stand before each.
+uint64_t SpreadBits(uint64_t x) {
+  x = (x | x << 32) & 0x001f00000000ffff;
+  x = (x | x << 16) & 0x001f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  x = (x | x << 2) & 0x1249249249249249;
+  return x;
+}
+
+uint64_t ToCell(double position) {
+  // Coordinates near the end of doubles may have overflown.
+  return position >= 0 && position < 1 << 21 ? static_cast<uint64_t>(position)
+                                             : 0;
+}
+
+Eigen::AlignedBox3d BoxOf(const IndexedMesh& mesh, uint32_t triangle) {
+  const auto& [a, b, c] = mesh.triangles[triangle];
+  Eigen::AlignedBox3d box(mesh.positions[a]);
+  box.extend(mesh.positions[b]);
+  box.extend(mesh.positions[c]);
+  return box;
+}
+
+float RoundDown(double value) {
+  return std::nextafter(static_cast<float>(value),
+                        -std::numeric_limits<float>::infinity());
+}
+
+float RoundUp(double value) {
+  return std::nextafter(static_cast<float>(value),
+                        std::numeric_limits<float>::infinity());
+}
+
+}  // namespace
+
+BoxTree::BoxTree(const IndexedMesh& mesh,
+                 const std::vector<uint8_t>& used,
+                 const Context& context) {
+  Eigen::AlignedBox3d bounds;
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (used[i] != 0) {
+      order_.push_back(static_cast<uint32_t>(i));
+      bounds.extend(BoxOf(mesh, order_.back()));
+    }
+  }
+  if (order_.empty()) {
+    return;
+  }
+  const Eigen::Vector3d center = bounds.center();
+  const double size = bounds.sizes().maxCoeff();
+  const double cells = size > 0 ? ((1 << 21) - 1) / size : 0.0;
+  std::vector<std::pair<uint64_t, uint32_t>> keys(order_.size());
+  ParallelFor(context, keys.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Eigen::Vector3d cell =
+          (BoxOf(mesh, order_[i]).center() - bounds.min()) * cells;
+      keys[i] = {SpreadBits(ToCell(cell.x())) |
+                     SpreadBits(ToCell(cell.y())) << 1 |
+                     SpreadBits(ToCell(cell.z())) << 2,
+                 order_[i]};
+    }
+  });
+  std::sort(keys.begin(), keys.end());
+  levels_.emplace_back(keys.size());
+  ParallelFor(context, keys.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      order_[i] = keys[i].second;
+      const Eigen::AlignedBox3d box = BoxOf(mesh, order_[i]);
+      for (int axis = 0; axis < 3; ++axis) {
+        levels_[0][i].min[axis] = RoundDown(box.min()[axis] - center[axis]);
+        levels_[0][i].max[axis] = RoundUp(box.max()[axis] - center[axis]);
+      }
+    }
+  });
+  BuildLevels(context);
+}
+
+void BoxTree::BuildLevels(const Context& context) {
+  while (levels_.back().size() > kFanOut) {
+    const std::vector<Box>& below = levels_.back();
+    std::vector<Box> level(NumChunks(below.size(), kFanOut));
+    ParallelFor(context, level.size(), kGrain, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        Box box = below[i * kFanOut];
+        const size_t last = std::min(below.size(), (i + 1) * kFanOut);
+        for (size_t child = i * kFanOut + 1; child < last; ++child) {
+          for (int axis = 0; axis < 3; ++axis) {
+            box.min[axis] = std::min(box.min[axis], below[child].min[axis]);
+            box.max[axis] = std::max(box.max[axis], below[child].max[axis]);
+          }
+        }
+        level[i] = box;
+      }
+    });
+    levels_.push_back(std::move(level));
+  }
+}
+
+}  // namespace octacut

@@ -1,0 +1,82 @@
+// A tree of boxes over triangles, packed into arrays: the triangles in Morton
+// order of their centres, each level groups eight neighbours of the one below
+// (Kamel & Faloutsos 1993, with Morton's curve).
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+
+namespace octacut {
+
+class BoxTree {
+ public:
+  // Only of the triangles with `used` != 0, whose coordinates are finite.
+  BoxTree(const IndexedMesh& mesh,
+          const std::vector<uint8_t>& used,
+          const Context& context);
+
+  // Number of triangles in the tree; a leaf is a position in their order.
+  size_t NumLeaves() const { return order_.size(); }
+  uint32_t Triangle(size_t leaf) const { return order_[leaf]; }
+
+  // Calls visit(other) for the leaves after `leaf` whose boxes touch its own.
+  template <typename Visit>
+  void ForLaterNeighbors(size_t leaf, const Visit& visit) const {
+    if (!levels_.empty()) {
+      const size_t top = levels_.size() - 1;
+      for (size_t node = 0; node < levels_[top].size(); ++node) {
+        Descend(levels_[0][leaf], leaf, top, node, visit);
+      }
+    }
+  }
+
+ private:
+  static constexpr size_t kFanOut = 8;
+  static constexpr int kLogFanOut = 3;
+
+  // Rounded outward, relative to the centre of the mesh.
+  struct Box {
+    float min[3];
+    float max[3];
+  };
+
+  static bool Touch(const Box& a, const Box& b) {
+    return a.min[0] <= b.max[0] && b.min[0] <= a.max[0] &&
+           a.min[1] <= b.max[1] && b.min[1] <= a.max[1] &&
+           a.min[2] <= b.max[2] && b.min[2] <= a.max[2];
+  }
+
+  template <typename Visit>
+  void Descend(const Box& box,
+               size_t leaf,
+               size_t level,
+               size_t node,
+               const Visit& visit) const {
+    // The last leaf below the node must come after ours.
+    const size_t leaves_end = (node + 1) << (kLogFanOut * level);
+    if (leaves_end <= leaf + 1 || !Touch(box, levels_[level][node])) {
+      return;
+    }
+    if (level == 0) {
+      visit(node);
+      return;
+    }
+    const size_t end =
+        std::min(levels_[level - 1].size(), (node + 1) * kFanOut);
+    for (size_t child = node * kFanOut; child < end; ++child) {
+      Descend(box, leaf, level - 1, child, visit);
+    }
+  }
+
+  void BuildLevels(const Context& context);
+
+  std::vector<uint32_t> order_;
+  std::vector<std::vector<Box>> levels_;  // leaves first
+};
+
+}  // namespace octacut

@@ -1,0 +1,31 @@
+// Points spread evenly over a surface.
+#pragma once
+
+#include <cstdint>
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+
+namespace octacut {
+
+struct SurfaceSample {
+  Eigen::Vector3d point;
+  uint32_t triangle;
+};
+
+// `count` points, each of which stands for the same area: the surface, laid
+// out triangle after triangle, is cut into `count` pieces of equal area and
+// each piece gets one point. Within a triangle the points follow Roberts' R2
+// sequence, so that large triangles are covered evenly too. Means over the
+// samples are thus area-weighted means over the surface. The same seed gives
+// the same points for any number of threads. In the order of the triangles.
+// Throws InputError when the mesh has no area or coordinates that are not
+// finite.
+std::vector<SurfaceSample> SampleSurface(const IndexedMesh& mesh,
+                                         size_t count,
+                                         uint64_t seed,
+                                         const Context& context);
+
+}  // namespace octacut

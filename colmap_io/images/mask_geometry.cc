@@ -58,9 +58,9 @@ SparseCamera MaskCameras::Find(const SparseImage& image,
   const MaskGeometry own = workspace_.is_dense_folder
                                ? MaskGeometry::kUndistorted
                                : MaskGeometry::kOriginal;
-  const bool own_allowed =
-      geometry_ == MaskGeometry::kAuto || geometry_ == own ||
-      (!workspace_.is_dense_folder && IsUndistorted(camera));
+  const bool own_allowed = geometry_ == MaskGeometry::kAuto ||
+                           geometry_ == own ||
+                           (!workspace_.is_dense_folder && IsPinhole(camera));
   if (own_allowed && HasSize(camera, mask_size)) {
     return camera;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "colmap_io/images/undistort.h"
 #include "colmap_io/model/camera_projector.h"
 
 namespace octacut {
@@ -148,7 +149,7 @@ ReducedMask ReduceMask(const cv::Mat& mask,
   const bool touches = TouchesBorder(mask);
   int k =
       std::max(1, (std::max(mask.cols, mask.rows) + max_size - 1) / max_size);
-  if (IsUndistorted(camera)) {
+  if (IsPinhole(camera)) {
     const int padding = touches ? 0 : 1;
     ReducedMask result;
     result.mask = ReduceBlocks(mask, k, padding);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -222,6 +223,28 @@ void Resample(const cv::Mat& source,
 
 }  // namespace
 
+bool IsPinhole(const SparseCamera& camera) {
+  if (IsUndistorted(camera)) {
+    return true;
+  }
+  switch (camera.model_id) {
+    case camera_model::kSimpleRadial:
+    case camera_model::kRadial:
+    case camera_model::kOpenCV:
+    case camera_model::kFullOpenCV:
+    case camera_model::kSimpleDivision:
+    case camera_model::kDivision:
+      break;
+    default:
+      return false;
+  }
+  const std::array<double, 12> extra =
+      CameraProjector(camera).Intrinsics().extra;
+  return std::all_of(extra.begin(), extra.end(), [](double coefficient) {
+    return std::abs(coefficient) < 1e-8;
+  });
+}
+
 PinholeCamera UndistortedCamera(const SparseCamera& camera) {
   const CameraProjector projector(camera);
   const CameraIntrinsics& intrinsics = projector.Intrinsics();
@@ -231,7 +254,7 @@ PinholeCamera UndistortedCamera(const SparseCamera& camera) {
                         intrinsics.fy,
                         intrinsics.cx,
                         intrinsics.cy};
-  if (IsUndistorted(camera)) {
+  if (IsPinhole(camera)) {
     return pinhole;
   }
   const Edges edges = UndistortEdges(projector, pinhole);

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "colmap_io/images/undistort.h"
 #include "colmap_io/model/read_sparse_model.h"
 #include "core/base/error.h"
 
@@ -158,7 +159,7 @@ Workspace OpenWorkspace(const fs::path& path,
   workspace.is_dense_folder = HasModelFile(path / "sparse") &&
                               std::all_of(workspace.model.cameras.begin(),
                                           workspace.model.cameras.end(),
-                                          IsUndistorted);
+                                          IsPinhole);
   workspace.mask_path = FindMasks(workspace, options.mask_path, context);
   return workspace;
 }

@@ -1,0 +1,313 @@
+#include "colmap_io/images/load_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "colmap_io/images/scene_points.h"
+#include "colmap_io/images/undistort.h"
+#include "colmap_io/model/write_sparse_model.h"
+#include "tests/colmap_io/images/test_workspace.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using testing::InputErrorOf;
+using testing::Recorder;
+using testing::RingModel;
+using testing::RingPose;
+using testing::SphereMask;
+using testing::Texture;
+using testing::WritePicture;
+using testing::WriteText;
+
+constexpr int kNumImages = 12;
+const SparseCamera kRadial = {
+    1, camera_model::kSimpleRadial, 320, 240, {300, 158, 121, -0.12}};
+
+// A project: twelve views of a sphere of radius 0.8 about the origin.
+class LoadSceneTest : public testing::FolderTest {
+ protected:
+  void SetUp() override {
+    const SparseCamera& camera = kRadial;
+    static const std::vector<cv::Mat> masks = [&] {
+      std::vector<cv::Mat> result;
+      for (int i = 0; i < kNumImages; ++i) {
+        result.push_back(SphereMask(camera, RingPose(i, kNumImages), 0.8));
+      }
+      return result;
+    }();
+    model_ = RingModel(camera, kNumImages);
+    WriteSparseModelBinary(model_, folder_ / "sparse" / "0");
+    for (int i = 0; i < kNumImages; ++i) {
+      WritePicture(folder_ / "images" / model_.images[i].name,
+                   Texture(int(camera.width), int(camera.height)));
+      WritePicture(MaskPath(i), masks[i]);
+    }
+  }
+  fs::path MaskPath(int i) const {
+    return folder_ / "masks" / (model_.images[i].name + ".png");
+  }
+  LoadedScene Load(const LoadSceneOptions& options = {},
+                   int level = 9,
+                   int num_threads = 2) {
+    return LoadScene(folder_, options, level, Context(num_threads, &recorder_));
+  }
+  std::string ErrorOf(const LoadSceneOptions& options = {}) {
+    return InputErrorOf([&] { Load(options); });
+  }
+
+  SparseModel model_;
+  Recorder recorder_;
+};
+
+// Masks of the scene agree with the sphere, except on its outline.
+void ExpectSphere(const LoadedScene& loaded) {
+  for (const View& view : loaded.scene.views) {
+    const Eigen::Vector3d& middle = view.cam_from_world.translation;
+    ASSERT_EQ(view.mask.cols, view.camera.width);
+    ASSERT_EQ(view.mask.rows, view.camera.height);
+    for (int y = 0; y < view.mask.rows; ++y) {
+      for (int x = 0; x < view.mask.cols; ++x) {
+        const double miss = view.camera.Unproject({x + 0.5, y + 0.5})
+                                .normalized()
+                                .cross(middle)
+                                .norm();
+        const double pixel = 4 / view.camera.fx;
+        // What the photograph does not show is black and unknown.
+        if (!view.image.empty() &&
+            view.image.at<cv::Vec3b>(y, x) == cv::Vec3b(0, 0, 0)) {
+          ASSERT_EQ(view.mask.at<uint8_t>(y, x), 255);
+          continue;
+        }
+        if (std::abs(miss - 0.8) > 1.5 * pixel) {
+          ASSERT_EQ(view.mask.at<uint8_t>(y, x) >= 128, miss < 0.8)
+              << view.name << " " << x << " " << y;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(LoadSceneTest, UndistortsCropsAndFindsTheRegion) {
+  const LoadedScene loaded = Load();
+  EXPECT_EQ(loaded.summary.num_views, size_t(kNumImages));
+  EXPECT_EQ(loaded.region.source, RegionSource::kSilhouettes);
+  EXPECT_TRUE(loaded.region.box.contains(
+      Eigen::AlignedBox3d(Eigen::Vector3d(-0.79, -0.79, -0.79),
+                          Eigen::Vector3d(0.79, 0.79, 0.79))));
+  EXPECT_LT(loaded.region.box.sizes().x(), 1.85);
+  ExpectSphere(loaded);
+  size_t bytes = 0;
+  for (const View& view : loaded.scene.views) {
+    EXPECT_EQ(view.image.size(), view.mask.size());
+    EXPECT_LT(view.camera.width, 220);
+    bytes += view.image.total() * 4;
+    // Colours are those of the photograph's pixel.
+    const Eigen::Vector2d pixel(30.5, 40.5);
+    const auto source = ImgFromCam(kRadial, view.camera.Unproject(pixel));
+    const cv::Vec3d expected = testing::TextureAt(source->x(), source->y());
+    for (int c = 0; c < 3; ++c) {
+      EXPECT_NEAR(view.image.at<cv::Vec3b>(40, 30)[c], expected[c], 2.5);
+    }
+  }
+  EXPECT_EQ(loaded.summary.scene_bytes, bytes);
+  EXPECT_TRUE(recorder_.warnings.empty());
+}
+
+TEST_F(LoadSceneTest, HoldsLittleForACoarseLevel) {
+  const LoadedScene fine = Load({}, 9);
+  const LoadedScene coarse = Load({}, 5);
+  EXPECT_LT(coarse.summary.scene_bytes, fine.summary.scene_bytes / 3);
+  ExpectSphere(coarse);
+}
+
+TEST_F(LoadSceneTest, IsTheSameForAnyNumberOfThreads) {
+  const LoadedScene one = Load({}, 8, 1);
+  const LoadedScene four = Load({}, 8, 4);
+  ASSERT_EQ(one.scene.views.size(), four.scene.views.size());
+  EXPECT_EQ(one.region.cube.edge, four.region.cube.edge);
+  for (size_t i = 0; i < one.scene.views.size(); ++i) {
+    const View& a = one.scene.views[i];
+    const View& b = four.scene.views[i];
+    EXPECT_EQ(a.camera.cx, b.camera.cx);
+    EXPECT_EQ(cv::norm(a.image, b.image, cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(a.mask, b.mask, cv::NORM_INF), 0);
+  }
+}
+
+TEST_F(LoadSceneTest, SmallDecodeBudgetChangesNothing) {
+  LoadSceneOptions options;
+  options.decode_budget = 1;
+  EXPECT_EQ(Load(options).summary.scene_bytes, Load().summary.scene_bytes);
+}
+
+TEST_F(LoadSceneTest, TakesMasksOfUndistortedImages) {
+  const PinholeCamera camera = UndistortedCamera(kRadial);
+  const SparseCamera pinhole = {1,
+                                camera_model::kPinhole,
+                                uint64_t(camera.width),
+                                uint64_t(camera.height),
+                                {camera.fx, camera.fy, camera.cx, camera.cy}};
+  ASSERT_NE(camera.width, 320);
+  for (int i = 0; i < kNumImages; ++i) {
+    WritePicture(MaskPath(i),
+                 SphereMask(pinhole, RingPose(i, kNumImages), 0.8));
+  }
+  ExpectSphere(Load());
+}
+
+TEST_F(LoadSceneTest, TakesMasksOfPhotographsInADenseFolder) {
+  const PinholeCamera camera = UndistortedCamera(kRadial);
+  const SparseCamera pinhole = {1,
+                                camera_model::kPinhole,
+                                uint64_t(camera.width),
+                                uint64_t(camera.height),
+                                {camera.fx, camera.fy, camera.cx, camera.cy}};
+  const fs::path dense = folder_ / "dense";
+  WriteSparseModelBinary(RingModel(pinhole, kNumImages), dense / "sparse");
+  for (int i = 0; i < kNumImages; ++i) {
+    WritePicture(dense / "images" / model_.images[i].name,
+                 Texture(camera.width, camera.height));
+  }
+  // The masks are those of the project beside it, in its geometry.
+  const LoadedScene loaded = LoadScene(dense, {}, 9, Context(2, &recorder_));
+  EXPECT_EQ(loaded.summary.num_views, size_t(kNumImages));
+  ExpectSphere(loaded);
+  fs::remove_all(folder_ / "sparse");
+  EXPECT_THAT(InputErrorOf([&] { LoadScene(dense, {}, 9, Context(2)); }),
+              HasSubstr("--original_path"));
+}
+
+TEST_F(LoadSceneTest, NeedsNoImagesForMasksAlone) {
+  fs::remove_all(folder_ / "images");
+  fs::create_directories(folder_ / "images");
+  LoadSceneOptions options;
+  options.load_images = false;
+  const LoadedScene loaded = Load(options);
+  ExpectSphere(loaded);
+  EXPECT_TRUE(loaded.scene.views[0].image.empty());
+}
+
+TEST_F(LoadSceneTest, UsesAGivenBox) {
+  LoadSceneOptions options;
+  options.region.bounding_box = {Eigen::Vector3d(-0.5, -0.5, -0.5),
+                                 Eigen::Vector3d(0.5, 0.5, 0.5)};
+  const LoadedScene loaded = Load(options);
+  EXPECT_EQ(loaded.region.source, RegionSource::kGiven);
+  EXPECT_LT(loaded.summary.scene_bytes, Load().summary.scene_bytes);
+  options.region.bounding_box->translate(Eigen::Vector3d(0, 0, 100));
+  EXPECT_THAT(ErrorOf(options), HasSubstr("usable views"));
+}
+
+TEST_F(LoadSceneTest, MissingMask) {
+  fs::remove(MaskPath(3));
+  fs::remove(MaskPath(7));
+  EXPECT_THAT(ErrorOf(), HasSubstr("3.png.png: no such mask"));
+  EXPECT_THAT(ErrorOf(), HasSubstr("2 of 12"));
+  EXPECT_THAT(ErrorOf(), HasSubstr("--skip_missing_masks"));
+  LoadSceneOptions options;
+  options.skip_missing_masks = true;
+  const LoadedScene loaded = Load(options);
+  EXPECT_EQ(loaded.summary.num_views, 10u);
+  EXPECT_EQ(loaded.summary.num_missing_masks, 2u);
+  ASSERT_EQ(recorder_.warnings.size(), 1u);
+  EXPECT_THAT(recorder_.warnings[0], HasSubstr("2 of 12"));
+  for (int i = 0; i < 10; ++i) {
+    fs::remove(MaskPath(i));
+  }
+  EXPECT_THAT(ErrorOf(options), HasSubstr("2 usable views of 12"));
+}
+
+TEST_F(LoadSceneTest, MissingImage) {
+  fs::remove(folder_ / "images" / "5.png");
+  EXPECT_THAT(ErrorOf(), HasSubstr("5.png: no such image"));
+  LoadSceneOptions options;
+  options.skip_missing_images = true;
+  EXPECT_EQ(Load(options).summary.num_views, 11u);
+  ASSERT_EQ(recorder_.warnings.size(), 1u);
+  EXPECT_THAT(recorder_.warnings[0], HasSubstr("1 of 12"));
+}
+
+TEST_F(LoadSceneTest, ImageOfAnotherSize) {
+  WritePicture(folder_ / "images" / "4.png", Texture(160, 120));
+  EXPECT_THAT(ErrorOf(),
+              HasSubstr("4.png: the image has 160x120 pixels, but "
+                        "its camera 1 has 320x240"));
+  // A format whose header is not read beforehand.
+  cv::imwrite((folder_ / "x.bmp").string(), Texture(160, 120));
+  fs::rename(folder_ / "x.bmp", folder_ / "images" / "4.png");
+  EXPECT_THAT(ErrorOf(), HasSubstr("4.png: the image has 160x120 pixels"));
+}
+
+TEST_F(LoadSceneTest, UnreadableImage) {
+  WriteText(folder_ / "images" / "4.png", "no picture");
+  EXPECT_THAT(ErrorOf(), HasSubstr("4.png"));
+}
+
+TEST_F(LoadSceneTest, MaskWithoutObjectOrBackground) {
+  WritePicture(MaskPath(2), cv::Mat::zeros(240, 320, CV_8UC1));
+  EXPECT_THAT(ErrorOf(), HasSubstr("2.png.png: the mask is all background"));
+  WritePicture(MaskPath(2), cv::Mat(240, 320, CV_8UC1, cv::Scalar(255)));
+  EXPECT_THAT(ErrorOf(), HasSubstr("2.png.png: the mask is all object"));
+}
+
+TEST_F(LoadSceneTest, MaskOfAnotherGeometry) {
+  WritePicture(MaskPath(2), cv::Mat::eye(120, 160, CV_8UC1));
+  EXPECT_THAT(ErrorOf(), HasSubstr("2.png.png: the mask has 160x120 pixels"));
+}
+
+TEST_F(LoadSceneTest, InvertedMasks) {
+  for (int i = 0; i < kNumImages; ++i) {
+    cv::Mat mask = SphereMask(kRadial, RingPose(i, kNumImages), 0.8);
+    WritePicture(MaskPath(i), 255 - mask);
+  }
+  EXPECT_THAT(ErrorOf(), HasSubstr("bounding_box"));
+}
+
+TEST_F(LoadSceneTest, TooFewImages) {
+  WriteSparseModelBinary(RingModel(kRadial, 2), folder_ / "sparse" / "0");
+  EXPECT_THAT(ErrorOf(), HasSubstr("2 usable views of 2 images"));
+}
+
+TEST(LoadSceneOptions, RejectsBadValues) {
+  EXPECT_NO_THROW(LoadSceneOptions().Check());
+  LoadSceneOptions options;
+  options.decode_budget = 0;
+  EXPECT_THROW(options.Check(), OptionError);
+  EXPECT_THROW(LoadScene(".", {}, 0, Context(1)), OptionError);
+  EXPECT_THROW(LoadScene(".", {}, 21, Context(1)), OptionError);
+}
+
+TEST(ScenePoints, KeepsAccuratePointsOnTheObject) {
+  std::vector<View> views;
+  const SparseCamera pinhole = {
+      1, camera_model::kPinhole, 320, 240, {300, 300, 160, 120}};
+  for (int i = 0; i < kNumImages; ++i) {
+    View& view = views.emplace_back();
+    view.camera = {320, 240, 300, 300, 160, 120};
+    view.cam_from_world = RingPose(i, kNumImages);
+    view.mask = SphereMask(pinhole, view.cam_from_world, 0.8);
+  }
+  std::vector<SparsePoint> points(7);
+  for (SparsePoint& point : points) {
+    point.error = 0.5;
+    point.track.resize(5);
+  }
+  points[1].xyz = {0, 0, 0.7};
+  points[2].xyz = {0, 0, 1.2};  // off the object
+  points[3].xyz = {0.1, 0, 0};
+  points[3].error = 30;
+  points[4].xyz = {0.2, 0, 0};
+  points[4].track.resize(2);
+  points[5].xyz = {0.3, 0, 0};
+  points[5].error = -1;  // not known
+  const auto kept = ScenePoints(points, views);
+  ASSERT_EQ(kept.size(), 4u);
+  EXPECT_EQ(kept[1], points[1].xyz);
+  EXPECT_EQ(kept[2], points[5].xyz);
+}
+
+}  // namespace
+}  // namespace octacut

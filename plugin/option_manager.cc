@@ -202,11 +202,22 @@ std::string OptionManager::NameOption(const std::string& message) const {
     return message;
   }
   const std::string field = ToLower(message.substr(0, field_size));
+  const auto last_part = [](const std::string& name) {
+    return name.substr(name.rfind('.') + 1);
+  };
+  const Option* named = nullptr;
   for (const Option& option : options_) {
     const std::string name = ToLower(option.name);
-    if (name == field || name.substr(name.find('.') + 1) == field) {
-      return fmt::format("--{}{}", option.name, message.substr(field_size));
+    if (name == field) {
+      named = &option;
+      break;
     }
+    if (named == nullptr && last_part(name) == last_part(field)) {
+      named = &option;
+    }
+  }
+  if (named != nullptr) {
+    return fmt::format("--{}{}", named->name, message.substr(field_size));
   }
   return message;
 }

@@ -98,7 +98,8 @@ class OptionManager {
   // Completes a message "field = value: constraint" of a step's Check() with
   // the option that is bound to such a field: "--Group.field = value: ...".
   // A field may also be "group.field", as of an options struct inside another
-  // one. Messages about other fields are returned as they are.
+  // one; an option of that full name goes before one that shares the last part
+  // only. Messages about other fields are returned as they are.
   std::string NameOption(const std::string& message) const;
 
  private:
@@ -153,7 +154,7 @@ void OptionManager::AddEnum(std::string name,
                             const std::string& description) {
   std::string all;
   for (const auto& [text, element] : names) {
-    all += (all.empty() ? "" : ", ") + text;
+    all.append(all.empty() ? "" : ", ").append(text);
   }
   const auto name_of = [value, names] {
     for (const auto& [text, element] : names) {
@@ -184,8 +185,8 @@ void OptionManager::AddRepeatable(std::string name,
   Option& option =
       AddOption(std::move(name), description + " (may be repeated)");
   for (const T& value : *values) {
-    option.default_text +=
-        (option.default_text.empty() ? "" : " ") + FormatOptionValue(value);
+    option.default_text.append(option.default_text.empty() ? "" : " ")
+        .append(FormatOptionValue(value));
   }
   option.repeatable = true;
   option.assign = [values](std::span<const std::string> texts) {

@@ -74,9 +74,14 @@ void ProgressReporter::EndPhase() {
   }
   const RunningPhase& phase = phases_.back();
   const std::chrono::duration<double> elapsed = Clock::now() - phase.begin;
-  log_.Progress(
-      fmt::format("{}{}: {:.2f} s", Indent(), phase.name, elapsed.count()));
-  log_.SetStatus("");
+  const std::string line =
+      fmt::format("{}{}: {:.2f} s", Indent(), phase.name, elapsed.count());
+  if (phases_.size() == 1) {
+    log_.Info(line);  // stays on a terminal, too
+  } else {
+    log_.Progress(line);
+    log_.SetStatus("");
+  }
   phases_.pop_back();
 }
 

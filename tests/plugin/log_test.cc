@@ -1,0 +1,79 @@
+#include "plugin/log.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "tests/plugin/run_octacut.h"
+
+namespace octacut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string FileTextOf(const LogOptions& options) {
+  std::filesystem::path path;
+  {
+    Log log(options, "test");
+    path = log.FilePath();
+    log.Debug("a detail");
+    log.Info("a fact");
+    log.Warn("a doubt");
+    log.ErrorToFile("a failure");
+  }
+  return ReadFile(path);
+}
+
+TEST(Log, LevelAndSeverityChooseTheMessages) {
+  const TemporaryFolder folder;
+  LogOptions options;
+  options.target = LogTarget::kFile;
+  options.path = folder / "a.log";
+  EXPECT_THAT(FileTextOf(options),
+              AllOf(Not(HasSubstr("detail")),
+                    HasSubstr(" a fact\n"),
+                    HasSubstr(" WARNING: a doubt\n"),
+                    HasSubstr(" ERROR: a failure\n")));
+  options.path = folder / "b.log";
+  options.level = 1;
+  EXPECT_THAT(FileTextOf(options), HasSubstr("a detail"));
+  options.path = folder / "c.log";
+  options.severity = 1;
+  EXPECT_THAT(FileTextOf(options),
+              AllOf(Not(HasSubstr("detail")),
+                    Not(HasSubstr("fact")),
+                    HasSubstr("doubt")));
+  options.path = folder / "d.log";
+  options.severity = 2;
+  EXPECT_THAT(FileTextOf(options),
+              AllOf(Not(HasSubstr("doubt")), HasSubstr("failure")));
+}
+
+TEST(Log, MakesFolderAndNameOfTheFile) {
+  const TemporaryFolder folder;
+  LogOptions options;
+  options.target = LogTarget::kFile;
+  options.path = folder / "new" / "folder";
+  const Log log(options, "mesh_comparer");
+  EXPECT_EQ(log.FilePath().parent_path(), options.path);
+  EXPECT_THAT(log.FilePath().filename().string(),
+              AllOf(HasSubstr("octacut-mesh_comparer-"), HasSubstr(".log")));
+  EXPECT_TRUE(std::filesystem::exists(log.FilePath()));
+}
+
+TEST(Log, RefusesWhatItCannotDo) {
+  LogOptions options;
+  options.level = -1;
+  EXPECT_THROW(Log(options, "x"), OptionError);
+  options.level = 0;
+  options.severity = 3;
+  EXPECT_THROW(Log(options, "x"), OptionError);
+  options.severity = 0;
+  options.target = LogTarget::kFile;
+  options.path = "/dev/null/folder";
+  EXPECT_THROW(Log(options, "x"), Error);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -1,0 +1,114 @@
+#include "tests/plugin/run_octacut.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace octacut {
+namespace {
+
+std::string ExecutablePath() {
+  const char* const path = std::getenv("OCTACUT_EXECUTABLE");
+  return path != nullptr ? path : OCTACUT_EXECUTABLE;
+}
+
+// In the child: everything here is safe after fork.
+[[noreturn]] void Execute(const char* out,
+                          const char* err,
+                          char* const* arguments) {
+  const int out_file = open(out, O_CREAT | O_WRONLY | O_TRUNC, 0600);
+  const int err_file = open(err, O_CREAT | O_WRONLY | O_TRUNC, 0600);
+  dup2(out_file, STDOUT_FILENO);
+  dup2(err_file, STDERR_FILENO);
+  execv(arguments[0], arguments);
+  _exit(127);
+}
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name =
+      (std::filesystem::temp_directory_path() / "octacut_test_XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) {
+    throw std::runtime_error("no temporary folder");
+  }
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::filesystem::path TemporaryFolder::Write(const std::string& name,
+                                             const std::string& text) const {
+  std::ofstream(path_ / name, std::ios::binary) << text;
+  return path_ / name;
+}
+
+std::string ReadFile(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+RunningOctacut::RunningOctacut(const std::vector<std::string>& arguments) {
+  std::vector<std::string> texts = {ExecutablePath()};
+  texts.insert(texts.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& text : texts) {
+    pointers.push_back(text.data());
+  }
+  pointers.push_back(nullptr);
+  const std::string out = (folder_ / "out").string();
+  const std::string err = (folder_ / "err").string();
+  process_ = fork();
+  if (process_ == 0) {
+    Execute(out.c_str(), err.c_str(), pointers.data());
+  }
+  if (process_ < 0) {
+    throw std::runtime_error("cannot fork");
+  }
+}
+
+RunningOctacut::~RunningOctacut() {
+  if (!ended_) {
+    Signal(SIGKILL);
+    Wait();
+  }
+}
+
+void RunningOctacut::Signal(int signal) {
+  if (!HasEnded()) {
+    kill(process_, signal);
+  }
+}
+
+std::string RunningOctacut::Err() const { return ReadFile(folder_ / "err"); }
+
+bool RunningOctacut::HasEnded() {
+  ended_ = ended_ || waitpid(process_, &status_, WNOHANG) == process_;
+  return ended_;
+}
+
+ProgramResult RunningOctacut::Wait() {
+  if (!ended_) {
+    waitpid(process_, &status_, 0);
+    ended_ = true;
+  }
+  return {WIFSIGNALED(status_) ? 128 + WTERMSIG(status_) : WEXITSTATUS(status_),
+          ReadFile(folder_ / "out"),
+          ReadFile(folder_ / "err")};
+}
+
+ProgramResult RunOctacut(const std::vector<std::string>& arguments) {
+  return RunningOctacut(arguments).Wait();
+}
+
+}  // namespace octacut

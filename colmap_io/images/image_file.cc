@@ -89,6 +89,9 @@ bool HasTransparency(const cv::Mat& pixels) {
 template <typename T>
 cv::Mat ToOneByte(const cv::Mat& pixels) {
   const int channels = pixels.channels();
+  if (channels == 1 && sizeof(T) == 1) {
+    return pixels.clone();
+  }
   const bool use_alpha = HasTransparency<T>(pixels);
   cv::Mat_<T> values(pixels.size());
   T largest = 0;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <opencv2/core.hpp>
@@ -15,10 +14,10 @@
 
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/image_header.h"
-#include "colmap_io/images/mask_file.h"
 #include "colmap_io/images/reduce_mask.h"
 #include "colmap_io/images/scene_points.h"
 #include "colmap_io/images/undistort.h"
+#include "colmap_io/images/view_files.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -28,16 +27,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kMinViews = 3;
 constexpr int kReducedMaskSize = 640;
 // Decoded bytes of one photograph in flight, a pixel: image, mask, file.
 constexpr size_t kBytesPerPixel = 6;
 
 // An image of the model on its way to a view.
 struct Candidate {
-  const SparseImage* image = nullptr;
-  const SparseCamera* camera = nullptr;
-  fs::path mask_file;
+  ViewFiles files;
   SparseCamera mask_camera;
 };
 
@@ -68,7 +64,7 @@ class Loader {
     summary.num_model_points = workspace_.model.points.size();
 
     auto begin = std::chrono::steady_clock::now();
-    FindFiles();
+    FindCandidates();
     ReadReducedMasks();
     summary.mask_seconds = SecondsSince(begin);
 
@@ -88,14 +84,12 @@ class Loader {
   }
 
  private:
-  void FindFiles();
-  void CheckImageSize(const Candidate& candidate) const;
+  void FindCandidates();
   void ReadReducedMasks();
   View ReadReducedMask(Candidate* candidate) const;
   void PlanWindows();
   void ReadViews();
   void ReadView(const Candidate& candidate, View* view) const;
-  void RequireViews(size_t count) const;
   // Calls body(i) for all candidates, as many at a time as decode_budget
   // allows; the first candidate's error is thrown.
   void ForEachCandidate(std::string_view phase,
@@ -115,95 +109,19 @@ class Loader {
   LoadedScene result_;
 };
 
-void Loader::RequireViews(size_t count) const {
-  if (count < kMinViews) {
-    throw InputError(
-        fmt::format("{}: {} usable views of {} images; at least {} are needed",
-                    workspace_.model_path.string(),
-                    count,
-                    workspace_.model.images.size(),
-                    kMinViews));
-  }
-}
-
-void Loader::FindFiles() {
-  LoadSceneSummary& summary = result_.summary;
-  std::string first_missing_image;
-  std::string first_missing_mask;
-  for (const SparseImage& image : workspace_.model.images) {
-    std::error_code ignored;
-    if (options_.load_images &&
-        !fs::is_regular_file(workspace_.image_path / image.name, ignored)) {
-      if (summary.num_missing_images++ == 0) {
-        first_missing_image = (workspace_.image_path / image.name).string();
-      }
-      continue;
+void Loader::FindCandidates() {
+  ViewFilesOptions files_options;
+  files_options.need_images = options_.load_images;
+  files_options.skip_missing_images = options_.skip_missing_images;
+  files_options.skip_missing_masks = options_.skip_missing_masks;
+  FoundViewFiles found = FindViewFiles(workspace_, files_options, context_);
+  result_.summary.num_missing_images = found.num_missing_images;
+  result_.summary.num_missing_masks = found.num_missing_masks;
+  for (const ViewFiles& files : found.views) {
+    candidates_.push_back({files, {}});
+    if (!frames_.contains(files.camera->id)) {
+      frames_.emplace(files.camera->id, FrameOfCamera(*files.camera));
     }
-    const auto mask_file =
-        FindMaskFile(workspace_.mask_path, image.name, workspace_.image_path);
-    if (!mask_file) {
-      if (summary.num_missing_masks++ == 0) {
-        first_missing_mask =
-            (workspace_.mask_path / (image.name + ".png")).string();
-      }
-      continue;
-    }
-    const SparseCamera* camera = workspace_.model.FindCamera(image.camera_id);
-    candidates_.push_back({&image, camera, *mask_file, {}});
-  }
-  const auto report = [&](size_t count,
-                          const std::string& first,
-                          std::string_view what,
-                          bool skip) {
-    if (count == 0) {
-      return;
-    }
-    const std::string message =
-        fmt::format("{}: no such {}; missing for {} of {} images",
-                    first,
-                    what,
-                    count,
-                    workspace_.model.images.size());
-    if (!skip) {
-      throw InputError(fmt::format(
-          "{} (--skip_missing_{}s 1 goes on without them)", message, what));
-    }
-    context_.Warn(message + ", which are left out");
-  };
-  report(summary.num_missing_images,
-         first_missing_image,
-         "image",
-         options_.skip_missing_images);
-  report(summary.num_missing_masks,
-         first_missing_mask,
-         "mask",
-         options_.skip_missing_masks);
-  RequireViews(candidates_.size());
-  for (const Candidate& candidate : candidates_) {
-    CheckImageSize(candidate);
-    if (!frames_.contains(candidate.camera->id)) {
-      frames_.emplace(candidate.camera->id, FrameOfCamera(*candidate.camera));
-    }
-  }
-}
-
-void Loader::CheckImageSize(const Candidate& candidate) const {
-  if (!options_.load_images) {
-    return;
-  }
-  const fs::path path = workspace_.image_path / candidate.image->name;
-  std::ifstream stream(path, std::ios::binary);
-  const std::optional<ImageSize> size = ReadImageSize(stream);
-  const SparseCamera& camera = *candidate.camera;
-  if (size && *size != ImageSize{camera.width, camera.height}) {
-    throw InputError(fmt::format(
-        "{}: the image has {}x{} pixels, but its camera {} has {}x{}",
-        path.string(),
-        size->width,
-        size->height,
-        camera.id,
-        camera.width,
-        camera.height));
   }
 }
 
@@ -212,7 +130,8 @@ void Loader::ForEachCandidate(std::string_view name,
   size_t pixels = 1;
   for (const Candidate& candidate : candidates_) {
     pixels = std::max(
-        pixels, size_t(candidate.camera->width * candidate.camera->height));
+        pixels,
+        size_t(candidate.files.camera->width * candidate.files.camera->height));
   }
   const size_t in_flight =
       std::clamp(options_.decode_budget / (kBytesPerPixel * pixels),
@@ -243,11 +162,11 @@ void Loader::ForEachCandidate(std::string_view name,
 }
 
 View Loader::ReadReducedMask(Candidate* candidate) const {
-  const std::string name = candidate->mask_file.string();
-  const cv::Mat mask = ReadMask(candidate->mask_file);
+  const std::string name = candidate->files.mask_file.string();
+  const cv::Mat mask = ReadMask(candidate->files.mask_file);
   candidate->mask_camera =
-      mask_cameras_.Find(*candidate->image,
-                         *candidate->camera,
+      mask_cameras_.Find(*candidate->files.image,
+                         *candidate->files.camera,
                          {uint64_t(mask.cols), uint64_t(mask.rows)},
                          name);
   const cv::Mat object = mask >= 128;
@@ -259,17 +178,17 @@ View Loader::ReadReducedMask(Candidate* candidate) const {
     throw InputError(fmt::format("{}: the mask is all object", name));
   }
   const bool own =
-      candidate->mask_camera.model_id == candidate->camera->model_id &&
-      candidate->mask_camera.params == candidate->camera->params;
-  ReducedMask reduced = ReduceMask(
-      mask,
-      candidate->mask_camera,
-      own ? FrameOf(*candidate->camera) : FrameOfCamera(candidate->mask_camera),
-      kReducedMaskSize);
+      candidate->mask_camera.model_id == candidate->files.camera->model_id &&
+      candidate->mask_camera.params == candidate->files.camera->params;
+  ReducedMask reduced = ReduceMask(mask,
+                                   candidate->mask_camera,
+                                   own ? FrameOf(*candidate->files.camera)
+                                       : FrameOfCamera(candidate->mask_camera),
+                                   kReducedMaskSize);
   View view;
-  view.name = candidate->image->name;
+  view.name = candidate->files.image->name;
   view.camera = reduced.camera;
-  view.cam_from_world = candidate->image->CamFromWorld();
+  view.cam_from_world = candidate->files.image->CamFromWorld();
   view.mask = std::move(reduced.mask);
   return view;
 }
@@ -285,17 +204,17 @@ void Loader::PlanWindows() {
   std::vector<Candidate> kept;
   std::vector<PinholeCamera> windows;
   for (const Candidate& candidate : candidates_) {
-    const auto window = PlanWindow(*candidate.camera,
-                                   FrameOf(*candidate.camera),
-                                   candidate.image->CamFromWorld(),
+    const auto window = PlanWindow(*candidate.files.camera,
+                                   FrameOf(*candidate.files.camera),
+                                   candidate.files.image->CamFromWorld(),
                                    result_.region,
                                    target_level_,
                                    options_.window);
     if (window) {
       View& view = result_.scene.views.emplace_back();
-      view.name = candidate.image->name;
+      view.name = candidate.files.image->name;
       view.camera = *window;
-      view.cam_from_world = candidate.image->CamFromWorld();
+      view.cam_from_world = candidate.files.image->CamFromWorld();
       kept.push_back(candidate);
       windows.push_back(*window);
     }
@@ -312,7 +231,7 @@ void Loader::PlanWindows() {
                     summary.num_views_elsewhere,
                     workspace_.model.images.size()));
   }
-  RequireViews(summary.num_views);
+  RequireEnoughViews(workspace_, summary.num_views);
   context_.Info(fmt::format("{} views, {:.0f} MB of pixels",
                             summary.num_views,
                             double(summary.scene_bytes) / 1e6));
@@ -321,7 +240,7 @@ void Loader::PlanWindows() {
 void Loader::ReadView(const Candidate& candidate, View* view) const {
   // Views are loaded side by side; each by one thread.
   const Context alone(1);
-  view->mask = Undistort(ReadMask(candidate.mask_file),
+  view->mask = Undistort(ReadMask(candidate.files.mask_file),
                          candidate.mask_camera,
                          view->camera,
                          255,
@@ -329,20 +248,11 @@ void Loader::ReadView(const Candidate& candidate, View* view) const {
   if (!options_.load_images) {
     return;
   }
-  const fs::path path = workspace_.image_path / candidate.image->name;
+  const fs::path path = workspace_.image_path / candidate.files.image->name;
   const cv::Mat photograph = ReadPhotograph(path);
-  const SparseCamera& camera = *candidate.camera;
-  if (uint64_t(photograph.cols) != camera.width ||
-      uint64_t(photograph.rows) != camera.height) {
-    throw InputError(fmt::format(
-        "{}: the image has {}x{} pixels, but its camera {} has {}x{}",
-        path.string(),
-        photograph.cols,
-        photograph.rows,
-        camera.id,
-        camera.width,
-        camera.height));
-  }
+  const SparseCamera& camera = *candidate.files.camera;
+  RequireSizeOfCamera(
+      path, {uint64_t(photograph.cols), uint64_t(photograph.rows)}, camera);
   view->image = Undistort(photograph, camera, view->camera, 0, alone);
 }
 

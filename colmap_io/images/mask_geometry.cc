@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "colmap_io/images/undistort.h"
+#include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/read_sparse_model.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"

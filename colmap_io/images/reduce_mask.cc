@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "colmap_io/images/undistort.h"
+#include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/camera_projector.h"
 
 namespace octacut {

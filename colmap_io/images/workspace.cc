@@ -6,7 +6,7 @@
 #include <system_error>
 #include <tuple>
 
-#include "colmap_io/images/undistort.h"
+#include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/read_sparse_model.h"
 #include "core/base/error.h"
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "colmap_io/images/undistort.h"
+#include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/camera_projector.h"
 #include "colmap_io/model/read_sparse_model.h"
 #include "colmap_io/model/write_sparse_model.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "colmap_io/images/scene_points.h"
-#include "colmap_io/images/undistort.h"
+#include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/write_sparse_model.h"
 #include "tests/colmap_io/images/test_workspace.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/camera_projector.h"
 #include "tests/colmap_io/images/test_workspace.h"
 #include "tests/colmap_io/model/test_cameras.h"

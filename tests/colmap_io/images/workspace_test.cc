@@ -5,7 +5,7 @@
 
 #include "colmap_io/images/mask_file.h"
 #include "colmap_io/images/mask_geometry.h"
-#include "colmap_io/images/undistort.h"
+#include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/write_sparse_model.h"
 #include "tests/colmap_io/images/test_workspace.h"
 

@@ -1,0 +1,122 @@
+#include "colmap_io/images/view_files.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "colmap_io/images/mask_file.h"
+#include "core/base/error.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr size_t kMinViews = 3;
+
+// Files of one kind that are not there.
+struct Missing {
+  std::string_view what;
+  size_t count = 0;
+  fs::path first;
+
+  void Add(const fs::path& path) {
+    if (count++ == 0) {
+      first = path;
+    }
+  }
+  void Report(bool skip, size_t num_images, const Context& context) const {
+    if (count == 0) {
+      return;
+    }
+    const std::string message =
+        fmt::format("{}: no such {}; missing for {} of {} images",
+                    first.string(),
+                    what,
+                    count,
+                    num_images);
+    if (!skip) {
+      throw InputError(fmt::format(
+          "{} (--skip_missing_{}s 1 goes on without them)", message, what));
+    }
+    context.Warn(message + ", which are left out");
+  }
+};
+
+}  // namespace
+
+void RequireEnoughViews(const Workspace& workspace, size_t count) {
+  if (count < kMinViews) {
+    throw InputError(
+        fmt::format("{}: {} usable views of {} images; at least {} are needed",
+                    workspace.model_path.string(),
+                    count,
+                    workspace.model.images.size(),
+                    kMinViews));
+  }
+}
+
+void RequireSizeOfCamera(const fs::path& path,
+                         const ImageSize& size,
+                         const SparseCamera& camera) {
+  if (size != ImageSize{camera.width, camera.height}) {
+    throw InputError(fmt::format(
+        "{}: the image has {}x{} pixels, but its camera {} has {}x{}",
+        path.string(),
+        size.width,
+        size.height,
+        camera.id,
+        camera.width,
+        camera.height));
+  }
+}
+
+FoundViewFiles FindViewFiles(const Workspace& workspace,
+                             const ViewFilesOptions& options,
+                             const Context& context) {
+  std::map<uint32_t, const SparseCamera*> cameras;
+  for (const SparseCamera& camera : workspace.model.cameras) {
+    cameras[camera.id] = &camera;
+  }
+  FoundViewFiles found;
+  Missing images{"image", 0, {}};
+  Missing masks{"mask", 0, {}};
+  for (const SparseImage& image : workspace.model.images) {
+    const fs::path path = workspace.image_path / image.name;
+    std::error_code ignored;
+    if (options.need_images && !fs::is_regular_file(path, ignored)) {
+      images.Add(path);
+      continue;
+    }
+    const std::optional<fs::path> mask =
+        FindMaskFile(workspace.mask_path, image.name, workspace.image_path);
+    if (!mask) {
+      masks.Add(workspace.mask_path / (image.name + ".png"));
+      continue;
+    }
+    found.views.push_back({&image, cameras.at(image.camera_id), *mask});
+  }
+  const size_t num_images = workspace.model.images.size();
+  images.Report(options.skip_missing_images, num_images, context);
+  masks.Report(options.skip_missing_masks, num_images, context);
+  found.num_missing_images = images.count;
+  found.num_missing_masks = masks.count;
+  RequireEnoughViews(workspace, found.views.size());
+  for (const ViewFiles& view : found.views) {
+    if (options.need_images) {
+      const fs::path path = workspace.image_path / view.image->name;
+      std::ifstream stream(path, std::ios::binary);
+      if (const std::optional<ImageSize> size = ReadImageSize(stream)) {
+        RequireSizeOfCamera(path, *size, *view.camera);
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace octacut

@@ -96,18 +96,16 @@ void AddDeterminant(const Eigen::Vector3d& a,
   }
 }
 
-// True when difference == a - b without rounding.
-bool IsExactDifference(const Eigen::Vector3d& a,
-                       const Eigen::Vector3d& b,
-                       const Eigen::Vector3d& difference) {
-  for (int axis = 0; axis < 3; ++axis) {
-    double sum, error;
-    TwoSum(a[axis], -b[axis], &sum, &error);
-    if (error != 0 || sum != difference[axis]) {
-      return false;
-    }
-  }
-  return true;
+// True when a - b is not rounded.
+bool IsExactDifference(double a, double b) {
+  double sum, error;
+  TwoSum(a, -b, &sum, &error);
+  return error == 0;
+}
+
+bool IsExactDifference(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return IsExactDifference(a.x(), b.x()) && IsExactDifference(a.y(), b.y()) &&
+         IsExactDifference(a.z(), b.z());
 }
 
 int ExactOrient3d(const Eigen::Vector3d& a,
@@ -119,8 +117,8 @@ int ExactOrient3d(const Eigen::Vector3d& a,
   const Eigen::Vector3d cd = c - d;
   Expansion sum;
   // Coordinates that come from floats or from a grid usually take this way.
-  if (IsExactDifference(a, d, ad) && IsExactDifference(b, d, bd) &&
-      IsExactDifference(c, d, cd)) {
+  if (IsExactDifference(a, d) && IsExactDifference(b, d) &&
+      IsExactDifference(c, d)) {
     AddDeterminant(ad, bd, cd, 1, &sum);
   } else {
     AddDeterminant(a, b, c, 1, &sum);
@@ -173,6 +171,12 @@ int Orient2d(const Eigen::Vector3d& a,
   if (determinant < -bound) return -1;
   if (bound == 0) return 0;
   Expansion sum;
+  if (IsExactDifference(a[x], c[x]) && IsExactDifference(b[y], c[y]) &&
+      IsExactDifference(a[y], c[y]) && IsExactDifference(b[x], c[x])) {
+    sum.AddProduct(a[x] - c[x], b[y] - c[y]);
+    sum.AddProduct(c[y] - a[y], b[x] - c[x]);
+    return sum.Sign();
+  }
   sum.AddProduct(a[x], b[y]);
   sum.AddProduct(-a[y], b[x]);
   sum.AddProduct(b[x], c[y]);

@@ -120,6 +120,31 @@ bool SeparateTrianglesMeet(const TriangleCorners& first,
          AnyEdgeMeets(first, sides_first, second);
 }
 
+// Whether the ray from `apex` through p lies in the closed wedge between the
+// rays through a and b, whose angle has the sign `turn`.
+bool IsInWedge(const Point& apex,
+               const Point& a,
+               const Point& b,
+               int turn,
+               const Point& p,
+               int drop) {
+  return Orient2d(apex, a, p, drop) * turn >= 0 &&
+         Orient2d(apex, p, b, drop) * turn >= 0;
+}
+
+// In one plane, with corner 0 shared: wedges meet beyond their apex when a
+// side of one lies in the other, and then so do the triangles.
+bool WedgesMeet(const TriangleCorners& first, const TriangleCorners& second) {
+  const int drop = AxisToDrop(first);
+  const Point& apex = first[0];
+  const int turn_1 = Orient2d(apex, first[1], first[2], drop);
+  const int turn_2 = Orient2d(apex, second[1], second[2], drop);
+  return IsInWedge(apex, first[1], first[2], turn_1, second[1], drop) ||
+         IsInWedge(apex, first[1], first[2], turn_1, second[2], drop) ||
+         IsInWedge(apex, second[1], second[2], turn_2, first[1], drop) ||
+         IsInWedge(apex, second[1], second[2], turn_2, first[2], drop);
+}
+
 // Corner 0 is shared. A common point elsewhere can be pushed away from it
 // until it leaves one of the triangles, through the edge opposite corner 0.
 bool TrianglesAtVertexMeet(const TriangleCorners& first,
@@ -129,8 +154,14 @@ bool TrianglesAtVertexMeet(const TriangleCorners& first,
   if (side_1 * side_2 > 0) {
     return false;
   }
+  if (side_1 == 0 && side_2 == 0) {
+    return WedgesMeet(first, second);
+  }
   const int other_1 = Orient3d(second[0], second[1], second[2], first[1]);
   const int other_2 = Orient3d(second[0], second[1], second[2], first[2]);
+  if (other_1 * other_2 > 0) {
+    return false;
+  }
   return SegmentMeets(second[1], second[2], side_1, side_2, first) ||
          SegmentMeets(first[1], first[2], other_1, other_2, second);
 }

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# Compares the meshes that COLMAP left in a workspace with octacut's.
+#
+#   workflows/compare_dense.sh WORKSPACE [--mesh_path MESH]
+#
+# MESH is octacut's mesh, by default WORKSPACE/meshed-octahedral.ply; COLMAP's
+# meshed-poisson.ply, meshed-delaunay.ply and meshed-advancing-front.ply are
+# looked for beside it, in WORKSPACE/dense and in WORKSPACE/dense/*. octacut's
+# mesh is the reference of the distances: they say how far the meshes are
+# apart, not which one is right. Changes nothing but
+# WORKSPACE/compare-dense.json.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+if [[ $# -lt 1 || $1 == -* ]]; then
+  sed -n '2,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  [[ ${1:-} == -h || ${1:-} == --help ]] && exit 0
+  exit 1
+fi
+workspace=${1%/}
+shift
+mesh=$workspace/meshed-octahedral.ply
+if [[ $# -eq 2 && $1 == --mesh_path ]]; then
+  mesh=$2
+elif [[ $# -gt 0 ]]; then
+  echo "compare_dense: unexpected argument $1" >&2
+  exit 1
+fi
+
+if [[ ! -d $workspace ]]; then
+  echo "compare_dense: $workspace: no such folder" >&2
+  exit 1
+fi
+if [[ ! -f $mesh ]]; then
+  echo "compare_dense: $mesh: no such mesh; octacut octahedral_mesher makes it" >&2
+  exit 1
+fi
+
+inputs=()
+for folder in "$workspace" "$workspace/dense" "$workspace"/dense/*/; do
+  for kind in poisson delaunay advancing-front; do
+    candidate=${folder%/}/meshed-$kind.ply
+    if [[ -f $candidate ]]; then
+      inputs+=(--input_path "$candidate")
+    fi
+  done
+done
+if [[ ${#inputs[@]} -eq 0 ]]; then
+  echo "compare_dense: no mesh of COLMAP in $workspace, nothing to compare"
+  exit 0
+fi
+
+octacut=$("$root/workflows/find_octacut.sh")
+# octacut's own mesh is in the table, too: its topology is of interest.
+"$octacut" mesh_comparer --input_path "$mesh" "${inputs[@]}" \
+  --reference_path "$mesh" --output_path "$workspace/compare-dense.json"

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Installs the Debian 12 packages that octacut is built and tested with, as
+# far as they are missing: as root or with sudo; where neither is possible it
+# says what it would install and fails. Run again, it changes nothing.
+set -euo pipefail
+
+packages=(
+  g++ cmake make ninja-build
+  libeigen3-dev libfmt-dev libspdlog-dev libtbb-dev nlohmann-json3-dev
+  libopencv-dev libopenmesh-dev libembree-dev libboost-dev
+  libgtest-dev libgmock-dev
+  colmap
+)
+
+is_installed() {
+  [[ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
+}
+
+if ! command -v dpkg-query >/dev/null; then
+  echo "setup: no Debian system; octacut needs what these packages hold:" >&2
+  echo "  ${packages[*]}" >&2
+  exit 1
+fi
+
+missing=()
+for package in "${packages[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+if [[ ${#missing[@]} -eq 0 ]]; then
+  exit 0
+fi
+
+as_root=()
+if [[ $EUID -ne 0 ]]; then
+  # -n: never wait for a password that nobody is there to type.
+  if command -v sudo >/dev/null && { [[ -t 0 ]] || sudo -n true 2>/dev/null; }; then
+    as_root=(sudo)
+  else
+    echo "setup: these packages are missing and only root can install them:" >&2
+    echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+    exit 1
+  fi
+fi
+
+echo "setup: installing ${missing[*]}"
+"${as_root[@]}" apt-get update -qq
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+  apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

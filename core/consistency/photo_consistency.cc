@@ -122,11 +122,24 @@ void ConsistencyOptions::Check() const {
               "must be positive and at most 64");
 }
 
-PhotoConsistency EstimateConsistency(const ViewSet& views,
-                                     const VoxelGrid& voxels,
-                                     const Visibility& visibility,
-                                     const ConsistencyOptions& options,
-                                     const Context& context) {
+void ConsistencySummary::Add(const ConsistencySummary& other) {
+  const size_t own_seen = num_voxels - num_unseen;
+  const size_t other_seen = other.num_voxels - other.num_unseen;
+  if (own_seen + other_seen > 0) {
+    mean = (mean * double(own_seen) + other.mean * double(other_seen)) /
+           double(own_seen + other_seen);
+  }
+  num_voxels += other.num_voxels;
+  num_unseen += other.num_unseen;
+}
+
+PhotoConsistency EstimateConsistency(
+    const ViewSet& views,
+    const VoxelGrid& voxels,
+    const std::vector<Eigen::Vector3f>& normals,
+    const Visibility& visibility,
+    const ConsistencyOptions& options,
+    const Context& context) {
   options.Check();
   Phase phase(context, "photo-consistency", voxels.Size());
   PhotoConsistency result;
@@ -148,9 +161,9 @@ PhotoConsistency EstimateConsistency(const ViewSet& views,
               const Eigen::Vector3f center =
                   VoxelCenter(DecodeMorton(code), voxels.Level());
               patch.Sample(views,
-                           visibility.Select(index, center),
+                           visibility.Select(center, normals[index]),
                            center,
-                           visibility.Normal(index),
+                           normals[index],
                            spacing,
                            options.patch_radius);
               if (patch.NumViews() < 2) {

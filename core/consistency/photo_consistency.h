@@ -35,6 +35,9 @@ struct ConsistencySummary {
   size_t num_voxels = 0;
   size_t num_unseen = 0;  // by fewer than two views
   double mean = 0;        // of phi over the seen voxels
+
+  // That of both sets of voxels together.
+  void Add(const ConsistencySummary& other);
 };
 
 struct PhotoConsistency {
@@ -42,12 +45,15 @@ struct PhotoConsistency {
   ConsistencySummary summary;
 };
 
-// phi of every voxel of `voxels`, sampled from the pyramid level whose pixels
-// match the spacing of the samples.
-PhotoConsistency EstimateConsistency(const ViewSet& views,
-                                     const VoxelGrid& voxels,
-                                     const Visibility& visibility,
-                                     const ConsistencyOptions& options,
-                                     const Context& context);
+// phi of every voxel of `voxels` with the given outward normals (one a voxel,
+// zero where there is none: the voxel counts as unseen), sampled from the
+// pyramid level whose pixels match the spacing of the samples.
+PhotoConsistency EstimateConsistency(
+    const ViewSet& views,
+    const VoxelGrid& voxels,
+    const std::vector<Eigen::Vector3f>& normals,
+    const Visibility& visibility,
+    const ConsistencyOptions& options,
+    const Context& context);
 
 }  // namespace octacut

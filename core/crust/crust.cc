@@ -95,7 +95,7 @@ Crust RefineCrust(const LabelHierarchy& hierarchy,
                   const CrustOptions& options,
                   const Context& context) {
   options.Check();
-  const LabeledCrust& coarse = hierarchy.Finest();
+  const LabeledVoxels& coarse = hierarchy.Finest();
   std::vector<uint8_t> cut(coarse.labels.size());
   for (size_t i = 0; i < cut.size(); ++i) {
     cut[i] = IsCut(coarse.labels[i]);

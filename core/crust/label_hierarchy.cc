@@ -4,7 +4,7 @@
 
 namespace octacut {
 
-void LabelHierarchy::Add(LabeledCrust level) {
+void LabelHierarchy::Add(LabeledVoxels level) {
   if (level.labels.size() != level.voxels.Size() ||
       (!Empty() && level.voxels.Level() != Finest().voxels.Level() + 1)) {
     throw InvariantError("a label hierarchy grows by one labelled level");
@@ -16,7 +16,7 @@ float LabelHierarchy::InsideFraction(const Eigen::Vector3i& voxel,
                                      int level) const {
   Eigen::Vector3i child = voxel;
   for (size_t i = levels_.size(); i-- > 0;) {
-    const LabeledCrust& labeled = levels_[i];
+    const LabeledVoxels& labeled = levels_[i];
     const int up = level - labeled.voxels.Level();
     if (up <= 0) {
       continue;

@@ -5,23 +5,16 @@
 
 #include <vector>
 
-#include "core/grid/face.h"
-#include "core/grid/voxel_grid.h"
+#include "core/grid/labeled_voxels.h"
 
 namespace octacut {
-
-// A crust with the labels that its cut found, one a voxel.
-struct LabeledCrust {
-  VoxelGrid voxels;
-  std::vector<FaceLabels> labels;
-};
 
 class LabelHierarchy {
  public:
   // Levels are added from coarse to fine, each one level finer.
-  void Add(LabeledCrust level);
+  void Add(LabeledVoxels level);
   bool Empty() const { return levels_.empty(); }
-  const LabeledCrust& Finest() const { return levels_.back(); }
+  const LabeledVoxels& Finest() const { return levels_.back(); }
 
   // Share of the voxel (one level finer than Finest() or coarser) that is
   // inside, as far as coarser cuts know: 0 or 1 where no cut passes through
@@ -30,7 +23,7 @@ class LabelHierarchy {
   float InsideFraction(const Eigen::Vector3i& voxel, int level) const;
 
  private:
-  std::vector<LabeledCrust> levels_;
+  std::vector<LabeledVoxels> levels_;
 };
 
 }  // namespace octacut

@@ -62,13 +62,11 @@ Visibility Visibility::Estimate(const ViewSet& views,
                                 const VoxelGrid& surface,
                                 const std::vector<FaceLabels>& labels,
                                 int level,
-                                std::vector<Eigen::Vector3f> normals,
                                 const VisibilityOptions& options,
                                 const Context& context) {
   options.Check();
   Visibility visibility;
   visibility.views_ = &views;
-  visibility.normals_ = std::move(normals);
   visibility.min_cosine_ =
       float(std::cos(options.max_angle * std::numbers::pi / 180));
   visibility.tolerance_ = float(options.depth_tolerance / double(1 << level));
@@ -99,10 +97,9 @@ bool Visibility::Sees(size_t view,
   return h.z() <= depth_maps_[view].At(u, v) + tolerance_ / cosine;
 }
 
-Visibility::Selection Visibility::Select(size_t voxel,
-                                         const Eigen::Vector3f& point) const {
+Visibility::Selection Visibility::Select(const Eigen::Vector3f& point,
+                                         const Eigen::Vector3f& normal) const {
   Selection selection;
-  const Eigen::Vector3f& normal = normals_[voxel];
   if (normal.squaredNorm() == 0) {
     return selection;
   }

@@ -39,26 +39,26 @@ class Visibility {
     int count = 0;
   };
 
-  // The surface is the cut voxels of `surface` (a labelled crust, of this
-  // level or the coarser one); `normals` are those of the crust's voxels.
+  // The surface is the cut voxels of `surface`, a labelled crust of the level
+  // that is to be seen or of the coarser one; the tolerance is in voxels of
+  // `level`. Keeps a reference to `views`.
   static Visibility Estimate(const ViewSet& views,
                              const VoxelGrid& surface,
                              const std::vector<FaceLabels>& labels,
                              int level,
-                             std::vector<Eigen::Vector3f> normals,
                              const VisibilityOptions& options,
                              const Context& context);
 
-  const Eigen::Vector3f& Normal(size_t voxel) const { return normals_[voxel]; }
-  // The views that see the voxel at `point` (unit coordinates), best first.
-  Selection Select(size_t voxel, const Eigen::Vector3f& point) const;
+  // The views that see the surface at `point` (unit coordinates) with the
+  // given normal, best first; none when the normal is zero.
+  Selection Select(const Eigen::Vector3f& point,
+                   const Eigen::Vector3f& normal) const;
 
  private:
   bool Sees(size_t view, const Eigen::Vector3f& point, float cosine) const;
 
   const ViewSet* views_ = nullptr;
   std::vector<DepthMap> depth_maps_;
-  std::vector<Eigen::Vector3f> normals_;
   float min_cosine_ = 0;
   float tolerance_ = 0;  // unit coordinates, along the normal
   int max_views_ = 0;

@@ -1,0 +1,30 @@
+// Correlation of a view with its neighbours at every depth of every ray. For
+// core/evidence alone.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/evidence/sweep_view.h"
+
+namespace octacut {
+
+// Scores of all planes of one view: scores[plane * num_rays + ray]; -1 where
+// the plane is not in the hull. Empty when the view does not see it.
+struct ScoreVolume {
+  int num_planes = 0;
+  size_t num_rays = 0;
+  float first_depth = 0;  // unit coordinates
+  float spacing = 0;
+  std::vector<float> scores;
+};
+
+// Zero-mean normalised cross-correlation of windows of (2 window_radius + 1)^2
+// samples, the mean over the best half of the neighbours.
+ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
+                        int reference,
+                        const std::vector<int>& neighbors,
+                        float plane_spacing,
+                        int window_radius);
+
+}  // namespace octacut

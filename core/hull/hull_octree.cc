@@ -1,0 +1,101 @@
+#include "core/hull/hull_octree.h"
+
+#include <algorithm>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kGrain = 256;
+
+Footprint ClassifyVoxel(const ViewSet& views,
+                        const Eigen::AlignedBox3f& box,
+                        MortonCode code,
+                        int level) {
+  const float edge = 1.0f / float(1 << level);
+  const Eigen::Vector3f corner = DecodeMorton(code).cast<float>() * edge;
+  const Eigen::AlignedBox3f cell(corner,
+                                 corner + Eigen::Vector3f::Constant(edge));
+  if (!box.intersects(cell)) {
+    return Footprint::kBackground;
+  }
+  bool inside = box.contains(cell);
+  for (const PreparedView& view : views) {
+    const Footprint footprint =
+        view.silhouette.TestCube(view.projection, cell.center(), edge / 2);
+    if (footprint == Footprint::kBackground) {
+      return Footprint::kBackground;
+    }
+    inside = inside && footprint == Footprint::kObject;
+  }
+  return inside ? Footprint::kObject : Footprint::kMixed;
+}
+
+// Sorts the mixed voxels of the octree's level into mixed, inside, outside.
+void TestMixed(const ViewSet& views,
+               const Eigen::AlignedBox3f& box,
+               const Context& context,
+               HullOctree* octree) {
+  std::vector<Footprint> classes(octree->mixed.size());
+  ParallelFor(context, classes.size(), kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      classes[i] = ClassifyVoxel(views, box, octree->mixed[i], octree->level);
+    }
+  });
+  octree->tested_voxels.push_back(classes.size());
+  std::vector<MortonCode>& inside = octree->inside.emplace_back();
+  size_t kept = 0;
+  for (size_t i = 0; i < classes.size(); ++i) {
+    if (classes[i] == Footprint::kObject) {
+      inside.push_back(octree->mixed[i]);
+    } else if (classes[i] == Footprint::kMixed) {
+      octree->mixed[kept++] = octree->mixed[i];
+    }
+  }
+  octree->mixed.resize(kept);
+}
+
+std::vector<MortonCode> ChildCodes(const std::vector<MortonCode>& codes) {
+  std::vector<MortonCode> children;
+  children.reserve(codes.size() * 8);
+  for (const MortonCode code : codes) {
+    for (MortonCode child = 0; child < 8; ++child) {
+      children.push_back(FirstChildCode(code) + child);
+    }
+  }
+  return children;
+}
+
+}  // namespace
+
+bool HullOctree::IsInside(MortonCode code) const {
+  for (int ancestor = level; ancestor >= 0; --ancestor) {
+    const std::vector<MortonCode>& codes = inside[ancestor];
+    if (std::binary_search(codes.begin(), codes.end(), code)) {
+      return true;
+    }
+    code = ParentCode(code);
+  }
+  return false;
+}
+
+HullOctree RefineHull(const ViewSet& views,
+                      const Eigen::AlignedBox3f& box,
+                      int level,
+                      const Context& context) {
+  Phase phase(context, "visual hull", size_t(level) + 1);
+  HullOctree octree;
+  octree.mixed.push_back(0);
+  TestMixed(views, box, context, &octree);
+  phase.Advance();
+  while (octree.level < level) {
+    octree.mixed = ChildCodes(octree.mixed);
+    ++octree.level;
+    TestMixed(views, box, context, &octree);
+    phase.Advance();
+  }
+  return octree;
+}
+
+}  // namespace octacut

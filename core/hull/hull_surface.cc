@@ -1,0 +1,66 @@
+#include "core/hull/hull_surface.h"
+
+#include "core/base/parallel.h"
+#include "core/grid/morphology.h"
+#include "core/grid/neighbors.h"
+#include "core/hull/hull_octree.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kBrickGrain = 64;
+
+// Centre of a face in unit coordinates, the same to the last bit from both of
+// its voxels.
+Eigen::Vector3f FaceCenter(const Eigen::Vector3i& voxel, int face, int level) {
+  Eigen::Vector3i doubled = 2 * voxel + Eigen::Vector3i::Ones();
+  doubled[face / 2] += (face & 1) ? 1 : -1;
+  return doubled.cast<float>() / float(2 << level);
+}
+
+bool IsInsideOctree(const HullOctree& octree, const Eigen::Vector3i& voxel) {
+  return (voxel.array() >= 0).all() &&
+         (voxel.array() < (1 << octree.level)).all() &&
+         octree.IsInside(EncodeMorton(voxel));
+}
+
+}  // namespace
+
+LabeledVoxels ComputeHullSurface(const ViewSet& views,
+                                 const Eigen::AlignedBox3f& box,
+                                 const VisualHullOptions& options,
+                                 const Context& context) {
+  options.Check();
+  const HullOctree octree = RefineHull(views, box, options.hull_level, context);
+  LabeledVoxels crust;
+  crust.voxels = VoxelGrid::FromCodes(octree.level, octree.mixed);
+  crust.labels.assign(crust.voxels.Size(), 0);
+  ParallelFor(
+      context,
+      crust.voxels.Bricks().size(),
+      kBrickGrain,
+      [&](size_t begin, size_t end) {
+        ForEachWithNeighbors(
+            crust.voxels,
+            begin,
+            end,
+            [&](VoxelGrid::Index index,
+                MortonCode code,
+                const NeighborIndices& neighbors) {
+              const Eigen::Vector3i voxel = DecodeMorton(code);
+              for (int face = 0; face < kNumFaces; ++face) {
+                // What the octree has decided about a voxel holds for all of
+                // it, its faces included.
+                const bool inside =
+                    neighbors[face] != VoxelGrid::kNone
+                        ? IsInsideHull(
+                              views, box, FaceCenter(voxel, face, octree.level))
+                        : IsInsideOctree(octree, NeighborVoxel(voxel, face));
+                crust.labels[index] |= FaceLabels(inside ? 1 << face : 0);
+              }
+            });
+      });
+  return crust;
+}
+
+}  // namespace octacut

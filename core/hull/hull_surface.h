@@ -1,0 +1,22 @@
+// The visual hull's surface at any level, as a labelling that the manifold
+// extraction takes: faces are inside where their centre is object in every
+// view, so the surface is not inflated by the voxels' footprints.
+#pragma once
+
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/grid/labeled_voxels.h"
+#include "core/hull/visual_hull.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// A labelled crust around the hull's surface at options.hull_level. Throws
+// InputError when the hull is empty.
+LabeledVoxels ComputeHullSurface(const ViewSet& views,
+                                 const Eigen::AlignedBox3f& box,
+                                 const VisualHullOptions& options,
+                                 const Context& context);
+
+}  // namespace octacut

@@ -1,0 +1,116 @@
+#include "core/pipeline/finish_mesh.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/mesh/extract_surface.h"
+#include "core/mesh/keep_components.h"
+#include "core/mesh/normals.h"
+#include "core/mesh/place_vertices.h"
+#include "core/mesh/smooth.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kVertexGrain = 1024;
+constexpr std::array<uint8_t, 3> kUnseenColor = {128, 128, 128};
+
+// Mean colour of the selected views at a point.
+std::array<uint8_t, 3> BlendColor(const ViewSet& views,
+                                  const Visibility::Selection& selection,
+                                  const Eigen::Vector3f& point,
+                                  float spacing) {
+  Float4 sum = {0, 0, 0, 0};
+  float weights = 0;
+  for (int i = 0; i < selection.count; ++i) {
+    const PreparedView& view = views[selection.views[i].view];
+    const Eigen::Vector3f h = view.projection.Homogeneous(point);
+    const Float4 color =
+        view.pyramid
+            .LevelForFootprint(view.projection.Footprint(spacing, h.z()))
+            .Sample(h.x() / h.z(), h.y() / h.z());
+    sum += color * selection.views[i].weight;
+    weights += selection.views[i].weight;
+  }
+  if (weights == 0) {
+    return kUnseenColor;
+  }
+  sum /= weights;
+  const auto channel = [&](int i) { return uint8_t(std::lround(sum[i])); };
+  return {channel(2), channel(1), channel(0)};  // blue, green, red in `sum`
+}
+
+}  // namespace
+
+IndexedMesh PlacedMesh(const LabeledVoxels& surface,
+                       const BoundingCube& cube,
+                       const Context& context) {
+  return PlaceVertices(
+             ExtractSurface(surface.voxels, surface.labels, cube, context),
+             PlaceVerticesOptions(),
+             context)
+      .mesh;
+}
+
+IndexedMesh FinalMesh(const LabeledVoxels& surface,
+                      const BoundingCube& cube,
+                      const ReconstructionOptions& options,
+                      const Context& context,
+                      ReconstructionSummary* summary) {
+  ExtractedSurface extracted =
+      ExtractSurface(surface.voxels, surface.labels, cube, context);
+  summary->extraction = extracted.summary;
+  if (extracted.mesh.triangles.empty()) {
+    throw InputError(
+        "the surface vanished: no part of the hull is inside (see the options "
+        "of the evidence)");
+  }
+  PlacedSurface placed =
+      PlaceVertices(std::move(extracted), PlaceVerticesOptions(), context);
+  KeptComponents kept =
+      KeepLargestComponents(std::move(placed.mesh), options.min_component);
+  summary->num_removed_components = kept.summary.num_removed;
+  SmoothedSurface smoothed =
+      SmoothSurface(std::move(kept.mesh),
+                    cube.VoxelSize(surface.voxels.Level()),
+                    options.smoothing,
+                    context);
+  smoothed.mesh.normals = ComputeVertexNormals(smoothed.mesh, context);
+  return std::move(smoothed.mesh);
+}
+
+void ColorMesh(const ViewSet& views,
+               const LabeledVoxels& surface,
+               const BoundingCube& cube,
+               const VisibilityOptions& options,
+               const Context& context,
+               IndexedMesh* mesh) {
+  Phase phase(context, "vertex colours", mesh->positions.size());
+  const Visibility visibility = Visibility::Estimate(views,
+                                                     surface.voxels,
+                                                     surface.labels,
+                                                     surface.voxels.Level(),
+                                                     options,
+                                                     context);
+  const float spacing = 1.0f / float(surface.voxels.Resolution());
+  mesh->colors.resize(mesh->positions.size());
+  ParallelFor(context,
+              mesh->positions.size(),
+              kVertexGrain,
+              [&](size_t begin, size_t end) {
+                for (size_t i = begin; i < end; ++i) {
+                  const Eigen::Vector3f point =
+                      ((mesh->positions[i] - cube.min_corner) / cube.edge)
+                          .cast<float>();
+                  mesh->colors[i] =
+                      BlendColor(views,
+                                 visibility.Select(point, mesh->normals[i]),
+                                 point,
+                                 spacing);
+                }
+                phase.Advance(end - begin);
+              });
+}
+
+}  // namespace octacut

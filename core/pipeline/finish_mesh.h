@@ -1,0 +1,38 @@
+// From the labelling of the last level to the mesh that the user gets.
+#pragma once
+
+#include "core/base/context.h"
+#include "core/grid/labeled_voxels.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/pipeline/options.h"
+#include "core/pipeline/reconstruct.h"
+#include "core/scene/scene.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// The labelling's surface with vertices placed but not smoothed.
+IndexedMesh PlacedMesh(const LabeledVoxels& surface,
+                       const BoundingCube& cube,
+                       const Context& context);
+
+// Extraction, placement, smoothing; components smaller than the option says
+// are removed. With normals, without colours. Throws InputError when there is
+// no surface.
+IndexedMesh FinalMesh(const LabeledVoxels& surface,
+                      const BoundingCube& cube,
+                      const ReconstructionOptions& options,
+                      const Context& context,
+                      ReconstructionSummary* summary);
+
+// Vertex colours: the mean over the views that see the vertex, weighted by
+// the cosine of the angle to the normal; grey where none does. `surface` is
+// the labelling that the mesh came from; `mesh` has normals.
+void ColorMesh(const ViewSet& views,
+               const LabeledVoxels& surface,
+               const BoundingCube& cube,
+               const VisibilityOptions& options,
+               const Context& context,
+               IndexedMesh* mesh);
+
+}  // namespace octacut

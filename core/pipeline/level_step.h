@@ -1,0 +1,43 @@
+// One level of the hierarchy: from a crust to its labelling.
+#pragma once
+
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/crust/crust.h"
+#include "core/crust/label_hierarchy.h"
+#include "core/pipeline/options.h"
+#include "core/pipeline/reconstruct.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// psi(phi) + a of every voxel, HK06 eq. (3).
+std::vector<float> EdgeWeights(const std::vector<float>& phi,
+                               const EnergyOptions& options);
+
+// Evidence for outside of the voxels that are background in some view; the
+// others have none.
+std::vector<float> SilhouetteEvidence(const ViewSet& views,
+                                      const VoxelGrid& voxels,
+                                      double weight,
+                                      const Context& context);
+
+// The labelling of l0: a first cut by the evidence alone gives a surface that
+// visibility can be estimated from, the second one the labelling.
+LabeledVoxels SolveInitialLevel(const ViewSet& views,
+                                const VoxelGrid& hull,
+                                const std::vector<float>& inside_evidence,
+                                const ReconstructionOptions& options,
+                                const Context& context,
+                                LevelSummary* summary);
+
+// The labelling of the level after hierarchy.Finest(); its crust is grown
+// where the cut touches its border.
+LabeledVoxels SolveFinerLevel(const ViewSet& views,
+                              const LabelHierarchy& hierarchy,
+                              const ReconstructionOptions& options,
+                              const Context& context,
+                              LevelSummary* summary);
+
+}  // namespace octacut

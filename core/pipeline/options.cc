@@ -1,0 +1,49 @@
+#include "core/pipeline/options.h"
+
+#include "core/base/check_option.h"
+
+namespace octacut {
+
+void EnergyOptions::Check() const {
+  CheckOption(smoothness > 0 && smoothness <= 16,
+              "smoothness",
+              smoothness,
+              "must be positive and at most 16");
+  CheckOption(area_weight > 0 && area_weight <= 1,
+              "area_weight",
+              area_weight,
+              "must be positive and at most 1");
+  CheckOption(silhouette_weight >= 0,
+              "silhouette_weight",
+              silhouette_weight,
+              "must not be negative");
+}
+
+void ReconstructionOptions::Check() const {
+  hull.Check();
+  evidence.Check();
+  crust.Check();
+  visibility.Check();
+  consistency.Check();
+  energy.Check();
+  cut.Check();
+  smoothing.Check();
+  CheckOption(target_level >= hull.hull_level && target_level <= 12,
+              "target_level",
+              target_level,
+              "must be at least hull_level and at most 12");
+  CheckOption(min_component >= 0 && min_component <= 1,
+              "min_component",
+              min_component,
+              "must be in 0 .. 1");
+  CheckOption(max_grow_rounds >= 0 && max_grow_rounds <= 16,
+              "max_grow_rounds",
+              max_grow_rounds,
+              "must be in 0 .. 16");
+  CheckOption(normal_blur >= 1 && normal_blur <= 64,
+              "normal_blur",
+              normal_blur,
+              "must be in 1 .. 64");
+}
+
+}  // namespace octacut

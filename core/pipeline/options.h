@@ -1,0 +1,47 @@
+// Options of a whole reconstruction: one struct a step, and what strings them
+// together. The values of the paper are the defaults.
+#pragma once
+
+#include "core/consistency/photo_consistency.h"
+#include "core/crust/crust.h"
+#include "core/cut/octahedral_cut.h"
+#include "core/evidence/inside_evidence.h"
+#include "core/hull/visual_hull.h"
+#include "core/mesh/smooth.h"
+#include "core/visibility/visibility.h"
+
+namespace octacut {
+
+// The energy of a surface, HK06 eq. (2) and (3).
+struct EnergyOptions {
+  double smoothness = 4;      // s: psi(x) = x^s
+  double area_weight = 1e-5;  // a
+  // Evidence for outside of a voxel whose footprint is background in a view,
+  // in units of the weights.
+  double silhouette_weight = 1;
+  void Check() const;
+};
+
+struct ReconstructionOptions {
+  VisualHullOptions hull;
+  InsideEvidenceOptions evidence;
+  CrustOptions crust;
+  VisibilityOptions visibility;
+  ConsistencyOptions consistency;
+  EnergyOptions energy;
+  OctahedralCutOptions cut;
+  SmoothOptions smoothing;
+  // Components with less than this share of the largest one's volume are
+  // removed, cavities filled; 0 .. 1.
+  double min_component = 0.1;
+  int target_level = 9;  // at least hull.hull_level, at most 12
+  // Times that a crust is grown where its cut touches its border, each
+  // followed by another cut; 0 .. 16.
+  int max_grow_rounds = 4;
+  // Averagings of the inside over neighbouring voxels before its gradient is
+  // taken for the normal; 1 .. 64.
+  int normal_blur = 12;
+  void Check() const;
+};
+
+}  // namespace octacut

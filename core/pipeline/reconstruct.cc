@@ -1,0 +1,137 @@
+#include "core/pipeline/reconstruct.h"
+
+#include <fmt/format.h>
+
+#include "core/base/check_option.h"
+#include "core/base/stopwatch.h"
+#include "core/crust/label_hierarchy.h"
+#include "core/hull/hull_surface.h"
+#include "core/pipeline/finish_mesh.h"
+#include "core/pipeline/level_step.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+namespace {
+
+void CheckScene(const Scene& scene) {
+  if (scene.views.size() < 3) {
+    throw InputError(
+        fmt::format("{} views: at least 3 are needed", scene.views.size()));
+  }
+  for (const View& view : scene.views) {
+    if (view.image.empty() || view.mask.empty()) {
+      throw InputError(view.name + ": the view has no image or no mask");
+    }
+  }
+}
+
+Eigen::AlignedBox3f BoxInUnitCoordinates(const Region& region) {
+  const auto to_unit = [&](const Eigen::Vector3d& x) {
+    return Eigen::Vector3f(
+        ((x - region.cube.min_corner) / region.cube.edge).cast<float>());
+  };
+  return {to_unit(region.box.min()), to_unit(region.box.max())};
+}
+
+void ReportLevel(const LevelSummary& level, const Context& context) {
+  context.Info(
+      fmt::format("level {}: {}^3, {} crust voxels, {} cut voxels, cost {:.6g}",
+                  level.level,
+                  level.resolution,
+                  level.num_crust_voxels,
+                  level.num_cut_voxels,
+                  level.cut_cost));
+  if (level.num_border_voxels > 0) {
+    context.Warn(fmt::format(
+        "level {}: {} cut voxels still touch the border of the crust after {} "
+        "rounds of growing",
+        level.level,
+        level.num_border_voxels,
+        level.num_grow_rounds));
+  }
+}
+
+}  // namespace
+
+Reconstruction Reconstruct(const Scene& scene,
+                           const Region& region,
+                           const ReconstructionOptions& options,
+                           const Context& context,
+                           const LevelObserver& observer) {
+  options.Check();
+  CheckScene(scene);
+  Reconstruction result;
+  ReconstructionSummary& summary = result.summary;
+  Stopwatch stopwatch;
+  const ViewSet views = PrepareViews(scene, region.cube, context);
+  const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);
+  summary.prepare_seconds = stopwatch.Lap();
+
+  VisualHull hull = ComputeVisualHull(views, box, options.hull, context);
+  summary.hull = hull.summary;
+  summary.hull_seconds = stopwatch.Lap();
+  if (observer) {
+    observer(-1,
+             PlacedMesh(ComputeHullSurface(views, box, options.hull, context),
+                        region.cube,
+                        context));
+    stopwatch.Lap();
+  }
+
+  const InsideEvidence evidence =
+      EstimateInsideEvidence(views, hull.voxels, options.evidence, context);
+  summary.evidence = evidence.summary;
+  summary.evidence_seconds = stopwatch.Lap();
+
+  LabelHierarchy hierarchy;
+  for (int level = options.hull.hull_level; level <= options.target_level;
+       ++level) {
+    LevelSummary& step = summary.levels.emplace_back();
+    hierarchy.Add(
+        hierarchy.Empty()
+            ? SolveInitialLevel(
+                  views, hull.voxels, evidence.values, options, context, &step)
+            : SolveFinerLevel(views, hierarchy, options, context, &step));
+    ReportLevel(step, context);
+    if (observer) {
+      observer(level, PlacedMesh(hierarchy.Finest(), region.cube, context));
+    }
+  }
+
+  stopwatch.Lap();
+  result.mesh =
+      FinalMesh(hierarchy.Finest(), region.cube, options, context, &summary);
+  summary.meshing_seconds = stopwatch.Lap();
+  ColorMesh(views,
+            hierarchy.Finest(),
+            region.cube,
+            options.visibility,
+            context,
+            &result.mesh);
+  summary.coloring_seconds = stopwatch.Lap();
+  result.audit = AuditMesh(result.mesh, context);
+  CheckAudit(result.audit);
+  return result;
+}
+
+size_t EstimateReconstructionBytes(const Scene& scene,
+                                   const ReconstructionOptions& options) {
+  // A crust is a band around a surface that in a tight cube has some 2.5
+  // times the area of one of its sides.
+  constexpr double kSurfaceShare = 2.5;
+  const double resolution = double(1u << options.target_level);
+  const double thickness = 2 + 2 * options.crust.crust_dilation;
+  const size_t num_voxels =
+      size_t(kSurfaceShare * resolution * resolution * thickness);
+  // Grid, ties, prior, phi, weights, evidence, normals and depth maps.
+  constexpr size_t kStepBytesPerVoxel = 48;
+  size_t bytes = num_voxels * kStepBytesPerVoxel +
+                 EstimateOctahedralCutBytes(num_voxels, true);
+  for (const View& view : scene.views) {
+    // Pyramid (4 bytes a pixel and a third) and summed areas.
+    bytes += view.mask.total() * 10;
+  }
+  return bytes;
+}
+
+}  // namespace octacut

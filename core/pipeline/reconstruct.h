@@ -1,0 +1,71 @@
+// Hierarchical volumetric multi-view stereo [HK06]: views in, closed manifold
+// mesh out.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/audit.h"
+#include "core/mesh/extract_surface.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/pipeline/options.h"
+#include "core/scene/region.h"
+#include "core/scene/scene.h"
+
+namespace octacut {
+
+struct LevelSummary {
+  int level = 0;
+  int resolution = 0;
+  size_t num_crust_voxels = 0;
+  size_t num_medial_voxels = 0;
+  size_t num_graph_nodes = 0;
+  size_t num_cut_voxels = 0;
+  double cut_cost = 0;
+  ConsistencySummary consistency;
+  int num_grow_rounds = 0;
+  size_t num_border_voxels = 0;  // cut voxels that touch the crust's border
+  double crust_seconds = 0;
+  double visibility_seconds = 0;
+  double consistency_seconds = 0;
+  double cut_seconds = 0;
+};
+
+struct ReconstructionSummary {
+  VisualHullSummary hull;
+  InsideEvidenceSummary evidence;
+  std::vector<LevelSummary> levels;
+  ExtractSurfaceSummary extraction;
+  size_t num_removed_components = 0;
+  double prepare_seconds = 0;
+  double hull_seconds = 0;
+  double evidence_seconds = 0;
+  double meshing_seconds = 0;
+  double coloring_seconds = 0;
+};
+
+struct Reconstruction {
+  IndexedMesh mesh;  // world coordinates, with normals and colours
+  MeshAudit audit;   // of `mesh`; CheckAudit(audit) has passed
+  ReconstructionSummary summary;
+};
+
+// Receives the hull (level -1) and every level's surface, before smoothing.
+using LevelObserver = std::function<void(int level, const IndexedMesh& mesh)>;
+
+// Throws InputError when the scene cannot be reconstructed (no hull, a view
+// without image, a surface that vanishes), InvariantError when the mesh is
+// not what is promised.
+Reconstruction Reconstruct(const Scene& scene,
+                           const Region& region,
+                           const ReconstructionOptions& options,
+                           const Context& context,
+                           const LevelObserver& observer = nullptr);
+
+// Bytes that Reconstruct will need at its peak besides the scene, roughly.
+size_t EstimateReconstructionBytes(const Scene& scene,
+                                   const ReconstructionOptions& options);
+
+}  // namespace octacut

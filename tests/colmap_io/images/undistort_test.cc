@@ -63,7 +63,7 @@ TEST(Undistort, ReducesByWholeFactorsAsTheMeanOfBlocks) {
     for (int x = 0; x < 100; ++x) {
       const cv::Scalar mean = cv::mean(source(cv::Rect(4 * x, 4 * y, 4, 4)));
       for (int c = 0; c < 3; ++c) {
-        EXPECT_NEAR(result.at<cv::Vec3b>(y, x)[c], mean[c], 0.51);
+        EXPECT_NEAR(result.at<cv::Vec3b>(y, x)[c], mean[c], 1.01);
       }
     }
   }
@@ -75,13 +75,13 @@ TEST(Undistort, FollowsTheProjectionOfEveryModel) {
   const cv::Mat source = Texture(640, 480);
   for (const SparseCamera& camera : TestCameras()) {
     const CameraProjector projector(camera);
-    for (const double scale : {1.0, 0.5}) {
-      const PinholeCamera target = {200,
-                                    160,
+    for (const double scale : {1.0, 0.5, 0.21}) {
+      const PinholeCamera target = {int(200 * scale),
+                                    int(160 * scale),
                                     scale * projector.Intrinsics().fx,
                                     scale * projector.Intrinsics().fy,
-                                    90.2,
-                                    75.6};
+                                    scale * 90.2,
+                                    scale * 75.6};
       const cv::Mat result = Undistort(source, camera, target, 0, Context(2));
       for (int y = 0; y < target.height; y += 7) {
         for (int x = 0; x < target.width; x += 7) {

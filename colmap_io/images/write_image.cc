@@ -1,0 +1,23 @@
+#include "colmap_io/images/write_image.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "colmap_io/mesh/atomic_file.h"
+#include "core/base/error.h"
+
+namespace octacut {
+
+void WriteImage(const std::filesystem::path& path,
+                const cv::Mat& image,
+                const std::vector<int>& parameters) {
+  std::vector<uchar> bytes;
+  if (!cv::imencode(path.extension().string(), image, bytes, parameters)) {
+    throw InputError(path.string() + ": the picture cannot be encoded");
+  }
+  AtomicFile file(path);
+  file.Stream().write(reinterpret_cast<const char*>(bytes.data()),
+                      std::streamsize(bytes.size()));
+  file.Commit();
+}
+
+}  // namespace octacut

@@ -3,7 +3,10 @@
 #include <array>
 
 #include "plugin/commands/example_creator.h"
+#include "plugin/commands/mesh_comparer.h"
+#include "plugin/commands/octahedral_mesher.h"
 #include "plugin/commands/version.h"
+#include "plugin/commands/visual_hull_mesher.h"
 
 namespace octacut {
 
@@ -12,9 +15,18 @@ std::span<const RegistryEntry> CommandRegistry() {
       {"example_creator",
        "Create a synthetic workspace with photographs, masks and ground truth",
        &MakeExampleCreator},
+      {"mesh_comparer",
+       "Measure meshes against a reference: topology, distances, scores",
+       &MakeMeshComparer},
+      {"octahedral_mesher",
+       "Reconstruct a closed mesh from a sparse model and masks",
+       &MakeOctahedralMesher},
       {"version",
        "Print the versions of octacut and its libraries",
        &MakeVersion},
+      {"visual_hull_mesher",
+       "Mesh the visual hull of the masks alone, in seconds",
+       &MakeVisualHullMesher},
   });
   return kCommands;
 }

@@ -114,6 +114,24 @@ Reconstruction Reconstruct(const Scene& scene,
   return result;
 }
 
+HullReconstruction ReconstructHull(const Scene& scene,
+                                   const Region& region,
+                                   const VisualHullOptions& hull,
+                                   const SmoothOptions& smoothing,
+                                   const Context& context) {
+  const ViewSet views = PrepareViews(scene, region.cube, context);
+  const LabeledVoxels surface =
+      ComputeHullSurface(views, BoxInUnitCoordinates(region), hull, context);
+  ReconstructionOptions options;
+  options.smoothing = smoothing;
+  ReconstructionSummary summary;
+  HullReconstruction result;
+  result.mesh = FinalMesh(surface, region.cube, options, context, &summary);
+  result.audit = AuditMesh(result.mesh, context);
+  CheckAudit(result.audit);
+  return result;
+}
+
 size_t EstimateReconstructionBytes(const Scene& scene,
                                    const ReconstructionOptions& options) {
   // A crust is a band around a surface that in a tight cube has some 2.5

@@ -64,6 +64,19 @@ Reconstruction Reconstruct(const Scene& scene,
                            const Context& context,
                            const LevelObserver& observer = nullptr);
 
+struct HullReconstruction {
+  IndexedMesh mesh;  // world coordinates, with normals
+  MeshAudit audit;   // of `mesh`; CheckAudit(audit) has passed
+};
+
+// The visual hull alone, from silhouettes (images are not needed). Throws as
+// Reconstruct does.
+HullReconstruction ReconstructHull(const Scene& scene,
+                                   const Region& region,
+                                   const VisualHullOptions& hull,
+                                   const SmoothOptions& smoothing,
+                                   const Context& context);
+
 // Bytes that Reconstruct will need at its peak besides the scene, roughly.
 size_t EstimateReconstructionBytes(const Scene& scene,
                                    const ReconstructionOptions& options);

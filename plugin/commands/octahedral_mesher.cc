@@ -1,0 +1,97 @@
+#include "plugin/commands/octahedral_mesher.h"
+
+#include <fmt/format.h>
+
+#include "colmap_io/mesh/mesh_io.h"
+#include "core/base/error.h"
+#include "core/pipeline/reconstruct.h"
+#include "plugin/mesh_json.h"
+#include "plugin/meshing_options.h"
+#include "plugin/report.h"
+#include "plugin/run_picture.h"
+#include "plugin/workspace_options.h"
+
+namespace octacut {
+namespace {
+
+class OctahedralMesher : public Command {
+ public:
+  void DeclareOptions(OptionManager& options) override;
+  void Run(const CommandEnvironment& environment) override;
+
+ private:
+  LevelObserver LevelWriter() const;
+
+  WorkspaceArguments workspace_;
+  ReconstructionOptions meshing_;
+  std::filesystem::path levels_path_;
+  bool picture_ = true;
+};
+
+void OctahedralMesher::DeclareOptions(OptionManager& options) {
+  workspace_.Declare(options);
+  options.Add("save_levels",
+              &levels_path_,
+              "Folder for the hull's and every level's surface; empty: none");
+  options.Add("picture",
+              &picture_,
+              "1: a picture of the mesh beside a photograph, beside the mesh");
+  DeclareMeshingOptions(options, &meshing_);
+}
+
+LevelObserver OctahedralMesher::LevelWriter() const {
+  if (levels_path_.empty()) {
+    return nullptr;
+  }
+  std::filesystem::create_directories(levels_path_);
+  return [folder = levels_path_](int level, const IndexedMesh& mesh) {
+    WriteMesh(folder / (level < 0 ? std::string("hull.ply")
+                                  : fmt::format("level_{:02d}.ply", level)),
+              mesh);
+  };
+}
+
+void OctahedralMesher::Run(const CommandEnvironment& environment) {
+  const Context& context = environment.context;
+  meshing_.Check();
+  workspace_.Complete("meshed-octahedral.ply");
+  const LevelObserver observer = LevelWriter();
+  const LoadedScene loaded = LoadScene(workspace_.workspace_path,
+                                       workspace_.loading,
+                                       meshing_.target_level,
+                                       context);
+  context.Info(fmt::format(
+      "{} views; the reconstruction needs some {:.1f} GB besides their pixels",
+      loaded.scene.views.size(),
+      double(EstimateReconstructionBytes(loaded.scene, meshing_)) / 1e9));
+  const Reconstruction result =
+      Reconstruct(loaded.scene, loaded.region, meshing_, context, observer);
+  WriteMesh(workspace_.output_path, result.mesh);
+  if (picture_) {
+    WriteRunPicture(
+        workspace_.Beside(".png"), loaded.scene, result.mesh, context);
+  }
+
+  Json report = MakeReport(environment);
+  report["mesh_path"] = workspace_.output_path.string();
+  report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
+  report["reconstruction"] = ReconstructionToJson(result.summary);
+  report["audit"] = AuditToJson(result.audit);
+  WriteReport(workspace_.report_path, report);
+  environment.out << fmt::format(
+      "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s), "
+      "genus {}\n",
+      workspace_.output_path.string(),
+      result.audit.num_vertices,
+      result.audit.num_triangles,
+      result.audit.num_components,
+      result.audit.genus);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> MakeOctahedralMesher() {
+  return std::make_unique<OctahedralMesher>();
+}
+
+}  // namespace octacut

@@ -1,0 +1,66 @@
+#include "plugin/commands/visual_hull_mesher.h"
+
+#include <fmt/format.h>
+
+#include "colmap_io/mesh/mesh_io.h"
+#include "core/pipeline/reconstruct.h"
+#include "plugin/mesh_json.h"
+#include "plugin/report.h"
+#include "plugin/workspace_options.h"
+
+namespace octacut {
+namespace {
+
+class VisualHullMesher : public Command {
+ public:
+  void DeclareOptions(OptionManager& options) override;
+  void Run(const CommandEnvironment& environment) override;
+
+ private:
+  WorkspaceArguments workspace_;
+  VisualHullOptions hull_{.hull_level = 8};
+  SmoothOptions smoothing_{.iterations = 2};
+};
+
+void VisualHullMesher::DeclareOptions(OptionManager& options) {
+  workspace_.Declare(options);
+  options.Add("OctahedralMeshing.hull_level",
+              &hull_.hull_level,
+              "The hull has (2^level)^3 voxels");
+  options.Add("Smoothing.iterations",
+              &smoothing_.iterations,
+              "Of V <- V + 1/2 Laplacian(V)");
+}
+
+void VisualHullMesher::Run(const CommandEnvironment& environment) {
+  const Context& context = environment.context;
+  hull_.Check();
+  smoothing_.Check();
+  workspace_.Complete("meshed-visual-hull.ply");
+  workspace_.loading.load_images = false;
+  const LoadedScene loaded = LoadScene(
+      workspace_.workspace_path, workspace_.loading, hull_.hull_level, context);
+  const HullReconstruction result =
+      ReconstructHull(loaded.scene, loaded.region, hull_, smoothing_, context);
+  WriteMesh(workspace_.output_path, result.mesh);
+
+  Json report = MakeReport(environment);
+  report["mesh_path"] = workspace_.output_path.string();
+  report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
+  report["audit"] = AuditToJson(result.audit);
+  WriteReport(workspace_.report_path, report);
+  environment.out << fmt::format(
+      "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s)\n",
+      workspace_.output_path.string(),
+      result.audit.num_vertices,
+      result.audit.num_triangles,
+      result.audit.num_components);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> MakeVisualHullMesher() {
+  return std::make_unique<VisualHullMesher>();
+}
+
+}  // namespace octacut

@@ -1,0 +1,160 @@
+#include "plugin/meshing_options.h"
+
+namespace octacut {
+namespace {
+
+void DeclareEvidenceOptions(OptionManager& options,
+                            InsideEvidenceOptions* evidence) {
+  options.Add("OctahedralMeshing.ballooning",
+              &evidence->ballooning,
+              "Evidence for inside of hull voxels that nothing speaks against");
+  options.Add("OctahedralMeshing.matter_weight",
+              &evidence->matter_weight,
+              "Evidence of one view with its surface just before the voxel");
+  options.Add("OctahedralMeshing.free_space_weight",
+              &evidence->free_space_weight,
+              "Evidence of one view that sees through the voxel");
+  options.Add("OctahedralMeshing.min_agreeing_views",
+              &evidence->min_agreeing_views,
+              "Other views that must confirm a depth");
+  options.Add("DepthSweep.num_neighbors",
+              &evidence->sweep.num_neighbors,
+              "Views that each view is compared with");
+  options.Add("DepthSweep.min_angle",
+              &evidence->sweep.min_angle,
+              "Between the directions of such views, degrees");
+  options.Add("DepthSweep.max_angle", &evidence->sweep.max_angle, "Degrees");
+  options.Add("DepthSweep.samples_per_voxel",
+              &evidence->sweep.samples_per_voxel,
+              "Samples of a view across a hull voxel");
+  options.Add("DepthSweep.planes_per_voxel",
+              &evidence->sweep.planes_per_voxel,
+              "Depths across a hull voxel");
+  options.Add("DepthSweep.window_radius",
+              &evidence->sweep.window_radius,
+              "Of the correlation window, samples");
+  options.Add("DepthSweep.min_score",
+              &evidence->sweep.min_score,
+              "Least correlation of an accepted depth");
+}
+
+void DeclareConsistencyOptions(OptionManager& options,
+                               ReconstructionOptions* meshing) {
+  options.AddEnum(
+      "OctahedralMeshing.consistency",
+      &meshing->consistency.measure,
+      {{"normalized_variance", ConsistencyMeasure::kNormalizedVariance},
+       {"ncc", ConsistencyMeasure::kNcc},
+       {"variance", ConsistencyMeasure::kVariance}},
+      "Photo-consistency: colour variance normalised per image, "
+      "pairwise correlation, plain variance");
+  options.Add("OctahedralMeshing.patch_radius",
+              &meshing->consistency.patch_radius,
+              "Of the patch of (2 r + 1)^2 samples, voxels");
+  options.Add("OctahedralMeshing.neutral",
+              &meshing->consistency.neutral,
+              "Photo-consistency of what fewer than two views see");
+  options.Add("OctahedralMeshing.pixel_noise",
+              &meshing->consistency.pixel_noise,
+              "Standard deviation of the images' noise, grey levels");
+  options.Add("OctahedralMeshing.max_views",
+              &meshing->visibility.max_views,
+              "Views of a voxel at most");
+  options.Add("OctahedralMeshing.max_angle",
+              &meshing->visibility.max_angle,
+              "Of a view to the normal, degrees");
+  options.Add("OctahedralMeshing.depth_tolerance",
+              &meshing->visibility.depth_tolerance,
+              "Voxels behind the surface that still count as seen");
+  options.Add("OctahedralMeshing.normal_blur",
+              &meshing->normal_blur,
+              "Averagings of the inside before normals are taken");
+}
+
+Json LevelToJson(const LevelSummary& level) {
+  return {{"level", level.level},
+          {"resolution", level.resolution},
+          {"crust_voxels", level.num_crust_voxels},
+          {"medial_voxels", level.num_medial_voxels},
+          {"graph_nodes", level.num_graph_nodes},
+          {"cut_voxels", level.num_cut_voxels},
+          {"cut_cost", level.cut_cost},
+          {"mean_consistency", level.consistency.mean},
+          {"unseen_voxels", level.consistency.num_unseen},
+          {"grow_rounds", level.num_grow_rounds},
+          {"border_voxels", level.num_border_voxels},
+          {"crust_seconds", level.crust_seconds},
+          {"visibility_seconds", level.visibility_seconds},
+          {"consistency_seconds", level.consistency_seconds},
+          {"cut_seconds", level.cut_seconds}};
+}
+
+}  // namespace
+
+void DeclareMeshingOptions(OptionManager& options,
+                           ReconstructionOptions* meshing) {
+  options.Add("OctahedralMeshing.hull_level",
+              &meshing->hull.hull_level,
+              "l0: the visual hull has (2^l0)^3 voxels");
+  options.Add("OctahedralMeshing.target_level",
+              &meshing->target_level,
+              "The mesh is cut from (2^level)^3 voxels");
+  options.Add("OctahedralMeshing.crust_dilation",
+              &meshing->crust.crust_dilation,
+              "d: dilations of the proxy surface");
+  options.Add("OctahedralMeshing.smoothness",
+              &meshing->energy.smoothness,
+              "s: edges weigh phi^s + a");
+  options.Add("OctahedralMeshing.area_weight",
+              &meshing->energy.area_weight,
+              "a: edges weigh phi^s + a");
+  options.Add("OctahedralMeshing.silhouette_weight",
+              &meshing->energy.silhouette_weight,
+              "Evidence for outside of voxels that are background in a view");
+  options.Add("OctahedralMeshing.max_grow_rounds",
+              &meshing->max_grow_rounds,
+              "Times that a crust is grown where its cut touches its border");
+  DeclareConsistencyOptions(options, meshing);
+  DeclareEvidenceOptions(options, &meshing->evidence);
+  options.Add("OctahedralMeshing.min_component",
+              &meshing->min_component,
+              "Components below this share of the largest one's volume go");
+  options.Add("Smoothing.iterations",
+              &meshing->smoothing.iterations,
+              "Of V <- V + lambda Laplacian(V)");
+  options.Add("Smoothing.lambda", &meshing->smoothing.lambda, "0 .. 1");
+  options.Add("Smoothing.taubin_mu",
+              &meshing->smoothing.taubin_mu,
+              "Below -lambda: gives back the volume after each iteration");
+  options.Add("Smoothing.max_displacement",
+              &meshing->smoothing.max_displacement,
+              "From where a vertex began, voxels");
+}
+
+Json ReconstructionToJson(const ReconstructionSummary& summary) {
+  Json levels = Json::array();
+  for (const LevelSummary& level : summary.levels) {
+    levels.push_back(LevelToJson(level));
+  }
+  return {{"hull",
+           {{"voxels", summary.hull.num_voxels},
+            {"tested_voxels", summary.hull.tested_voxels},
+            {"seconds", summary.hull_seconds}}},
+          {"evidence",
+           {{"depths", summary.evidence.num_depths},
+            {"agreeing_depths", summary.evidence.num_agreeing},
+            {"free_voxels", summary.evidence.num_free_voxels},
+            {"seconds", summary.evidence_seconds}}},
+          {"levels", levels},
+          {"meshing",
+           {{"polygons", summary.extraction.num_polygons},
+            {"four_polygon_edges", summary.extraction.num_four_polygon_edges},
+            {"split_vertices", summary.extraction.num_split_vertices},
+            {"double_diagonals", summary.extraction.num_double_diagonals},
+            {"removed_components", summary.num_removed_components},
+            {"seconds", summary.meshing_seconds}}},
+          {"prepare_seconds", summary.prepare_seconds},
+          {"coloring_seconds", summary.coloring_seconds}};
+}
+
+}  // namespace octacut

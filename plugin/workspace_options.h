@@ -1,0 +1,31 @@
+// The options that say where a workspace's parts are, shared by the commands
+// that reconstruct.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "colmap_io/images/load_scene.h"
+#include "plugin/option_manager.h"
+
+namespace octacut {
+
+struct WorkspaceArguments {
+  std::filesystem::path workspace_path;
+  std::filesystem::path output_path;  // empty: default_output in the workspace
+  std::filesystem::path report_path;  // empty: output_path with .json
+  LoadSceneOptions loading;
+  std::vector<double> bounding_box;  // empty, or x0,y0,z0,x1,y1,z1
+
+  void Declare(OptionManager& options);
+  // Fills in the defaults and checks that the mesh can be written; to be
+  // asked before any long work.
+  void Complete(const std::filesystem::path& default_output);
+  // The output path with another ending, for files beside the mesh.
+  std::filesystem::path Beside(const std::string& ending) const;
+};
+
+// What was read, for the report.
+Json LoadSummaryToJson(const LoadSceneSummary& summary, const Region& region);
+
+}  // namespace octacut

@@ -95,7 +95,8 @@ class ShadedRenderer {
         pixel_rays_(pixel_rays),
         options_(options),
         clay_(Decode(options.clay_color)),
-        background_(Decode(options.background_color)) {
+        background_(Decode(options.background_color)),
+        pattern_(4 * ((std::max(1, options.num_occlusion_samples) + 3) / 4)) {
     if (mesh.normals.empty()) {
       own_normals_ = MeanNormals(mesh);
     }
@@ -176,9 +177,10 @@ class ShadedRenderer {
       return 1;
     }
     const AxisFrame frame(normal);
+    const Eigen::Matrix2d turn = DiscPattern::Turn(bits);
     int num_free = 0;
     for (int i = 0; i < count; ++i) {
-      const Eigen::Vector2d disc = DiscSample(4 * i + part, bits);
+      const Eigen::Vector2d disc = turn * pattern_[4 * i + part];
       num_free +=
           !rays_.IsOccluded(point, frame.Hemisphere(disc), 0, 0.5 * size_);
     }
@@ -191,7 +193,7 @@ class ShadedRenderer {
     }
     constexpr double kLightRadius = 0.08;
     const Eigen::Vector2d disc =
-        kLightRadius * DiscSample(part, HashBits(bits, 7));
+        kLightRadius * (DiscPattern::Turn(HashBits(bits, 7)) * pattern_[part]);
     return !rays_.IsOccluded(
         point, AxisFrame(key_light_).Disc(disc), 0, kInfinity);
   }
@@ -217,6 +219,7 @@ class ShadedRenderer {
   const Vector3f clay_;
   const Vector3f background_;
   const ToneCurve tone_;
+  const DiscPattern pattern_;
   std::vector<Vector3f> own_normals_;
   double size_;
   Vector3d key_light_;

@@ -2,11 +2,13 @@
 // instead of a generator with a state.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <numbers>
+#include <vector>
 
 namespace octacut {
 
@@ -28,17 +30,33 @@ inline double HashUniform(uint64_t bits) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-// Point `index` of a sequence that fills the unit disc evenly; every `bits`
-// gives another such sequence. (The additive recurrence of the plastic
-// number's powers in the unit square, shifted, wrapped onto the disc.)
-inline Eigen::Vector2d DiscSample(int index, uint64_t bits) {
-  const double u = std::fmod(
-      HashUniform(HashBits(bits, 1)) + 0.7548776662466927 * index, 1.0);
-  const double v = std::fmod(
-      HashUniform(HashBits(bits, 2)) + 0.5698402909980532 * index, 1.0);
-  const double angle = 2 * std::numbers::pi * u;
-  return std::sqrt(v) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-}
+// Points that fill the unit disc evenly, any first few of them too (the
+// additive recurrence of the plastic number's powers in the unit square,
+// wrapped onto the disc). Turned about the centre, one pattern serves many
+// places without leaving its trace in a picture.
+class DiscPattern {
+ public:
+  explicit DiscPattern(int count) {
+    for (int i = 0; i < count; ++i) {
+      const double u = std::fmod(0.5 + 0.7548776662466927 * i, 1.0);
+      const double v = std::fmod(0.5 + 0.5698402909980532 * i, 1.0);
+      points_.push_back(Eigen::Rotation2Dd(2 * std::numbers::pi * u) *
+                        Eigen::Vector2d(std::sqrt(v), 0));
+    }
+  }
+  // The turn that belongs to `bits`.
+  static Eigen::Matrix2d Turn(uint64_t bits) {
+    return Eigen::Rotation2Dd(2 * std::numbers::pi *
+                              HashUniform(HashBits(bits)))
+        .toRotationMatrix();
+  }
+  const Eigen::Vector2d& operator[](int index) const {
+    return points_[static_cast<size_t>(index)];
+  }
+
+ private:
+  std::vector<Eigen::Vector2d> points_;
+};
 
 // An orthonormal frame around a unit vector.
 struct AxisFrame {

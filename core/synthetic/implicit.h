@@ -24,8 +24,8 @@ struct ImplicitShape {
   double operator()(const Eigen::Vector3d& point) const { return value(point); }
 };
 
-// Unit outward normal of the level set through `point` by differences over
-// `step`.
+// Gradient of the value by differences over `step`: points outward, of about
+// unit length where the value is a distance.
 Eigen::Vector3d ImplicitGradient(const ImplicitShape& shape,
                                  const Eigen::Vector3d& point,
                                  double step);

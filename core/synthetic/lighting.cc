@@ -47,6 +47,23 @@ double RayOffset(const IndexedMesh& mesh) {
   return 5e-4 * box.diagonal().norm();
 }
 
+// Every value half from its vertex, half from the neighbours' mean.
+std::vector<float> MeanOverNeighbors(const IndexedMesh& mesh,
+                                     const std::vector<float>& values) {
+  std::vector<float> sums(values.size(), 0.0f);
+  std::vector<float> counts(values.size(), 0.0f);
+  for (const auto& triangle : mesh.triangles) {
+    for (int k = 0; k < 3; ++k) {
+      sums[triangle[k]] += values[triangle[(k + 1) % 3]];
+      counts[triangle[k]] += 1;
+    }
+  }
+  for (size_t i = 0; i < values.size(); ++i) {
+    sums[i] = counts[i] > 0 ? (values[i] + sums[i] / counts[i]) / 2 : values[i];
+  }
+  return sums;
+}
+
 // Mean of `is_free(sample index)`; where the first samples agree the rest is
 // spared.
 template <typename IsFree>
@@ -74,6 +91,7 @@ std::vector<float> BakeVisibility(const IndexedMesh& mesh,
   const double radius = std::tan(angular_radius * std::numbers::pi / 180);
   const double offset = RayOffset(mesh);
   const int count = radius > 0 ? num_samples : 1;
+  const DiscPattern pattern(count);
   ParallelFor(
       context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
@@ -82,8 +100,9 @@ std::vector<float> BakeVisibility(const IndexedMesh& mesh,
             continue;  // turned away: no part of the disc is above
           }
           const Eigen::Vector3d origin = mesh.positions[i] + offset * normal;
+          const Eigen::Matrix2d turn = radius * DiscPattern::Turn(i);
           visibility[i] = AdaptiveMean(count, 6, [&](int sample) {
-            const Eigen::Vector2d disc = radius * DiscSample(sample, i);
+            const Eigen::Vector2d disc = turn * pattern[sample];
             return !rays.IsOccluded(origin, frame.Disc(disc), 0, kInfinity);
           });
         }
@@ -97,17 +116,23 @@ std::vector<float> BakeOpenness(const IndexedMesh& mesh,
                                 const Context& context) {
   std::vector<float> openness(mesh.positions.size());
   const double offset = RayOffset(mesh);
+  const DiscPattern pattern(num_samples);
   ParallelFor(
       context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
           const AxisFrame frame(mesh.normals[i].cast<double>().normalized());
           const Eigen::Vector3d origin = mesh.positions[i] + offset * frame.z;
-          openness[i] = AdaptiveMean(num_samples, 10, [&](int sample) {
+          const Eigen::Matrix2d turn = DiscPattern::Turn(i);
+          openness[i] = AdaptiveMean(num_samples, 8, [&](int sample) {
             return !rays.IsOccluded(
-                origin, frame.Hemisphere(DiscSample(sample, i)), 0, kInfinity);
+                origin, frame.Hemisphere(turn * pattern[sample]), 0, kInfinity);
           });
         }
       });
+  // Few rays leave noise: the sky's light changes slowly over the surface.
+  for (int round = 0; round < 2; ++round) {
+    openness = MeanOverNeighbors(mesh, openness);
+  }
   return openness;
 }
 

@@ -45,7 +45,7 @@ SceneSpec QuickScene(const std::string& object,
   spec.rig.width = width;
   spec.rig.height = height;
   spec.rig.num_views = num_views;
-  spec.reference.resolution = 100;
+  spec.reference.resolution = 64;
   // Details of the texture must span pixels to be of use.
   spec.texture.scale *= std::max(1.0, 400.0 / width);
   spec.lighting.num_samples = 8;

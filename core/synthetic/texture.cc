@@ -95,7 +95,9 @@ Vector3f Patina(const Vector3f& base, const Vector3f& p, uint32_t seed) {
   const SpotSample pit = SampleSpot(5.7f * p, seed + 60);
   color *=
       1 - SmoothStep(0, 0.6f, pit.depth) * (pit.choice < 0.5f ? 0.4f : -0.4f);
-  return color * (1 + 0.6f * FractalNoise(11 * p, 3, seed + 80));
+  const float grain = FractalNoise(11 * p, 2, seed + 80) +
+                      0.7f * FractalNoise(37 * p, 2, seed + 90);
+  return color * (1 + 0.5f * grain);
 }
 
 }  // namespace

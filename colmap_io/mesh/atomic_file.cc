@@ -92,4 +92,9 @@ void AtomicFile::Commit() {
   temporary_.clear();
 }
 
+void CheckFilePath(const fs::path& path) {
+  // Creates and removes the temporary file: the surest way to know.
+  const AtomicFile probe(path);
+}
+
 }  // namespace octacut

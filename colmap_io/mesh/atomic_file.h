@@ -29,4 +29,8 @@ class AtomicFile {
   std::ofstream stream_;
 };
 
+// To be asked before any long work whose result goes to `path`: throws as the
+// constructor of AtomicFile does, and leaves everything as it was.
+void CheckFilePath(const std::filesystem::path& path);
+
 }  // namespace octacut

@@ -119,8 +119,7 @@ void WriteMesh(std::ostream& stream,
 
 void CheckMeshPath(const std::filesystem::path& path) {
   MeshFormatOf(path);
-  // Creates and removes the temporary file: the surest way to know.
-  const AtomicFile probe(path);
+  CheckFilePath(path);
 }
 
 }  // namespace octacut

@@ -262,18 +262,19 @@ class Aligner {
 
 void AlignMeshesOptions::Check() const {
   CheckOption(num_samples >= 10 && num_samples <= int64_t{100'000'000},
-              "num_samples",
+              "alignment.num_samples",
               num_samples,
               "must be from 10 to 100000000");
   CheckOption(max_iterations >= 1,
-              "max_iterations",
+              "alignment.max_iterations",
               max_iterations,
               "must be positive");
   CheckOption(kept_fraction > 0 && kept_fraction <= 1,
-              "kept_fraction",
+              "alignment.kept_fraction",
               kept_fraction,
               "must be in (0, 1]");
-  CheckOption(tolerance >= 0, "tolerance", tolerance, "must not be negative");
+  CheckOption(
+      tolerance >= 0, "alignment.tolerance", tolerance, "must not be negative");
 }
 
 MeshAlignment AlignMeshes(const IndexedMesh& mesh,

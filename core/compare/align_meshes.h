@@ -23,7 +23,7 @@ struct AlignMeshesOptions {
   // the reference's size.
   double tolerance = 1e-6;
 
-  // Throws OptionError.
+  // Throws OptionError that names the field as alignment.<field>.
   void Check() const;
 };
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <Eigen/Geometry>
+#include <iterator>
 #include <limits>
 
 #include "core/base/check_option.h"
@@ -15,8 +16,7 @@ namespace {
 constexpr size_t kGrain = 2048;
 constexpr uint32_t kNoTriangle = std::numeric_limits<uint32_t>::max();
 
-// Points of one surface and their distances to the other; only those that
-// count. Samples first, then vertices.
+// Of one surface to the other; only of points that count.
 struct Distances {
   std::vector<double> samples;
   double max = 0;
@@ -53,7 +53,11 @@ class Measurement {
                               Direction direction) const {
     const ReferenceFilter& filter = options_.reference_filter;
     std::vector<double> distances(points.size());
-    Phase phase(context_, "Measure distances", points.size());
+    Phase phase(context_,
+                direction == Direction::kToReference
+                    ? "Distances to the reference"
+                    : "Distances from the reference",
+                points.size());
     ParallelFor(context_, points.size(), kGrain, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const SurfaceSample& point = points[i];
@@ -78,20 +82,23 @@ class Measurement {
                 const RayScene& other,
                 Direction direction,
                 uint64_t seed) const {
-    const auto count = static_cast<size_t>(options_.num_samples);
+    std::vector<SurfaceSample> points = SampleSurface(
+        mesh, static_cast<size_t>(options_.num_samples), seed, context_);
+    const auto num_samples = static_cast<std::ptrdiff_t>(points.size());
+    const std::vector<SurfaceSample> vertices = UsedVertices(mesh);
+    points.insert(points.end(), vertices.begin(), vertices.end());
+    const std::vector<double> distances = Measure(points, other, direction);
     Distances result;
-    result.samples =
-        Measure(SampleSurface(mesh, count, seed, context_), other, direction);
-    std::erase_if(result.samples, [](double d) { return std::isnan(d); });
-    if (result.samples.empty()) {
-      throw InputError("meshes to compare: no part of the reference counts");
-    }
-    result.max =
-        *std::max_element(result.samples.begin(), result.samples.end());
-    for (const double distance :
-         Measure(UsedVertices(mesh), other, direction)) {
+    for (const double distance : distances) {
       // Not a number is larger than nothing.
       result.max = distance > result.max ? distance : result.max;
+    }
+    std::copy_if(distances.begin(),
+                 distances.begin() + num_samples,
+                 std::back_inserter(result.samples),
+                 [](double distance) { return !std::isnan(distance); });
+    if (result.samples.empty()) {
+      throw InputError("meshes to compare: no part of the reference counts");
     }
     return result;
   }

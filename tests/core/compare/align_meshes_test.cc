@@ -188,19 +188,27 @@ TEST(AlignMeshes, SameBytesForAnyNumberOfThreads) {
 }
 
 TEST(AlignMeshesOptions, Rejections) {
-  AlignMeshesOptions options;
-  EXPECT_NO_THROW(options.Check());
-  options.num_samples = 0;
-  EXPECT_THROW(options.Check(), OptionError);
-  options = AlignMeshesOptions();
-  options.max_iterations = 0;
-  EXPECT_THROW(options.Check(), OptionError);
-  options = AlignMeshesOptions();
-  options.kept_fraction = 1.01;
-  EXPECT_THROW(options.Check(), OptionError);
-  options = AlignMeshesOptions();
-  options.tolerance = -1;
-  EXPECT_THROW(options.Check(), OptionError);
+  const auto refusal = [](const auto& change) {
+    AlignMeshesOptions options;
+    EXPECT_NO_THROW(options.Check());
+    change(options);
+    try {
+      options.Check();
+    } catch (const OptionError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  using Options = AlignMeshesOptions;
+  using testing::StartsWith;
+  EXPECT_THAT(refusal([](Options& o) { o.num_samples = 0; }),
+              StartsWith("alignment.num_samples = 0: must"));
+  EXPECT_THAT(refusal([](Options& o) { o.max_iterations = 0; }),
+              StartsWith("alignment.max_iterations = 0: must"));
+  EXPECT_THAT(refusal([](Options& o) { o.kept_fraction = 1.5; }),
+              StartsWith("alignment.kept_fraction = 1.5: must"));
+  EXPECT_THAT(refusal([](Options& o) { o.tolerance = -1; }),
+              StartsWith("alignment.tolerance = -1: must"));
 }
 
 }  // namespace

@@ -1,0 +1,110 @@
+#include "plugin/mesh_json.h"
+
+#include <Eigen/Geometry>
+
+namespace octacut {
+namespace {
+
+Json ToJson(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+void AddDistance(const char* name,
+                 double distance,
+                 double diagonal,
+                 Json* json) {
+  (*json)[name] = distance;
+  (*json)[std::string(name) + "_over_diagonal"] = distance / diagonal;
+}
+
+Json DistancesToJson(const DistanceStatistics& statistics, double diagonal) {
+  Json json;
+  json["samples"] = statistics.num_samples;
+  AddDistance("mean", statistics.mean, diagonal, &json);
+  AddDistance("rms", statistics.rms, diagonal, &json);
+  AddDistance("median", statistics.median, diagonal, &json);
+  AddDistance("percentile_90", statistics.percentile_90, diagonal, &json);
+  AddDistance("max", statistics.max, diagonal, &json);
+  return json;
+}
+
+Json AlignmentToJson(const MeshAlignment& alignment, double diagonal) {
+  const Similarity3d& transform = alignment.reference_from_mesh;
+  Json rotation = Json::array();
+  for (int row = 0; row < 3; ++row) {
+    rotation.push_back(ToJson(transform.rotation.row(row).transpose()));
+  }
+  Json json;
+  json["scale"] = transform.scale;
+  json["rotation"] = std::move(rotation);
+  json["translation"] = ToJson(transform.translation);
+  json["iterations"] = alignment.num_iterations;
+  json["converged"] = alignment.converged;
+  AddDistance("rms_before", alignment.rms_before, diagonal, &json);
+  AddDistance("rms_after", alignment.rms_after, diagonal, &json);
+  return json;
+}
+
+}  // namespace
+
+Json AuditToJson(const MeshAudit& audit) {
+  Json json;
+  json["vertices"] = audit.num_vertices;
+  json["triangles"] = audit.num_triangles;
+  json["edges"] = audit.num_edges;
+  json["closed"] = audit.IsClosed();
+  json["edge_manifold"] = audit.IsEdgeManifold();
+  json["vertex_manifold"] = audit.IsVertexManifold();
+  json["oriented"] = audit.IsOriented();
+  json["outward"] = audit.IsOutward();
+  json["boundary_edges"] = audit.num_boundary_edges;
+  json["nonmanifold_edges"] = audit.num_nonmanifold_edges;
+  json["misoriented_edges"] = audit.num_misoriented_edges;
+  json["nonmanifold_vertices"] = audit.num_nonmanifold_vertices;
+  json["unreferenced_vertices"] = audit.num_unreferenced_vertices;
+  json["degenerate_triangles"] = audit.num_degenerate_triangles;
+  json["duplicate_triangles"] = audit.num_duplicate_triangles;
+  json["nonfinite_vertices"] = audit.num_nonfinite_vertices;
+  json["components"] = audit.num_components;
+  json["euler_characteristic"] = audit.euler_characteristic;
+  json["genus"] = audit.genus < 0 ? Json() : Json(audit.genus);
+  json["area"] = audit.area;
+  json["volume"] = audit.volume;
+  json["bounding_box"] = audit.bounding_box.isEmpty()
+                             ? Json()
+                             : Json({ToJson(audit.bounding_box.min()),
+                                     ToJson(audit.bounding_box.max())});
+  json["failure"] = audit.DescribeFailure();
+  return json;
+}
+
+Json SelfIntersectionsToJson(const SelfIntersections& found) {
+  return {{"pairs", found.num_pairs},
+          {"triangles", found.num_triangles},
+          {"left_out", found.num_left_out}};
+}
+
+Json ComparisonToJson(const MeshComparison& comparison) {
+  const double diagonal = comparison.reference_diagonal;
+  Json json;
+  json["reference_diagonal"] = diagonal;
+  if (comparison.alignment) {
+    json["alignment"] = AlignmentToJson(*comparison.alignment, diagonal);
+  }
+  json["to_reference"] = DistancesToJson(comparison.to_reference, diagonal);
+  json["from_reference"] = DistancesToJson(comparison.from_reference, diagonal);
+  AddDistance("hausdorff", comparison.Hausdorff(), diagonal, &json);
+  json["scores"] = Json::array();
+  for (const ThresholdScore& score : comparison.scores) {
+    json["scores"].push_back({{"threshold", score.threshold},
+                              {"distance", score.distance},
+                              {"precision", score.precision},
+                              {"recall", score.recall},
+                              {"f_score", score.f_score}});
+  }
+  AddDistance("accuracy", comparison.accuracy, diagonal, &json);
+  json["completeness"] = comparison.completeness;
+  return json;
+}
+
+}  // namespace octacut

@@ -1,0 +1,24 @@
+// Measurements of meshes as members of a report.
+#pragma once
+
+#include "core/compare/compare_meshes.h"
+#include "core/compare/self_intersections.h"
+#include "core/mesh/audit.h"
+#include "plugin/option_value.h"
+
+namespace octacut {
+
+// {"vertices", "triangles", ..., "closed", "edge_manifold",
+//  "vertex_manifold", "oriented", "outward", "components", "genus" (null
+//  unless closed, manifold and oriented), "area", "volume",
+//  "bounding_box": [[x, y, z], [x, y, z]], "failure"}
+Json AuditToJson(const MeshAudit& audit);
+
+// {"pairs", "triangles", "left_out"}
+Json SelfIntersectionsToJson(const SelfIntersections& found);
+
+// Distances in the reference's units, and as fractions of its diagonal in
+// members "..._over_diagonal".
+Json ComparisonToJson(const MeshComparison& comparison);
+
+}  // namespace octacut

@@ -1,0 +1,193 @@
+// mesh_comparer as a user meets it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/plugin/run_octacut.h"
+
+namespace octacut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+// The unit square at a height, as text OFF of one quadrilateral.
+std::string Square(double height, double width = 1) {
+  const std::string z = std::to_string(height);
+  const std::string x = std::to_string(width);
+  return "OFF\n4 1 0\n0 0 " + z + "\n" + x + " 0 " + z + "\n" + x + " 1 " + z +
+         "\n0 1 " + z + "\n4 0 1 2 3\n";
+}
+
+const char kTetrahedron[] =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
+    "property float y\nproperty float z\nelement face 4\n"
+    "property list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+
+class MeshComparerTest : public testing::Test {
+ protected:
+  // Runs with the options and few samples.
+  ProgramResult Compare(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "mesh_comparer");
+    arguments.insert(arguments.end(), {"--num_samples", "2000"});
+    return RunOctacut(arguments);
+  }
+
+  nlohmann::json Report() const {
+    return nlohmann::json::parse(ReadFile(folder_ / "out.json"));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(MeshComparerTest, TablesAndReport) {
+  const std::string reference = folder_.Write("ref.off", Square(0));
+  const std::string half = folder_.Write("half.off", Square(0, 0.5));
+  const std::string above = folder_.Write("above.off", Square(0.01));
+  const ProgramResult result = Compare({"--input_path",
+                                        half,
+                                        "--input_path",
+                                        above,
+                                        "--reference_path",
+                                        reference,
+                                        "--thresholds",
+                                        "0.0001,0.01",
+                                        "--output_path",
+                                        folder_ / "out.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* text : {"half.off",
+                           "above.off",
+                           "ref.off (reference)",
+                           "no (4)",
+                           "at 0.01: precision",
+                           "accuracy 90"}) {
+    EXPECT_THAT(result.out, HasSubstr(text));
+  }
+  EXPECT_THAT(result.out, Not(HasSubstr(half)));
+
+  const nlohmann::json report = Report();
+  EXPECT_EQ(report["command"], "mesh_comparer");
+  EXPECT_EQ(report["reference"]["path"], reference);
+  EXPECT_EQ(report["reference"]["audit"]["boundary_edges"], 4);
+  ASSERT_EQ(report["meshes"].size(), 2u);
+  const nlohmann::json& first = report["meshes"][0]["comparison"];
+  EXPECT_NEAR(first["reference_diagonal"].get<double>(), 1.41421356, 1e-6);
+  EXPECT_EQ(first["to_reference"]["samples"], 2000);
+  EXPECT_NEAR(first["to_reference"]["mean"].get<double>(), 0, 1e-9);
+  EXPECT_NEAR(first["from_reference"]["max"].get<double>(), 0.5, 1e-6);
+  EXPECT_NEAR(first["from_reference"]["mean"].get<double>(), 0.125, 1e-3);
+  EXPECT_EQ(first["scores"][0]["precision"], 1);
+  EXPECT_NEAR(first["scores"][0]["recall"].get<double>(), 0.5, 2e-3);
+  EXPECT_EQ(report["meshes"][0]["audit"]["closed"], false);
+  EXPECT_EQ(report["meshes"][0]["self_intersections"]["pairs"], 0);
+  EXPECT_THAT(report["meshes"][0]["notes"][0].get<std::string>(),
+              HasSubstr("more than three corners"));
+  const nlohmann::json& second = report["meshes"][1]["comparison"];
+  EXPECT_NEAR(second["to_reference"]["rms"].get<double>(), 0.01, 1e-6);
+  EXPECT_NEAR(second["to_reference"]["rms_over_diagonal"].get<double>(),
+              0.01 / 1.41421356,
+              1e-6);
+  EXPECT_NEAR(second["accuracy"].get<double>(), 0.01, 1e-6);
+  EXPECT_EQ(second["completeness"], 0);
+  EXPECT_EQ(second["scores"][1]["f_score"], 1);
+}
+
+TEST_F(MeshComparerTest, AlignmentIsReported) {
+  std::string moved = kTetrahedron;
+  moved.replace(moved.find("0 0 0\n1 0 0\n"), 12, "0 0 0.01\n1 0 0\n");
+  const std::string reference = folder_.Write("ref.ply", kTetrahedron);
+  const std::string mesh = folder_.Write("moved.ply", moved);
+  const ProgramResult result = Compare({"--input_path",
+                                        mesh,
+                                        "--reference_path",
+                                        reference,
+                                        "--align",
+                                        "1",
+                                        "--Alignment.num_samples",
+                                        "500",
+                                        "--output_path",
+                                        folder_ / "out.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("alignment"));
+  const nlohmann::json report = Report();
+  const nlohmann::json& alignment =
+      report["meshes"][0]["comparison"]["alignment"];
+  EXPECT_NEAR(alignment["scale"].get<double>(), 1, 0.05);
+  EXPECT_EQ(alignment["rotation"].size(), 3u);
+  EXPECT_LE(alignment["rms_after"], alignment["rms_before"]);
+  EXPECT_EQ(report["meshes"][0]["audit"]["genus"], 0);
+  EXPECT_EQ(report["meshes"][0]["audit"]["closed"], true);
+}
+
+TEST_F(MeshComparerTest, SameReportForAnyNumberOfThreads) {
+  const std::string reference = folder_.Write("ref.ply", kTetrahedron);
+  const std::string mesh = folder_.Write("square.off", Square(0.1));
+  std::vector<std::string> meshes;
+  for (const char* threads : {"1", "2", "4"}) {
+    const ProgramResult result = Compare({"--input_path",
+                                          mesh,
+                                          "--reference_path",
+                                          reference,
+                                          "--num_threads",
+                                          threads,
+                                          "--output_path",
+                                          folder_ / "out.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    meshes.push_back(Report()["meshes"].dump());
+  }
+  EXPECT_EQ(meshes[0], meshes[1]);
+  EXPECT_EQ(meshes[0], meshes[2]);
+}
+
+TEST_F(MeshComparerTest, MistakesAreNamed) {
+  const std::string mesh = folder_.Write("mesh.ply", kTetrahedron);
+  const std::string points = folder_.Write("points.obj", "v 0 0 0\nv 1 1 1\n");
+  const std::string broken =
+      folder_.Write("broken.ply", std::string(kTetrahedron, 150));
+  struct Case {
+    std::vector<std::string> arguments;
+    std::string message;
+  };
+  const std::vector<Case> cases = {
+      {{"--input_path", mesh}, "reference_path"},
+      {{"--reference_path", mesh}, "input_path"},
+      {{"--input_path", folder_ / "gone.ply", "--reference_path", mesh},
+       "gone.ply: cannot be opened"},
+      {{"--input_path", mesh, "--reference_path", points},
+       "points.obj: has 2 vertices but no faces"},
+      {{"--input_path", broken, "--reference_path", mesh}, "broken.ply: "},
+      {{"--input_path", mesh, "--reference_path", mesh, "--thresholds", "2"},
+       "--thresholds = 2: must be"},
+      {{"--input_path",
+        mesh,
+        "--reference_path",
+        mesh,
+        "--align",
+        "1",
+        "--Alignment.num_samples",
+        "0"},
+       "--Alignment.num_samples = 0: must be"},
+      {{"--input_path",
+        mesh,
+        "--reference_path",
+        mesh,
+        "--output_path",
+        folder_ / "gone" / "out.json"},
+       "out.json: cannot be written"},
+      {{"--input_path", mesh, "--reference_path", mesh, "--output_path", mesh},
+       "--output_path = "},
+  };
+  for (const Case& mistake : cases) {
+    const ProgramResult result = Compare(mistake.arguments);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr(mistake.message));
+    EXPECT_THAT(result.out, IsEmpty());
+  }
+  EXPECT_EQ(ReadFile(mesh), kTetrahedron);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -1,0 +1,16 @@
+# Runs the tests of the command line with an installed executable.
+#   cmake -D BUILD=... -D TESTS=... -P this
+cmake_policy(VERSION 3.25)
+
+string(RANDOM LENGTH 8 suffix)
+set(scratch ${BUILD}/installed_test_${suffix})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix
+                        ${scratch} OUTPUT_QUIET RESULT_VARIABLE installed)
+execute_process(
+  COMMAND ${CMAKE_COMMAND} -E env OCTACUT_EXECUTABLE=${scratch}/bin/octacut
+          ${TESTS} --gtest_filter=CommandLine.*:ExampleCreator.*
+  RESULT_VARIABLE tested)
+file(REMOVE_RECURSE ${scratch})
+if(NOT installed EQUAL 0 OR NOT tested EQUAL 0)
+  message(FATAL_ERROR "install: ${installed}, tests: ${tested}")
+endif()

@@ -1,63 +1,13 @@
 #include "core/pipeline/level_step.h"
 
 #include <bit>
-#include <cmath>
 
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/crust/medial_voxels.h"
-#include "core/grid/morphology.h"
-#include "core/visibility/surface_normals.h"
+#include "core/pipeline/voxel_terms.h"
 
 namespace octacut {
 namespace {
-
-constexpr size_t kBrickGrain = 64;
-
-// phi of every voxel of `crust`. Voxels of `known` keep their `known_phi`, so
-// that growing a crust costs what it adds.
-std::vector<float> ExtendConsistency(const ViewSet& views,
-                                     const Visibility& visibility,
-                                     const VoxelGrid& known,
-                                     const std::vector<float>& known_phi,
-                                     const Crust& crust,
-                                     const ReconstructionOptions& options,
-                                     const Context& context,
-                                     LevelSummary* summary) {
-  Stopwatch stopwatch;
-  std::vector<Eigen::Vector3f> normals = EstimateNormals(
-      crust.voxels, crust.ties, crust.prior, options.normal_blur, context);
-  summary->visibility_seconds += stopwatch.Lap();
-  std::vector<float> phi(crust.voxels.Size());
-  std::vector<uint8_t> is_new(phi.size());
-  size_t num_new = 0;
-  crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    const VoxelGrid::Index before = known.Find(code);
-    is_new[index] = before == VoxelGrid::kNone;
-    if (is_new[index]) {
-      normals[num_new++] = normals[index];
-    } else {
-      phi[index] = known_phi[before];
-    }
-  });
-  normals.resize(num_new);
-  const PhotoConsistency consistency =
-      EstimateConsistency(views,
-                          Subset(crust.voxels, is_new),
-                          normals,
-                          visibility,
-                          options.consistency,
-                          context);
-  size_t next = 0;
-  for (size_t i = 0; i < phi.size(); ++i) {
-    if (is_new[i]) {
-      phi[i] = consistency.phi[next++];
-    }
-  }
-  summary->consistency_seconds += stopwatch.Lap();
-  summary->consistency.Add(consistency.summary);
-  return phi;
-}
 
 Visibility EstimateVisibility(const ViewSet& views,
                               const VoxelGrid& surface,
@@ -103,43 +53,6 @@ void BeginLevel(int level, LevelSummary* summary) {
 
 }  // namespace
 
-std::vector<float> EdgeWeights(const std::vector<float>& phi,
-                               const EnergyOptions& options) {
-  std::vector<float> weights(phi.size());
-  for (size_t i = 0; i < phi.size(); ++i) {
-    weights[i] = float(std::pow(double(phi[i]), options.smoothness) +
-                       options.area_weight);  // HK06 eq. (3)
-  }
-  return weights;
-}
-
-std::vector<float> SilhouetteEvidence(const ViewSet& views,
-                                      const VoxelGrid& voxels,
-                                      double weight,
-                                      const Context& context) {
-  std::vector<float> evidence(voxels.Size(), 0.0f);
-  const float half_edge = 0.5f / float(voxels.Resolution());
-  ParallelFor(context,
-              voxels.Bricks().size(),
-              kBrickGrain,
-              [&](size_t begin, size_t end) {
-                voxels.ForEachInBricks(
-                    begin, end, [&](VoxelGrid::Index index, MortonCode code) {
-                      const Eigen::Vector3f center =
-                          VoxelCenter(DecodeMorton(code), voxels.Level());
-                      for (const PreparedView& view : views) {
-                        if (view.silhouette.TestCube(
-                                view.projection, center, half_edge) ==
-                            Footprint::kBackground) {
-                          evidence[index] = -float(weight);
-                          return;
-                        }
-                      }
-                    });
-              });
-  return evidence;
-}
-
 LabeledVoxels SolveInitialLevel(const ViewSet& views,
                                 const VoxelGrid& hull,
                                 const std::vector<float>& inside_evidence,
@@ -164,9 +77,9 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
   summary->crust_seconds += stopwatch.Lap();
   const Visibility visibility = EstimateVisibility(
       views, crust.voxels, cut.labels, hull.Level(), options, context, summary);
-  const std::vector<float> phi = ExtendConsistency(
-      views, visibility, VoxelGrid(), {}, crust, options, context, summary);
-  cut = CutCrust(crust, phi, inside_evidence, options, context, summary);
+  VoxelTerms terms;
+  ExtendTerms(views, visibility, crust, options, context, &terms, summary);
+  cut = CutCrust(crust, terms.phi, inside_evidence, options, context, summary);
   return {std::move(crust.voxels), std::move(cut.labels)};
 }
 
@@ -187,17 +100,11 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
                                                    options,
                                                    context,
                                                    summary);
-  VoxelGrid known;
-  std::vector<float> phi;
+  VoxelTerms terms;
   for (int round = 0;; ++round) {
-    phi = ExtendConsistency(
-        views, visibility, known, phi, crust, options, context, summary);
-    stopwatch.Lap();
-    const std::vector<float> evidence = SilhouetteEvidence(
-        views, crust.voxels, options.energy.silhouette_weight, context);
-    summary->crust_seconds += stopwatch.Lap();
+    ExtendTerms(views, visibility, crust, options, context, &terms, summary);
     OctahedralCut cut =
-        CutCrust(crust, phi, evidence, options, context, summary);
+        CutCrust(crust, terms.phi, terms.silhouette, options, context, summary);
     stopwatch.Lap();
     Crust grown = GrowCrust(hierarchy,
                             crust,
@@ -211,7 +118,6 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
         grown.voxels.Size() == crust.voxels.Size()) {
       return {std::move(crust.voxels), std::move(cut.labels)};
     }
-    known = std::move(crust.voxels);
     crust = std::move(grown);
   }
 }

@@ -12,17 +12,6 @@
 
 namespace octacut {
 
-// psi(phi) + a of every voxel, HK06 eq. (3).
-std::vector<float> EdgeWeights(const std::vector<float>& phi,
-                               const EnergyOptions& options);
-
-// Evidence for outside of the voxels that are background in some view; the
-// others have none.
-std::vector<float> SilhouetteEvidence(const ViewSet& views,
-                                      const VoxelGrid& voxels,
-                                      double weight,
-                                      const Context& context);
-
 // The labelling of l0: a first cut by the evidence alone gives a surface that
 // visibility can be estimated from, the second one the labelling.
 LabeledVoxels SolveInitialLevel(const ViewSet& views,

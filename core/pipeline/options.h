@@ -37,7 +37,7 @@ struct ReconstructionOptions {
   int target_level = 9;  // at least hull.hull_level, at most 12
   // Times that a crust is grown where its cut touches its border, each
   // followed by another cut; 0 .. 16.
-  int max_grow_rounds = 4;
+  int max_grow_rounds = 2;
   // Averagings of the inside over neighbouring voxels before its gradient is
   // taken for the normal; 1 .. 64.
   int normal_blur = 12;

@@ -78,6 +78,22 @@ Footprint Silhouette::TestCube(const ViewProjection& projection,
   return Test(u_min, v_min, u_max, v_max);
 }
 
+bool Silhouette::IsBackgroundCube(const ViewProjection& projection,
+                                  const Eigen::Vector3f& center,
+                                  float half_edge) const {
+  const Eigen::Vector3f h = projection.Homogeneous(center);
+  if (!(h.z() > 0)) {
+    return false;
+  }
+  const float u = h.x() / h.z();
+  const float v = h.y() / h.z();
+  if (!(u >= 0 && v >= 0 && u < float(width_) && v < float(height_)) ||
+      mask_.ptr<uint8_t>(int(v))[int(u)] >= kObjectThreshold) {
+    return false;
+  }
+  return TestCube(projection, center, half_edge) == Footprint::kBackground;
+}
+
 float Silhouette::Coverage(float u, float v) const {
   if (!(u >= 0 && v >= 0 && u <= float(width_) && v <= float(height_))) {
     return 255;

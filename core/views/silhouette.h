@@ -30,6 +30,11 @@ class Silhouette {
                      const Eigen::Vector3f& center,
                      float half_edge) const;
 
+  // Whether TestCube would say kBackground; cheaper where it would not.
+  bool IsBackgroundCube(const ViewProjection& projection,
+                        const Eigen::Vector3f& center,
+                        float half_edge) const;
+
   // Coverage (0 .. 255) at pixel coordinates, bilinear; 255 out of the frame.
   float Coverage(float u, float v) const;
 

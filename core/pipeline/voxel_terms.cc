@@ -1,0 +1,99 @@
+#include "core/pipeline/voxel_terms.h"
+
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/base/stopwatch.h"
+#include "core/grid/morphology.h"
+#include "core/visibility/surface_normals.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kBrickGrain = 64;
+
+}  // namespace
+
+void ExtendTerms(const ViewSet& views,
+                 const Visibility& visibility,
+                 const Crust& crust,
+                 const ReconstructionOptions& options,
+                 const Context& context,
+                 VoxelTerms* terms,
+                 LevelSummary* summary) {
+  Stopwatch stopwatch;
+  std::vector<Eigen::Vector3f> normals = EstimateNormals(
+      crust.voxels, crust.ties, crust.prior, options.normal_blur, context);
+  summary->visibility_seconds += stopwatch.Lap();
+
+  VoxelTerms extended{crust.voxels,
+                      std::vector<float>(crust.voxels.Size()),
+                      std::vector<float>(crust.voxels.Size())};
+  std::vector<uint8_t> is_new(crust.voxels.Size());
+  size_t num_new = 0;
+  crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    const VoxelGrid::Index before = terms->voxels.Find(code);
+    is_new[index] = before == VoxelGrid::kNone;
+    if (is_new[index]) {
+      normals[num_new++] = normals[index];
+    } else {
+      extended.phi[index] = terms->phi[before];
+      extended.silhouette[index] = terms->silhouette[before];
+    }
+  });
+  normals.resize(num_new);
+  const VoxelGrid added = Subset(crust.voxels, is_new);
+  const PhotoConsistency consistency = EstimateConsistency(
+      views, added, normals, visibility, options.consistency, context);
+  summary->consistency_seconds += stopwatch.Lap();
+  summary->consistency.Add(consistency.summary);
+  const std::vector<float> silhouette = SilhouetteEvidence(
+      views, added, options.energy.silhouette_weight, context);
+  size_t next = 0;
+  for (size_t i = 0; i < is_new.size(); ++i) {
+    if (is_new[i]) {
+      extended.phi[i] = consistency.phi[next];
+      extended.silhouette[i] = silhouette[next++];
+    }
+  }
+  *terms = std::move(extended);
+  summary->crust_seconds += stopwatch.Lap();
+}
+
+std::vector<float> EdgeWeights(const std::vector<float>& phi,
+                               const EnergyOptions& options) {
+  std::vector<float> weights(phi.size());
+  for (size_t i = 0; i < phi.size(); ++i) {
+    weights[i] = float(std::pow(double(phi[i]), options.smoothness) +
+                       options.area_weight);  // HK06 eq. (3)
+  }
+  return weights;
+}
+
+std::vector<float> SilhouetteEvidence(const ViewSet& views,
+                                      const VoxelGrid& voxels,
+                                      double weight,
+                                      const Context& context) {
+  std::vector<float> evidence(voxels.Size(), 0.0f);
+  const float half_edge = 0.5f / float(voxels.Resolution());
+  ParallelFor(context,
+              voxels.Bricks().size(),
+              kBrickGrain,
+              [&](size_t begin, size_t end) {
+                voxels.ForEachInBricks(
+                    begin, end, [&](VoxelGrid::Index index, MortonCode code) {
+                      const Eigen::Vector3f center =
+                          VoxelCenter(DecodeMorton(code), voxels.Level());
+                      for (const PreparedView& view : views) {
+                        if (view.silhouette.IsBackgroundCube(
+                                view.projection, center, half_edge)) {
+                          evidence[index] = -float(weight);
+                          return;
+                        }
+                      }
+                    });
+              });
+  return evidence;
+}
+
+}  // namespace octacut

@@ -35,7 +35,16 @@ constexpr size_t kBytesPerPixel = 6;
 struct Candidate {
   ViewFiles files;
   SparseCamera mask_camera;
+  bool object_all_around = false;  // the mask's border is all object
 };
+
+// Both of an object that fills the frame and of a mask that is inverted.
+bool BorderIsObject(const cv::Mat& object) {
+  return cv::countNonZero(object.row(0)) == object.cols &&
+         cv::countNonZero(object.row(object.rows - 1)) == object.cols &&
+         cv::countNonZero(object.col(0)) == object.rows &&
+         cv::countNonZero(object.col(object.cols - 1)) == object.rows;
+}
 
 double SecondsSince(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
@@ -69,7 +78,7 @@ class Loader {
     summary.mask_seconds = SecondsSince(begin);
 
     begin = std::chrono::steady_clock::now();
-    result_.scene.points = ScenePoints(workspace_.model.points, reduced_);
+    result_.scene.points = ScenePoints(workspace_.model, reduced_);
     summary.num_points = result_.scene.points.size();
     result_.region = EstimateRegion(
         reduced_, result_.scene.points, options_.region, context_);
@@ -118,7 +127,7 @@ void Loader::FindCandidates() {
   result_.summary.num_missing_images = found.num_missing_images;
   result_.summary.num_missing_masks = found.num_missing_masks;
   for (const ViewFiles& files : found.views) {
-    candidates_.push_back({files, {}});
+    candidates_.push_back({files, {}, false});
     if (!frames_.contains(files.camera->id)) {
       frames_.emplace(files.camera->id, FrameOfCamera(*files.camera));
     }
@@ -177,6 +186,7 @@ View Loader::ReadReducedMask(Candidate* candidate) const {
   if (size_t(count) == mask.total()) {
     throw InputError(fmt::format("{}: the mask is all object", name));
   }
+  candidate->object_all_around = BorderIsObject(object);
   const bool own =
       candidate->mask_camera.model_id == candidate->files.camera->model_id &&
       candidate->mask_camera.params == candidate->files.camera->params;
@@ -198,6 +208,17 @@ void Loader::ReadReducedMasks() {
   ForEachCandidate("reading masks", [&](size_t i) {
     reduced_[i] = ReadReducedMask(&candidates_[i]);
   });
+  const auto suspects = std::count_if(
+      candidates_.begin(), candidates_.end(), [](const Candidate& c) {
+        return c.object_all_around;
+      });
+  if (size_t(suspects) * 2 > candidates_.size()) {
+    context_.Warn(fmt::format(
+        "in {} of {} masks the whole border is object: inverted masks? 0 is to "
+        "be background",
+        suspects,
+        candidates_.size()));
+  }
 }
 
 void Loader::PlanWindows() {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
+#include <unordered_map>
 
 #include "core/scene/region.h"
 
@@ -26,28 +28,68 @@ double ErrorLimit(const std::vector<SparsePoint>& points) {
   return kMaxErrorOverMedian * *middle;
 }
 
+// The view of each image id.
+std::unordered_map<uint32_t, const View*> ViewsByImage(
+    const SparseModel& model, const std::vector<View>& views) {
+  std::unordered_map<std::string_view, const View*> by_name;
+  for (const View& view : views) {
+    by_name[view.name] = &view;
+  }
+  std::unordered_map<uint32_t, const View*> by_image;
+  for (const SparseImage& image : model.images) {
+    const auto found = by_name.find(image.name);
+    if (found != by_name.end()) {
+      by_image[image.id] = found->second;
+    }
+  }
+  return by_image;
+}
+
+bool IsInsideMask(const Eigen::Vector3d& point, const View& view) {
+  const Eigen::Vector3d point_in_cam = view.cam_from_world * point;
+  if (!(point_in_cam.z() > 0)) {
+    return false;
+  }
+  const Eigen::Vector2d pixel = view.camera.Project(point_in_cam);
+  return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < view.camera.width &&
+         pixel.y() < view.camera.height &&
+         view.mask.at<uint8_t>(int(pixel.y()), int(pixel.x())) >= 128;
+}
+
 }  // namespace
 
-std::vector<Eigen::Vector3d> ScenePoints(const std::vector<SparsePoint>& points,
+std::vector<Eigen::Vector3d> ScenePoints(const SparseModel& model,
                                          const std::vector<View>& views) {
-  const double error_limit = ErrorLimit(points);
+  const double error_limit = ErrorLimit(model.points);
+  const auto by_image = ViewsByImage(model, views);
   size_t longest = 0;
-  for (const SparsePoint& point : points) {
+  for (const SparsePoint& point : model.points) {
     longest = std::max(longest, point.track.size());
   }
   const size_t min_track = std::min(kMinTrack, longest);
   std::vector<Eigen::Vector3d> positions;
-  for (const SparsePoint& point : points) {
-    if (!(point.error > error_limit) && point.track.size() >= min_track &&
-        point.xyz.allFinite()) {
+  for (const SparsePoint& point : model.points) {
+    if (point.error > error_limit || point.track.size() < min_track ||
+        !point.xyz.allFinite()) {
+      continue;
+    }
+    size_t inside = 0;
+    size_t outside = 0;
+    for (const TrackElement& element : point.track) {
+      const auto view = by_image.find(element.image_id);
+      if (view != by_image.end()) {
+        ++(IsInsideMask(point.xyz, *view->second) ? inside : outside);
+      }
+    }
+    if (inside >= 2 && inside >= 4 * outside) {
       positions.push_back(point.xyz);
     }
   }
-  std::vector<Eigen::Vector3d> inside;
+  std::vector<Eigen::Vector3d> result;
   for (size_t i : PointsInsideMasks(views, positions)) {
-    inside.push_back(positions[i]);
+    result.push_back(positions[i]);
   }
-  return inside;
+  return result;
 }
 
 }  // namespace octacut

@@ -14,9 +14,13 @@ namespace octacut {
 //   whose error is not known pass),
 // - are seen in at least three images, or two when the model has tracks no
 //   longer than that,
-// - lie inside the masks as PointsInsideMasks has it. `views` may hold masks
-//   of low resolution.
-std::vector<Eigen::Vector3d> ScenePoints(const std::vector<SparsePoint>& points,
+// - lie inside the masks of at least two images that see them, and of four in
+//   five: a point of the background may be behind the object in images that do
+//   not see it,
+// - lie inside the masks as PointsInsideMasks has it.
+// `views` are of images of the model, found by their names; their masks may be
+// of low resolution.
+std::vector<Eigen::Vector3d> ScenePoints(const SparseModel& model,
                                          const std::vector<View>& views);
 
 }  // namespace octacut

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "colmap_io/images/bilinear_sampler.h"
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/camera_projector.h"
 #include "core/base/error.h"
@@ -19,6 +20,7 @@ namespace {
 constexpr size_t kRowsPerChunk = 16;
 // Reductions up to this factor are left to bilinear interpolation alone.
 constexpr double kNoFilter = 1.25;
+constexpr double kLeftToResampling = 1.5;
 
 // Source pixel of every sample position along rows of target pixels.
 struct RowMap {
@@ -39,44 +41,6 @@ struct RowMap {
 };
 
 template <int kChannels>
-class Sampler {
- public:
-  explicit Sampler(const cv::Mat& source)
-      : source_(source),
-        width_(float(source.cols)),
-        height_(float(source.rows)) {}
-
-  bool Covers(float x, float y) const {
-    return x >= 0 && y >= 0 && x <= width_ && y <= height_;
-  }
-
-  // Adds the bilinear sample at pixel coordinates; Covers() must hold.
-  void Add(float x, float y, float* sum) const {
-    const float u = std::clamp(x - 0.5f, 0.0f, width_ - 1);
-    const float v = std::clamp(y - 0.5f, 0.0f, height_ - 1);
-    const int x0 = int(u);
-    const int y0 = int(v);
-    const int right = x0 + 1 < source_.cols ? kChannels : 0;
-    const uint8_t* top = source_.ptr<uint8_t>(y0) + x0 * kChannels;
-    const uint8_t* bottom =
-        source_.ptr<uint8_t>(std::min(y0 + 1, source_.rows - 1)) +
-        x0 * kChannels;
-    const float a = u - float(x0);
-    const float b = v - float(y0);
-    for (int c = 0; c < kChannels; ++c) {
-      const float above = top[c] + a * (float(top[c + right]) - top[c]);
-      const float below =
-          bottom[c] + a * (float(bottom[c + right]) - bottom[c]);
-      sum[c] += above + b * (below - above);
-    }
-  }
-
- private:
-  const cv::Mat& source_;
-  float width_, height_;
-};
-
-template <int kChannels>
 void Store(const float* sum, float scale, uint8_t* pixel) {
   for (int c = 0; c < kChannels; ++c) {
     pixel[c] = uint8_t(sum[c] * scale + 0.5f);
@@ -85,7 +49,7 @@ void Store(const float* sum, float scale, uint8_t* pixel) {
 
 // One sample at the centre of each target pixel.
 template <int kChannels>
-void SampleRows(const Sampler<kChannels>& sampler,
+void SampleRows(const BilinearSampler<kChannels>& sampler,
                 const CameraProjector& projector,
                 const PinholeCamera& target,
                 size_t begin,
@@ -105,10 +69,36 @@ void SampleRows(const Sampler<kChannels>& sampler,
   }
 }
 
+// Positions of n x n samples in the quadrilateral of one target pixel.
+struct Quad {
+  float x[4],
+      y[4];  // corners: above left, above right, below left, below right
+
+  // Calls body(x, y) until it returns false; true when it never did.
+  template <typename Body>
+  bool ForEachSample(int n, const Body& body) const {
+    const float step = 1.0f / float(n);
+    for (int j = 0; j < n; ++j) {
+      const float b = (float(j) + 0.5f) * step;
+      const float left_x = x[0] + b * (x[2] - x[0]);
+      const float left_y = y[0] + b * (y[2] - y[0]);
+      const float across_x = x[1] + b * (x[3] - x[1]) - left_x;
+      const float across_y = y[1] + b * (y[3] - y[1]) - left_y;
+      for (int i = 0; i < n; ++i) {
+        const float a = (float(i) + 0.5f) * step;
+        if (!body(left_x + a * across_x, left_y + a * across_y)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+};
+
 // The mean of n x n samples in each target pixel. Only the pixels' corners go
 // through the camera model; in a pixel it is as good as bilinear.
 template <int kChannels>
-void AverageRows(const Sampler<kChannels>& sampler,
+void AverageRows(const BilinearSampler<kChannels>& sampler,
                  const CameraProjector& projector,
                  const PinholeCamera& target,
                  int n,
@@ -118,34 +108,36 @@ void AverageRows(const Sampler<kChannels>& sampler,
   RowMap above(target.width + 1);
   RowMap below(target.width + 1);
   below.Fill(projector, target, 0, double(begin));
-  const float step = 1.0f / float(n);
   for (size_t row = begin; row < end; ++row) {
     std::swap(above, below);
     below.Fill(projector, target, 0, double(row + 1));
     uint8_t* pixels = result->ptr<uint8_t>(int(row));
     for (int x = 0; x < target.width; ++x) {
+      const Quad quad = {
+          {above.x[x], above.x[x + 1], below.x[x], below.x[x + 1]},
+          {above.y[x], above.y[x + 1], below.y[x], below.y[x + 1]}};
+      const auto [x0, x1] =
+          std::minmax({quad.x[0], quad.x[1], quad.x[2], quad.x[3]});
+      const auto [y0, y1] =
+          std::minmax({quad.y[0], quad.y[1], quad.y[2], quad.y[3]});
       float sum[kChannels] = {};
       bool covered = true;
-      for (int j = 0; j < n && covered; ++j) {
-        const float b = (float(j) + 0.5f) * step;
-        const float left_x = above.x[x] + b * (below.x[x] - above.x[x]);
-        const float left_y = above.y[x] + b * (below.y[x] - above.y[x]);
-        const float right_x =
-            above.x[x + 1] + b * (below.x[x + 1] - above.x[x + 1]);
-        const float right_y =
-            above.y[x + 1] + b * (below.y[x + 1] - above.y[x + 1]);
-        for (int i = 0; i < n && covered; ++i) {
-          const float a = (float(i) + 0.5f) * step;
-          const float u = left_x + a * (right_x - left_x);
-          const float v = left_y + a * (right_y - left_y);
-          covered = sampler.Covers(u, v);
-          if (covered) {
+      if (sampler.IsInside(x0, y0, x1, y1)) {
+        quad.ForEachSample(n, [&](float u, float v) {
+          sampler.AddInside(u, v, sum);
+          return true;
+        });
+      } else {
+        covered = quad.ForEachSample(n, [&](float u, float v) {
+          const bool there = sampler.Covers(u, v);
+          if (there) {
             sampler.Add(u, v, sum);
           }
-        }
+          return there;
+        });
       }
       if (covered) {
-        Store<kChannels>(sum, step * step, pixels + x * kChannels);
+        Store<kChannels>(sum, 1.0f / float(n * n), pixels + x * kChannels);
       }
     }
   }
@@ -161,7 +153,7 @@ void Resample(const cv::Mat& source,
               const PinholeCamera& target,
               const Context& context,
               cv::Mat* result) {
-  const Sampler<kChannels> sampler(source);
+  const BilinearSampler<kChannels> sampler(source);
   const double reduction = Reduction(projector.Intrinsics(), target);
   const int samples =
       reduction <= kNoFilter ? 1 : int(std::ceil(reduction - 1e-6));
@@ -244,8 +236,9 @@ cv::Mat Undistort(const cv::Mat& source,
     return source(*window).clone();
   }
   // Strong reductions: most of it by means of whole blocks, which is fast, and
-  // the rest, at least a factor of two, while resampling.
-  const int k = int(Reduction(projector.Intrinsics(), target) / 2);
+  // the rest while resampling.
+  const int k =
+      int(Reduction(projector.Intrinsics(), target) / kLeftToResampling);
   if (k >= 2 && source.cols >= k && source.rows >= k) {
     const SparseCamera camera_of_blocks = CameraOfBlocks(camera, k);
     const cv::Size size(int(camera_of_blocks.width),

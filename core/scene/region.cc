@@ -283,26 +283,19 @@ Region EstimateRegion(const std::vector<View>& views,
 std::vector<size_t> PointsInsideMasks(
     const std::vector<View>& views,
     const std::vector<Eigen::Vector3d>& points) {
+  std::vector<size_t> inside(points.size());
+  std::vector<size_t> outside(points.size());
+  for (const View& view : views) {
+    const SilhouettePyramid silhouette(view);
+    for (size_t i = 0; i < points.size(); ++i) {
+      const BoxVerdict verdict = silhouette.Classify(points[i]);
+      inside[i] += verdict == BoxVerdict::kObject;
+      outside[i] += verdict == BoxVerdict::kBackground;
+    }
+  }
   std::vector<size_t> result;
   for (size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d& point = points[i];
-    size_t inside = 0;
-    size_t outside = 0;
-    for (const View& view : views) {
-      const Eigen::Vector3d point_in_cam = view.cam_from_world * point;
-      if (!(point_in_cam.z() > 0)) {
-        continue;
-      }
-      const Eigen::Vector2d pixel = view.camera.Project(point_in_cam);
-      if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < view.camera.width &&
-            pixel.y() < view.camera.height)) {
-        continue;
-      }
-      const bool object =
-          view.mask.at<uint8_t>(int(pixel.y()), int(pixel.x())) >= 128;
-      ++(object ? inside : outside);
-    }
-    if (inside >= 2 && inside >= 9 * outside) {
+    if (inside[i] >= 2 && inside[i] >= 9 * outside[i]) {
       result.push_back(i);
     }
   }

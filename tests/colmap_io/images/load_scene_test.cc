@@ -264,6 +264,9 @@ TEST_F(LoadSceneTest, InvertedMasks) {
     WritePicture(MaskPath(i), 255 - mask);
   }
   EXPECT_THAT(ErrorOf(), HasSubstr("bounding_box"));
+  ASSERT_EQ(recorder_.warnings.size(), 1u);
+  EXPECT_THAT(recorder_.warnings[0], HasSubstr("12 of 12"));
+  EXPECT_THAT(recorder_.warnings[0], HasSubstr("inverted"));
 }
 
 TEST_F(LoadSceneTest, TooFewImages) {
@@ -281,19 +284,22 @@ TEST(LoadSceneOptions, RejectsBadValues) {
 }
 
 TEST(ScenePoints, KeepsAccuratePointsOnTheObject) {
-  std::vector<View> views;
   const SparseCamera pinhole = {
       1, camera_model::kPinhole, 320, 240, {300, 300, 160, 120}};
+  SparseModel model = RingModel(pinhole, kNumImages);
+  std::vector<View> views;
   for (int i = 0; i < kNumImages; ++i) {
     View& view = views.emplace_back();
+    view.name = model.images[i].name;
     view.camera = {320, 240, 300, 300, 160, 120};
     view.cam_from_world = RingPose(i, kNumImages);
     view.mask = SphereMask(pinhole, view.cam_from_world, 0.8);
   }
-  std::vector<SparsePoint> points(7);
+  std::vector<SparsePoint>& points = model.points;
+  points.resize(7);
   for (SparsePoint& point : points) {
     point.error = 0.5;
-    point.track.resize(5);
+    point.track = {{1, 0}, {2, 0}, {3, 0}, {9, 0}, {12, 0}};
   }
   points[1].xyz = {0, 0, 0.7};
   points[2].xyz = {0, 0, 1.2};  // off the object
@@ -303,10 +309,36 @@ TEST(ScenePoints, KeepsAccuratePointsOnTheObject) {
   points[4].track.resize(2);
   points[5].xyz = {0.3, 0, 0};
   points[5].error = -1;  // not known
-  const auto kept = ScenePoints(points, views);
+  const auto kept = ScenePoints(model, views);
   ASSERT_EQ(kept.size(), 4u);
   EXPECT_EQ(kept[1], points[1].xyz);
   EXPECT_EQ(kept[2], points[5].xyz);
+}
+
+TEST(ScenePoints, DropsBackgroundThatIsHiddenOrOutOfSight) {
+  const SparseCamera pinhole = {
+      1, camera_model::kPinhole, 320, 240, {300, 300, 160, 120}};
+  SparseModel model = RingModel(pinhole, kNumImages);
+  std::vector<View> views;
+  for (int i = 0; i < kNumImages; ++i) {
+    View& view = views.emplace_back();
+    view.name = model.images[i].name;
+    view.camera = {320, 240, 300, 300, 160, 120};
+    view.cam_from_world = RingPose(i, kNumImages);
+    view.mask = SphereMask(pinhole, view.cam_from_world, 0.8);
+  }
+  // Far behind the object for image 1, out of sight for most others.
+  SparsePoint point;
+  point.xyz = -3 * views[0].Center();
+  point.error = 0.5;
+  point.track = {{6, 0}, {7, 0}, {8, 0}};
+  model.points = {point};
+  EXPECT_TRUE(ScenePoints(model, views).empty());
+  // Even where every view cuts the object off, so that none bounds it.
+  for (View& view : views) {
+    view.mask.row(0) = 255;
+  }
+  EXPECT_TRUE(ScenePoints(model, views).empty());
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/cut/brick_neighbors.h"
 #include "core/cut/fixed_point.h"
 
 namespace octacut {
@@ -70,7 +69,15 @@ void CheckAll(size_t count,
                                constraint));
 }
 
-void CheckTies(FaceTies ties, bool border, int face, MortonCode code) {
+void CheckTies(FaceTies ties,
+               bool border,
+               int face,
+               const VoxelGrid& grid,
+               const VoxelPlace& place) {
+  const auto name = [&] {
+    return VoxelName(
+        VoxelGrid::CodeOf(grid.Bricks()[place.brick], int(place.bit)));
+  };
   const bool outside = ties & OutsideTie(face);
   const bool inside = ties & InsideTie(face);
   if (outside && inside) {
@@ -78,14 +85,14 @@ void CheckTies(FaceTies ties, bool border, int face, MortonCode code) {
         fmt::format("cut problem: face {} of voxel {} is tied both outside "
                     "and inside",
                     kFaceNames[face],
-                    VoxelName(code)));
+                    name()));
   }
   if (border && !outside && !inside) {
     throw InputError(
         fmt::format("cut problem: face {} of voxel {} is on the border of the "
                     "crust and not tied",
                     kFaceNames[face],
-                    VoxelName(code)));
+                    name()));
   }
 }
 
@@ -132,6 +139,7 @@ void CheckCutValues(const OctahedralCutProblem& problem,
 }
 
 std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
+                                    const VoxelWalk& walk,
                                     const Context& context) {
   const VoxelGrid& grid = *problem.crust;
   std::vector<FaceTies> merged(grid.Size());
@@ -140,12 +148,10 @@ std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
       grid.Bricks().size(),
       kCutBrickGrain,
       [&](size_t begin, size_t end) {
-        ForEachWithNeighbors(
-            grid,
-            begin,
-            end,
-            [&](VoxelGrid::Index i, MortonCode code, const auto& neighbors) {
-              FaceTies ties = problem.ties[i];
+        walk.ForEachWithNeighbors(
+            begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
+              const uint32_t i = place.index;
+              FaceTies ties = problem.ties[i] & 0xfff;
               for (int face = 0; face < kNumFaces; ++face) {
                 const bool border = neighbors[face] == VoxelGrid::kNone;
                 if (!border) {
@@ -153,7 +159,7 @@ std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
                   const int opposite = OppositeFace(face);
                   ties |= ((other >> opposite) & 0x41) << face;
                 }
-                CheckTies(ties, border, face, code);
+                CheckTies(ties, border, face, grid, place);
               }
               merged[i] = ties;
             });
@@ -162,6 +168,7 @@ std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
 }
 
 int64_t LabellingCost(const OctahedralCutProblem& problem,
+                      const VoxelWalk& walk,
                       std::span<const FaceTies> merged_ties,
                       std::span<const FaceLabels> labels,
                       const Context& context) {
@@ -187,11 +194,9 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
       kCutBrickGrain,
       [&](size_t chunk, size_t begin, size_t end) {
         int64_t cost = 0;
-        ForEachWithNeighbors(
-            grid,
-            begin,
-            end,
-            [&](VoxelGrid::Index i, MortonCode, const auto& neighbors) {
+        walk.ForEachWithNeighbors(
+            begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
+              const uint32_t i = place.index;
               const int outside_ties = merged_ties[i] & kAllFaces;
               const int inside_ties = merged_ties[i] >> kNumFaces;
               if ((labels[i] & outside_ties) || (~labels[i] & inside_ties)) {

@@ -1,5 +1,6 @@
 // Checks of a cut problem, and the two quantities every solver and proof
-// derives from it: the ties of shared faces and the cost of a labelling.
+// derives from it: the ties of shared faces and the cost of a labelling. `walk`
+// is always that of the problem's crust.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "core/cut/octahedral_cut.h"
+#include "core/cut/voxel_walk.h"
 
 namespace octacut {
 
@@ -21,6 +23,7 @@ void CheckCutValues(const OctahedralCutProblem& problem,
 // The ties of every voxel with those its neighbours state of shared faces.
 // Throws InputError for a face tied both ways or an untied border face.
 std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
+                                    const VoxelWalk& walk,
                                     const Context& context);
 
 // Cost of a labelling in fixed point, from the definition: w for each of a
@@ -30,6 +33,7 @@ std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
 // Throws InvariantError when two voxels disagree on a face or a label
 // contradicts a tie.
 int64_t LabellingCost(const OctahedralCutProblem& problem,
+                      const VoxelWalk& walk,
                       std::span<const FaceTies> merged_ties,
                       std::span<const FaceLabels> labels,
                       const Context& context);

@@ -2,7 +2,6 @@
 // exact, adds up in any order and is the same on every machine.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 
 namespace octacut {
@@ -19,14 +18,15 @@ inline constexpr float kMaxCutWeight = 1023.0f;
 
 // `weight` in (0, kMaxCutWeight].
 inline int32_t FixedWeight(float weight) {
-  const int64_t fixed = std::llround(double(weight) * kCutScale);
-  return fixed < 1 ? 1 : int32_t(fixed);
+  const int32_t fixed = int32_t(double(weight) * kCutScale + 0.5);
+  return fixed < 1 ? 1 : fixed;
 }
 
 // A voxel's share in the evidence of each of its six faces, signed;
 // |evidence| at most 6 kMaxCutWeight.
 inline int32_t FixedFaceEvidence(float evidence) {
-  return int32_t(std::llround(double(evidence) / 6 * kCutScale));
+  const double share = double(evidence) / 6 * kCutScale;
+  return int32_t(share + (share < 0 ? -0.5 : 0.5));
 }
 
 inline double FromFixed(int64_t value) { return double(value) / kCutScale; }

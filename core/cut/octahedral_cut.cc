@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "core/base/error.h"
-#include "core/cut/boost_cut.h"
 #include "core/cut/cut_problem.h"
 #include "core/cut/fixed_point.h"
+#include "core/cut/implicit_cut.h"
 
 namespace octacut {
 
@@ -16,11 +16,14 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
                                  const Context& context) {
   options.Check();
   CheckCutValues(problem, context);
-  const std::vector<FaceTies> ties = MergeFaceTies(problem, context);
-  context.ThrowIfCancelled();
-  OctahedralCut cut = SolveWithBoost(problem, ties);
+  const VoxelWalk walk(*problem.crust);
+  OctahedralCut cut = SolveImplicitly(problem, walk, context);
   // A cut that costs what flows is a minimum cut, and the flow a maximum.
-  const int64_t cost = LabellingCost(problem, ties, cut.labels, context);
+  const int64_t cost = LabellingCost(problem,
+                                     walk,
+                                     MergeFaceTies(problem, walk, context),
+                                     cut.labels,
+                                     context);
   if (cost != cut.cost_fixed_point) {
     throw InvariantError(fmt::format(
         "cut: cost {} differs from flow {}", cost, cut.cost_fixed_point));
@@ -32,7 +35,7 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
 }
 
 size_t EstimateOctahedralCutBytes(size_t num_voxels, bool with_evidence) {
-  return EstimateBoostCutBytes(num_voxels, with_evidence);
+  return EstimateImplicitCutBytes(num_voxels, with_evidence);
 }
 
 }  // namespace octacut

@@ -200,8 +200,10 @@ TEST(OctahedralCut, FieldsAgreeWithTheLabels) {
   }
   EXPECT_EQ(cut.num_cut_voxels, num_cut);
   const Context context(1);
+  const VoxelWalk walk(problem.crust);
   EXPECT_EQ(LabellingCost(problem.View(),
-                          MergeFaceTies(problem.View(), context),
+                          walk,
+                          MergeFaceTies(problem.View(), walk, context),
                           cut.labels,
                           context),
             cut.cost_fixed_point);
@@ -284,9 +286,11 @@ TEST(OctahedralCut, StopsWhenCancelled) {
 TEST(OctahedralCut, LabellingCostRefusesWrongLabels) {
   const OwnedCutProblem problem = Bar(2);
   const Context context(1);
-  const std::vector<FaceTies> ties = MergeFaceTies(problem.View(), context);
+  const VoxelWalk walk(problem.crust);
+  const std::vector<FaceTies> ties =
+      MergeFaceTies(problem.View(), walk, context);
   const auto cost = [&](std::vector<FaceLabels> labels) {
-    return LabellingCost(problem.View(), ties, labels, context);
+    return LabellingCost(problem.View(), walk, ties, labels, context);
   };
   EXPECT_EQ(cost({3, 1}), 12 << 20);
   EXPECT_THROW(cost({3, 0}), InvariantError);  // the shared face differs

@@ -13,7 +13,4 @@ namespace octacut {
 OctahedralCut SolveWithBoost(const OctahedralCutProblem& problem,
                              std::span<const FaceTies> merged_ties);
 
-// Bytes SolveWithBoost needs at its peak.
-size_t EstimateBoostCutBytes(size_t num_voxels, bool with_evidence);
-
 }  // namespace octacut

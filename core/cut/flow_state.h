@@ -1,0 +1,185 @@
+// The state of a maximum flow on the voxel grid itself: no graph is built.
+//
+// Per voxel 68 bytes: its weight and the signed flow of its twelve edges
+// (52, read when flow is pushed), and what searching reads (16): a word for
+// each of the nodes on its three low faces, and a mask of residual arcs.
+//
+// Tied faces are no nodes. Their arcs are saturated at the start, so that the
+// flow is a pseudoflow: a node has an excess (> 0: it came from the source) or
+// a deficit (< 0: the sink waits for it), always recomputed from the flows of
+// its eight arcs and its evidence, never stored.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/cut/fixed_point.h"
+#include "core/cut/octahedral_cut.h"
+#include "core/cut/octahedron.h"
+#include "core/cut/voxel_walk.h"
+
+namespace octacut {
+
+// The node on the low face of axis `axis` of the voxel at `place`.
+struct FaceNode {
+  VoxelPlace place;
+  uint32_t axis;
+};
+
+// A node in 32 bits: brick (24 bits), position in it (6), axis (2).
+using NodeId = uint32_t;
+inline constexpr size_t kMaxCutBricks = size_t{1} << 24;
+inline NodeId IdOf(const FaceNode& node) {
+  return node.place.brick << 8 | node.place.bit << 2 | node.axis;
+}
+
+class FlowState {
+ public:
+  struct SearchRecord {
+    int32_t word[3];    // of the three nodes; see SearchForest
+    uint32_t residual;  // bit a: arc a has a residual capacity
+  };
+  struct FlowRecord {
+    int32_t weight;
+    int32_t flow[kNumOctahedronEdges];  // > 0 along the edge
+  };
+
+  // The word of a face that is no node.
+  static constexpr int32_t kNoNode = 15;
+
+  // All tied arcs saturated, every node's word 0.
+  FlowState(const OctahedralCutProblem& problem,
+            const VoxelWalk& walk,
+            std::span<const FaceTies> merged_ties,
+            const Context& context);
+
+  static constexpr size_t kBytesPerVoxel =
+      sizeof(SearchRecord) + sizeof(FlowRecord);
+
+  const VoxelWalk& Walk() const { return walk_; }
+  size_t NumNodes() const { return num_nodes_; }
+
+  FaceNode Node(NodeId id) const {
+    return {walk_.At(id >> 8, (id >> 2) & 63), id & 3};
+  }
+  // The voxel on the low side of a node.
+  VoxelPlace Low(const FaceNode& node) const {
+    return walk_.Step(node.place, int(2 * node.axis));
+  }
+  int32_t& Word(const FaceNode& node) {
+    return search_[node.place.index].word[node.axis];
+  }
+  uint32_t Residual(uint32_t voxel) const { return search_[voxel].residual; }
+  std::span<const SearchRecord> SearchRecords() const {
+    return {search_.get(), num_voxels_};
+  }
+
+  // Bit c: the arc of code c leaves / enters the node with a residual.
+  uint32_t ResidualOut(const FaceNode& node, const VoxelPlace& low) const {
+    const int face = int(2 * node.axis);
+    return ArcsOut(Residual(node.place.index), face) |
+           ArcsOut(Residual(low.index), face + 1) << 4;
+  }
+  uint32_t ResidualIn(const FaceNode& node, const VoxelPlace& low) const {
+    const int face = int(2 * node.axis);
+    return ArcsIn(Residual(node.place.index), face) |
+           ArcsIn(Residual(low.index), face + 1) << 4;
+  }
+
+  int32_t Capacity(uint32_t voxel, uint32_t arc) const {
+    const FlowRecord& record = flows_[voxel];
+    return record.weight -
+           kOctahedron.sign[arc] * record.flow[kOctahedron.edge[arc]];
+  }
+  // Sends `amount` along an arc; returns whether that saturates it.
+  bool Push(uint32_t voxel, uint32_t arc, int32_t amount) {
+    FlowRecord& record = flows_[voxel];
+    int32_t& flow = record.flow[kOctahedron.edge[arc]];
+    flow += kOctahedron.sign[arc] * amount;
+    uint32_t& residual = search_[voxel].residual;
+    residual |= 1u << kOctahedron.reverse[arc];
+    if (kOctahedron.sign[arc] * flow != record.weight) {
+      return false;
+    }
+    residual &= ~(1u << arc);
+    return true;
+  }
+
+  // Excess (> 0) or deficit (< 0) of a node.
+  int64_t Imbalance(const FaceNode& node, const VoxelPlace& low) const;
+
+  void PrefetchSearch(NodeId id) const {
+    const FaceNode node = Node(id);
+    __builtin_prefetch(&search_[node.place.index], 1);
+    __builtin_prefetch(&search_[Low(node).index], 1);
+  }
+  void PrefetchFlows(NodeId id) const {
+    const FaceNode node = Node(id);
+    const uint32_t low = Low(node).index;
+    for (const uint32_t voxel : {node.place.index, low}) {
+      __builtin_prefetch(&search_[voxel], 1);
+      __builtin_prefetch(&flows_[voxel], 1);
+      __builtin_prefetch(&flows_[voxel].flow[11], 1);
+    }
+  }
+
+  // The flow value when it is a maximum: the capacity into the sink less the
+  // deficits that are left.
+  int64_t FlowValue(const Context& context) const;
+  // Frees the flows; only SearchRecords may be asked afterwards.
+  void ReleaseFlows() { flows_.reset(); }
+
+ private:
+  void InitVoxel(int32_t weight, FaceTies ties, size_t voxel);
+
+  const VoxelWalk& walk_;
+  size_t num_voxels_;
+  size_t num_nodes_ = 0;
+  int64_t sink_capacity_ = 0;
+  std::unique_ptr<SearchRecord[]> search_;
+  std::unique_ptr<FlowRecord[]> flows_;
+  std::vector<int32_t> evidence_;  // a voxel's share in each of its faces
+};
+
+namespace internal {
+
+template <int kFace>
+inline int64_t Outflow(const int32_t* flow) {
+  constexpr int kArc = 4 * kFace;
+  const auto out = [flow](int arc) {
+    return int64_t{kOctahedron.sign[arc]} * flow[kOctahedron.edge[arc]];
+  };
+  return out(kArc) + out(kArc + 1) + out(kArc + 2) + out(kArc + 3);
+}
+
+}  // namespace internal
+
+inline int64_t FlowState::Imbalance(const FaceNode& node,
+                                    const VoxelPlace& low) const {
+  const int32_t* upper_flow = flows_[node.place.index].flow;
+  const int32_t* lower_flow = flows_[low.index].flow;
+  int64_t inflow = 0;
+  switch (node.axis) {
+    case 0:
+      inflow =
+          -internal::Outflow<0>(upper_flow) - internal::Outflow<1>(lower_flow);
+      break;
+    case 1:
+      inflow =
+          -internal::Outflow<2>(upper_flow) - internal::Outflow<3>(lower_flow);
+      break;
+    default:
+      inflow =
+          -internal::Outflow<4>(upper_flow) - internal::Outflow<5>(lower_flow);
+      break;
+  }
+  if (!evidence_.empty()) {
+    inflow -= int64_t{evidence_[node.place.index]} + evidence_[low.index];
+  }
+  return inflow;
+}
+
+}  // namespace octacut

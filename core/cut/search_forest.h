@@ -1,0 +1,178 @@
+// Maximum flow by two search forests that grow towards each other, one from
+// the nodes with an excess (source), one from those with a deficit (sink), in
+// the family of Boykov & Kolmogorov [PAMI 2004] and of the incremental
+// breadth-first search of Goldberg et al. [ESA 2011, ESA 2015].
+//
+// A node of a forest has a label >= 1 that is greater than its parent's, and
+// a residual arc from its parent (source) or to it (sink). Roots hold an
+// imbalance. One pass scans the nodes of a forest whose label is its depth,
+// joining free nodes with the next label. Where the forests touch, flow is
+// sent: exactly as much as the source forest can supply along the path to its
+// root; in the sink forest it is left at the node that receives it, and
+// drained to the roots level by level after the pass, so that paths that join
+// are walked once. Nodes that lose their parent are adopted level by level.
+// What cannot be drained makes its node a root of the source forest.
+//
+// Invariants between passes, with `depth` the label of a forest's frontier:
+//  - a residual arc from a source node below the frontier leads to a source
+//    node; one into a sink node below the frontier comes from a sink node;
+//  - no node of the sink forest has an excess, and of the source forest only
+//    roots have an imbalance, an excess.
+// The search ends when the source frontier is empty: then no residual arc
+// leaves the source forest, which holds every excess and nothing that an
+// excess does not reach: the least source side of all minimum cuts.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/cut/bucket_queue.h"
+#include "core/cut/flow_state.h"
+
+namespace octacut {
+
+enum class Forest { kSource = 0, kSink = 1 };
+inline constexpr Forest Other(Forest forest) {
+  return forest == Forest::kSource ? Forest::kSink : Forest::kSource;
+}
+
+class SearchForest {
+ public:
+  SearchForest(FlowState& state, const Context& context);
+
+  // Plants the roots and searches to the end.
+  void Run();
+
+  // Whether a node's word says that it is on the source side.
+  static bool IsSource(int32_t word) { return (word >> kLabelShift) > 0; }
+
+  size_t QueueBytes() const { return pool_.MemoryBytes(); }
+
+ private:
+  // A word: label << 6 | flags | parent. The label is > 0 in the source
+  // forest, < 0 in the sink forest and 0 for a free node; the parent is the
+  // code of the arc to it.
+  static constexpr int32_t kParentMask = 15;
+  static constexpr int32_t kRoot = 8;
+  static constexpr int32_t kOrphan = 9;
+  static constexpr int32_t kExcess = 16;    // an orphan with an excess
+  static constexpr int32_t kDraining = 32;  // is in draining_
+  static constexpr int32_t kFlagMask = 63;
+  static constexpr int kLabelShift = 6;
+  static constexpr int32_t kMaxLabel = 1 << 24;
+
+  // Label of a word in forest F; negative in the other one.
+  template <Forest F>
+  static int32_t Label(int32_t word) {
+    const int32_t label = word >> kLabelShift;
+    return F == Forest::kSource ? label : -label;
+  }
+  template <Forest F>
+  static int32_t MakeWord(int32_t label, int32_t low_bits) {
+    return (F == Forest::kSource ? label : -label) * (kFlagMask + 1) + low_bits;
+  }
+  static int32_t Parent(int32_t word) { return word & kParentMask; }
+  static int32_t WithParent(int32_t word, int32_t parent) {
+    return (word & ~kParentMask) | parent;
+  }
+
+  // The other end of a node's arc.
+  FaceNode Follow(const FaceNode& node,
+                  const VoxelPlace& low,
+                  const NodeArc& arc) const {
+    const VoxelPlace& place = arc.side ? low : node.place;
+    return {state_.Walk().Step(place, arc.step), arc.axis};
+  }
+  static const NodeArc& ArcOf(const FaceNode& node, int code) {
+    return kNodeArcs[node.axis * kNumNodeArcs + code];
+  }
+  static uint32_t VoxelOf(const FaceNode& node,
+                          const VoxelPlace& low,
+                          const NodeArc& arc) {
+    return arc.side ? low.index : node.place.index;
+  }
+
+  // Codes of the arcs along which forest F may grow from a node, and those
+  // by which the node may hang from a parent.
+  template <Forest F>
+  uint32_t ArcsAway(const FaceNode& node, const VoxelPlace& low) const {
+    return F == Forest::kSource ? state_.ResidualOut(node, low)
+                                : state_.ResidualIn(node, low);
+  }
+  template <Forest F>
+  uint32_t ArcsToParents(const FaceNode& node, const VoxelPlace& low) const {
+    return ArcsAway<Other(F)>(node, low);
+  }
+
+  int32_t& Depth(Forest forest) { return depth_[int(forest)]; }
+  ChunkList& Frontier(Forest forest) { return frontier_[int(forest)]; }
+
+  // roots.cc
+  void PlantRoots();
+
+  // growth.cc
+  template <Forest F>
+  void Grow();
+  template <Forest F>
+  bool ScanNode(NodeId id, int32_t label);
+  // Lists a node that has just got its label for scanning, if it is due.
+  template <Forest F>
+  void Enlist(NodeId id, int32_t label);
+
+  // augmentation.cc
+  // Sends what the source forest can along source_node -> sink_node, `arc` of
+  // `voxel`. Returns whether that saturates the arc.
+  bool Augment(const FaceNode& source_node,
+               const FaceNode& sink_node,
+               uint32_t voxel,
+               uint32_t arc);
+  int64_t TraceSupply(FaceNode node);
+  void Drain();
+  void DrainNode(const FaceNode& node);
+  void SendExcess(const FaceNode& node, const VoxelPlace& low, int64_t excess);
+  int FindLowerParent(const FaceNode& node,
+                      const VoxelPlace& low,
+                      int32_t label,
+                      uint32_t& candidates);
+  void QueueDrain(const FaceNode& node);
+
+  // adoption.cc
+  template <Forest F>
+  void MakeOrphan(const FaceNode& node);
+  template <Forest F>
+  void Adopt();
+  template <Forest F>
+  void AdoptNode(NodeId id, int32_t label);
+  template <Forest F>
+  void OrphanChildren(const FaceNode& node,
+                      const VoxelPlace& low,
+                      int32_t label);
+  template <Forest F>
+  void Leave(const FaceNode& node);
+  // Adopts and drains until neither orphan nor excess is left.
+  void Settle();
+
+  FlowState& state_;
+  const Context& context_;
+  ChunkPool pool_;
+  int32_t depth_[2] = {1, 1};
+  ChunkList frontier_[2];  // nodes to be scanned by the next pass
+  ChunkList again_;        // nodes to be scanned once more by this pass
+  Forest growing_ = Forest::kSource;
+  int32_t scanning_label_ = 0;  // label of the nodes being scanned; 0: none
+  bool unsettled_ = false;
+  BucketQueue draining_;  // sink nodes that may have an excess
+  BucketQueue orphans_[2];
+
+  struct PathStep {
+    FaceNode child;
+    uint32_t voxel;
+    uint32_t arc;
+  };
+  std::vector<PathStep> path_;  // from a source node up to its root
+  FaceNode path_root_ = {};
+};
+
+}  // namespace octacut

@@ -1,0 +1,200 @@
+// Measures the cut engine against solvers one could link, on synthetic or
+// stored instances, and prints one JSON object a run.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/cut/cut_problem.h"
+#include "tests/bench/boost_cut.h"
+#include "tests/bench/cut_instance_file.h"
+#include "tests/bench/cut_instances.h"
+#include "tests/bench/opencv_cut.h"
+
+namespace octacut {
+namespace {
+
+double CpuSeconds() {
+  timespec time;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+// Resident bytes now ("VmRSS") or at most so far ("VmHWM").
+double ResidentBytes(const std::string& field) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with(field + ":")) {
+      return 1024 * std::stod(line.substr(field.size() + 1));
+    }
+  }
+  return 0;
+}
+
+OctahedralCut Solve(const std::string& solver,
+                    const OctahedralCutProblem& problem,
+                    const Context& context) {
+  if (solver == "octacut") {
+    return SolveOctahedralCut(problem, {}, context);
+  }
+  const std::vector<FaceTies> ties =
+      MergeFaceTies(problem, VoxelWalk(*problem.crust), context);
+  if (solver != "boost" && solver != "opencv") {
+    throw OptionError("solver " + solver + " is not known");
+  }
+  OctahedralCut cut = solver == "boost" ? SolveWithBoost(problem, ties)
+                                        : SolveWithOpenCv(problem, ties);
+  cut.num_cut_voxels =
+      size_t(std::count_if(cut.labels.begin(), cut.labels.end(), IsCut));
+  return cut;
+}
+
+nlohmann::json Measure(const std::string& solver,
+                       const CutInstance& instance,
+                       int num_threads,
+                       const std::string& labels_path) {
+  const OctahedralCutProblem problem = instance.View();
+  const Context context(num_threads);
+  const double base = ResidentBytes("VmRSS");
+  const double cpu_before = CpuSeconds();
+  const auto wall_before = std::chrono::steady_clock::now();
+  const OctahedralCut cut = Solve(solver, problem, context);
+  const double cpu = CpuSeconds() - cpu_before;
+  const std::chrono::duration<double> wall =
+      std::chrono::steady_clock::now() - wall_before;
+  const double peak = ResidentBytes("VmHWM") - base;
+  const VoxelWalk walk(*problem.crust);
+  const int64_t cost = LabellingCost(problem,
+                                     walk,
+                                     MergeFaceTies(problem, walk, context),
+                                     cut.labels,
+                                     context);
+  if (!labels_path.empty()) {
+    WriteCutLabels(cut.labels, labels_path);
+  }
+  const double voxels = double(instance.crust.Size());
+  uint64_t hash = 0xcbf29ce484222325ull;
+  for (const FaceLabels labels : cut.labels) {
+    hash = (hash ^ labels) * 0x100000001b3ull;
+  }
+  return {{"instance", instance.name},
+          {"solver", solver},
+          {"num_threads", context.NumThreads()},
+          {"voxels", instance.crust.Size()},
+          {"nodes", cut.num_nodes},
+          {"flow", cut.cost_fixed_point},
+          {"cost", cost},
+          {"closed", cost == cut.cost_fixed_point},
+          {"cut_voxels", cut.num_cut_voxels},
+          {"labels_hash", hash},
+          {"cpu_seconds", cpu},
+          {"wall_seconds", wall.count()},
+          {"cpu_seconds_per_mvoxel", cpu / voxels * 1e6},
+          {"bytes_per_voxel",
+           (peak + double(instance.crust.MemoryBytes())) / voxels}};
+}
+
+// A process of its own for each run, so that peaks do not mix.
+void MeasureInChild(const std::string& solver,
+                    const CutInstance& instance,
+                    int num_threads,
+                    const std::string& labels_path) {
+  std::cout.flush();
+  const pid_t child = fork();
+  if (child == 0) {
+    std::cout << Measure(solver, instance, num_threads, labels_path).dump()
+              << std::endl;
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (status != 0) {
+    throw Error(solver + " failed on " + instance.name);
+  }
+}
+
+constexpr char kUsage[] =
+    "octacut_cut_bench [--instance FILE ...] [--kind shell hard level0 "
+    "evidence]\n"
+    "  [--resolution 128] [--solvers octacut boost opencv] [--num_threads 1]\n"
+    "  [--repetitions 1] [--labels OUT] [--output_instance OUT]";
+
+using Arguments = std::map<std::string, std::vector<std::string>>;
+
+// Options with any number of values.
+Arguments ParseArguments(int argc, char** argv) {
+  Arguments arguments = {{"--instance", {}},
+                         {"--kind", {}},
+                         {"--resolution", {}},
+                         {"--solvers", {}},
+                         {"--num_threads", {}},
+                         {"--repetitions", {}},
+                         {"--labels", {}},
+                         {"--output_instance", {}}};
+  std::vector<std::string>* values = nullptr;
+  for (int k = 1; k < argc; ++k) {
+    const auto option = arguments.find(argv[k]);
+    if (option != arguments.end()) {
+      values = &option->second;
+    } else if (values != nullptr && argv[k][0] != '-') {
+      values->push_back(argv[k]);
+    } else {
+      throw OptionError(std::string(argv[k]) + ": not known\n" + kUsage);
+    }
+  }
+  return arguments;
+}
+
+int Main(int argc, char** argv) {
+  Arguments arguments = ParseArguments(argc, argv);
+  const auto value = [&](const std::string& name, const char* otherwise) {
+    return arguments[name].empty() ? std::string(otherwise)
+                                   : arguments[name].front();
+  };
+  const std::string labels_path = value("--labels", "");
+  const std::string output_path = value("--output_instance", "");
+  const int resolution = std::stoi(value("--resolution", "128"));
+  const int num_threads = std::stoi(value("--num_threads", "1"));
+  const int repetitions = std::stoi(value("--repetitions", "1"));
+  std::vector<std::string> solvers = arguments["--solvers"];
+  if (solvers.empty()) {
+    solvers = {"octacut"};
+  }
+  const auto run = [&](const CutInstance& instance) {
+    if (!output_path.empty()) {
+      WriteCutInstance(instance, output_path);
+    }
+    for (int k = 0; k < repetitions; ++k) {
+      for (const std::string& solver : solvers) {
+        MeasureInChild(solver, instance, num_threads, labels_path);
+      }
+    }
+  };
+  for (const std::string& path : arguments["--instance"]) {
+    run(ReadCutInstance(path));
+  }
+  for (const std::string& kind : arguments["--kind"]) {
+    run(MakeCutInstance(kind, resolution));
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace octacut
+
+int main(int argc, char** argv) {
+  try {
+    return octacut::Main(argc, argv);
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << std::endl;
+    return 1;
+  }
+}

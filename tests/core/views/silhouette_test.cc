@@ -1,0 +1,252 @@
+#include "core/views/silhouette.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "core/views/view_set.h"
+#include "tests/core/views/random_views.h"
+
+namespace octacut {
+namespace {
+
+using testing::Random;
+using testing::RandomViewOfCube;
+using testing::ViewOfCube;
+
+// A few discs of object.
+cv::Mat RandomMask(Random& random, int width, int height) {
+  cv::Mat mask(height, width, CV_8UC1, cv::Scalar::all(0));
+  for (int i = 0; i < 6; ++i) {
+    const cv::Point center(random.Integer(0, width), random.Integer(0, height));
+    cv::circle(mask,
+               center,
+               random.Integer(2, width / 5),
+               i % 3 == 2 ? 0 : 255,
+               cv::FILLED);
+  }
+  return mask;
+}
+
+bool IsObject(const cv::Mat& mask, int x, int y) {
+  return mask.at<uint8_t>(y, x) >= 128;
+}
+
+Footprint BruteForce(
+    const cv::Mat& mask, double u0, double v0, double u1, double v1) {
+  if (u0 < 0 || v0 < 0 || u1 > mask.cols || v1 > mask.rows) {
+    return Footprint::kMixed;
+  }
+  int object = 0;
+  int background = 0;
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      // A pixel owns its left and upper side; the last ones the frame's too.
+      const auto touches = [](double low, double high, int i, int size) {
+        return high >= i && (low < i + 1 || (i + 1 == size && low <= size));
+      };
+      if (touches(u0, u1, x, mask.cols) && touches(v0, v1, y, mask.rows)) {
+        (IsObject(mask, x, y) ? object : background) += 1;
+      }
+    }
+  }
+  return object == 0       ? Footprint::kBackground
+         : background == 0 ? Footprint::kObject
+                           : Footprint::kMixed;
+}
+
+TEST(Silhouette, RectanglesAgreeWithBruteForce) {
+  Random random(1);
+  int seen[3] = {0, 0, 0};
+  for (int round = 0; round < 6; ++round) {
+    const cv::Mat mask = RandomMask(random, 48, 40);
+    const Silhouette silhouette(mask);
+    for (int i = 0; i < 300; ++i) {
+      double u0 = random.Uniform(-2, 50);
+      double v0 = random.Uniform(-2, 42);
+      double u1 = u0 + random.Uniform(0, 6);
+      double v1 = v0 + random.Uniform(0, 6);
+      if (i % 3 == 0) {  // exactly at pixel borders
+        u0 = std::round(u0);
+        v0 = std::round(v0);
+        u1 = std::round(u1);
+        v1 = std::round(v1);
+      }
+      const Footprint expected =
+          BruteForce(mask, float(u0), float(v0), float(u1), float(v1));
+      ASSERT_EQ(silhouette.Test(float(u0), float(v0), float(u1), float(v1)),
+                expected)
+          << u0 << " " << v0 << " " << u1 << " " << v1;
+      ++seen[int(expected)];
+    }
+  }
+  for (const int count : seen) {
+    EXPECT_GT(count, 50);
+  }
+}
+
+TEST(Silhouette, HalfCoveredPixelsAreObject) {
+  cv::Mat mask(4, 4, CV_8UC1, cv::Scalar::all(127));
+  EXPECT_EQ(Silhouette(mask).Test(0, 0, 4, 4), Footprint::kBackground);
+  mask.setTo(128);
+  EXPECT_EQ(Silhouette(mask).Test(0, 0, 4, 4), Footprint::kObject);
+}
+
+TEST(Silhouette, TellsNothingOutOfTheFrameOrOfNan) {
+  const Silhouette silhouette(cv::Mat(10, 10, CV_8UC1, cv::Scalar::all(0)));
+  EXPECT_EQ(silhouette.Test(0, 0, 10, 10), Footprint::kBackground);
+  EXPECT_EQ(silhouette.Test(-0.1f, 0, 5, 5), Footprint::kMixed);
+  EXPECT_EQ(silhouette.Test(0, 0, 5, 10.1f), Footprint::kMixed);
+  EXPECT_EQ(silhouette.Test(20, 20, 30, 30), Footprint::kMixed);
+  const float nan = std::nanf("");
+  EXPECT_EQ(silhouette.Test(nan, 0, 5, 5), Footprint::kMixed);
+  EXPECT_EQ(silhouette.Test(0, 0, 5, nan), Footprint::kMixed);
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(silhouette.Test(-infinity, 0, infinity, 5), Footprint::kMixed);
+}
+
+TEST(Silhouette, CoverageIsBilinear) {
+  Random random(2);
+  const cv::Mat mask = RandomMask(random, 20, 16);
+  const Silhouette silhouette(mask);
+  const auto at = [&](int x, int y) {
+    return double(mask.at<uint8_t>(std::clamp(y, 0, 15), std::clamp(x, 0, 19)));
+  };
+  for (int i = 0; i < 500; ++i) {
+    const double u = random.Uniform(0, 20);
+    const double v = random.Uniform(0, 16);
+    const int x = int(std::floor(u - 0.5));
+    const int y = int(std::floor(v - 0.5));
+    const double fx = u - 0.5 - x;
+    const double fy = v - 0.5 - y;
+    const double expected =
+        (1 - fy) * ((1 - fx) * at(x, y) + fx * at(x + 1, y)) +
+        fy * ((1 - fx) * at(x, y + 1) + fx * at(x + 1, y + 1));
+    ASSERT_NEAR(silhouette.Coverage(float(u), float(v)), expected, 1e-2);
+  }
+  EXPECT_EQ(silhouette.Coverage(-0.5f, 3), 255);
+  EXPECT_EQ(silhouette.Coverage(3, 16.5f), 255);
+  EXPECT_EQ(silhouette.Coverage(std::nanf(""), 3), 255);
+}
+
+struct PreparedRandomView {
+  cv::Mat mask;
+  Silhouette silhouette;
+  ViewProjection projection;
+};
+PreparedRandomView PrepareRandomView(Random& random) {
+  const ViewOfCube v = RandomViewOfCube(random, 3);
+  PreparedRandomView result;
+  result.mask = RandomMask(random, v.view.camera.width, v.view.camera.height);
+  result.silhouette = Silhouette(result.mask);
+  result.projection = MakeViewProjection(v.view, v.cube);
+  return result;
+}
+
+// What a cube is said to be holds for every point of it.
+TEST(Silhouette, CubesAreJudgedConservatively) {
+  Random random(3);
+  int num_background = 0;
+  int num_object = 0;
+  for (int round = 0; round < 20; ++round) {
+    const PreparedRandomView view = PrepareRandomView(random);
+    for (int i = 0; i < 100; ++i) {
+      const double half = std::pow(2.0, -random.Uniform(2, 7));
+      const Eigen::Vector3d center = random.Point(half, 1 - half);
+      const Footprint footprint = view.silhouette.TestCube(
+          view.projection, center.cast<float>(), float(half));
+      if (footprint == Footprint::kMixed) {
+        continue;
+      }
+      const bool object = footprint == Footprint::kObject;
+      (object ? num_object : num_background) += 1;
+      for (int k = 0; k < 30; ++k) {
+        // The first eight are the corners.
+        Eigen::Vector3d offset = random.Point(-1, 1);
+        if (k < 8) {
+          offset = {k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0};
+        }
+        const Eigen::Vector3f h = view.projection.Homogeneous(
+            (center + 0.9999 * half * offset).cast<float>());
+        const int x = int(std::floor(h.x() / h.z()));
+        const int y = int(std::floor(h.y() / h.z()));
+        ASSERT_GT(h.z(), 0);
+        ASSERT_EQ(IsObject(view.mask, x, y), object);
+      }
+    }
+  }
+  EXPECT_GT(num_background, 100);
+  EXPECT_GT(num_object, 100);
+}
+
+TEST(Silhouette, SmallCubesAreDecidedUnlessTheyMeetAContour) {
+  Random random(4);
+  int mixed = 0;
+  for (int round = 0; round < 20; ++round) {
+    const PreparedRandomView view = PrepareRandomView(random);
+    for (int i = 0; i < 100; ++i) {
+      const Eigen::Vector3f center = random.Point(0.2, 0.8).cast<float>();
+      const Eigen::Vector3f h = view.projection.Homogeneous(center);
+      const int x = int(std::floor(h.x() / h.z()));
+      const int y = int(std::floor(h.y() / h.z()));
+      if (x < 1 || y < 1 || x + 1 >= view.mask.cols ||
+          y + 1 >= view.mask.rows) {
+        continue;
+      }
+      const cv::Mat around =
+          view.mask(cv::Rect(x - 1, y - 1, 3, 3));  // a cube's reach
+      const int count = cv::countNonZero(around);
+      const Footprint footprint =
+          view.silhouette.TestCube(view.projection, center, 1e-4f);
+      if (count == 0) {
+        EXPECT_EQ(footprint, Footprint::kBackground);
+      } else if (count == 9) {
+        EXPECT_EQ(footprint, Footprint::kObject);
+      } else {
+        ++mixed;
+      }
+    }
+  }
+  EXPECT_LT(mixed, 400);
+}
+
+TEST(Silhouette, CubesThatReachBehindTheCameraTellNothing) {
+  Random random(5);
+  for (int round = 0; round < 20; ++round) {
+    const PreparedRandomView view = PrepareRandomView(random);
+    const float half = 0.05f;
+    for (const float along : {-2.0f, -0.05f, 0.0f, 0.05f}) {
+      EXPECT_EQ(
+          view.silhouette.TestCube(
+              view.projection,
+              view.projection.center + along * view.projection.optical_axis,
+              half),
+          Footprint::kMixed);
+    }
+  }
+}
+
+TEST(PrepareViews, GivesPyramidsToViewsWithImagesOnly) {
+  Random random(6);
+  ViewOfCube v = RandomViewOfCube(random, 3);
+  const cv::Size size(v.view.camera.width, v.view.camera.height);
+  v.view.mask = cv::Mat(size, CV_8UC1, cv::Scalar::all(255));
+  Scene scene;
+  scene.views.push_back(v.view);
+  scene.views.push_back(v.view);
+  scene.views[1].image = cv::Mat(size, CV_8UC3, cv::Scalar(10, 20, 30));
+  const ViewSet views = PrepareViews(scene, v.cube, Context(2));
+  ASSERT_EQ(views.size(), 2u);
+  EXPECT_EQ(views[0].pyramid.NumLevels(), 0);
+  EXPECT_GT(views[1].pyramid.NumLevels(), 1);
+  const Float4 color = views[1].pyramid.Level(0).Sample(5, 5);
+  EXPECT_EQ(color[0], 10);
+  EXPECT_EQ(color[2], 30);
+  EXPECT_EQ(views[0].projection.linear, views[1].projection.linear);
+  EXPECT_EQ(views[0].silhouette.Test(1, 1, 2, 2), Footprint::kObject);
+}
+
+}  // namespace
+}  // namespace octacut

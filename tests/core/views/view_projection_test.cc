@@ -1,0 +1,108 @@
+#include "core/views/view_projection.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/core/views/random_views.h"
+
+namespace octacut {
+namespace {
+
+using testing::Random;
+using testing::RandomViewOfCube;
+using testing::ToUnit;
+using testing::ToWorld;
+using testing::ViewOfCube;
+
+TEST(ViewProjection, IsTheCamerasProjection) {
+  Random random(1);
+  for (int i = 0; i < 50; ++i) {
+    const ViewOfCube v = RandomViewOfCube(random, 10);
+    const ViewProjection projection = MakeViewProjection(v.view, v.cube);
+    for (int k = 0; k < 20; ++k) {
+      const Eigen::Vector3d x = random.Point(0, 1);
+      const Eigen::Vector3d in_cam = v.view.cam_from_world * ToWorld(v.cube, x);
+      const Eigen::Vector2d expected = v.view.camera.Project(in_cam);
+      const Eigen::Vector3f h = projection.Homogeneous(x.cast<float>());
+      EXPECT_NEAR(h.x() / h.z(), expected.x(), 2e-3);
+      EXPECT_NEAR(h.y() / h.z(), expected.y(), 2e-3);
+      EXPECT_NEAR(h.z(), in_cam.z() / v.cube.edge, 1e-5);
+    }
+  }
+}
+
+TEST(ViewProjection, KeepsItsDigitsFarFromTheOrigin) {
+  Random random(2);
+  for (int i = 0; i < 20; ++i) {
+    ViewOfCube v = RandomViewOfCube(random, 1e5);
+    const ViewProjection projection = MakeViewProjection(v.view, v.cube);
+    const Eigen::Vector3d x = random.Point(0, 1);
+    const Eigen::Vector2d expected =
+        v.view.camera.Project(v.view.cam_from_world * ToWorld(v.cube, x));
+    const Eigen::Vector3f h = projection.Homogeneous(x.cast<float>());
+    EXPECT_NEAR(h.x() / h.z(), expected.x(), 5e-3);
+    EXPECT_NEAR(h.y() / h.z(), expected.y(), 5e-3);
+  }
+}
+
+TEST(ViewProjection, KnowsCentreAxisAndFrame) {
+  Random random(3);
+  const ViewOfCube v = RandomViewOfCube(random, 5);
+  const ViewProjection projection = MakeViewProjection(v.view, v.cube);
+  EXPECT_LT((projection.center.cast<double>() - ToUnit(v.cube, v.view.Center()))
+                .norm(),
+            1e-5);
+  const Eigen::Vector3d axis =
+      v.view.cam_from_world.rotation.transpose() * Eigen::Vector3d::UnitZ();
+  EXPECT_LT((projection.optical_axis.cast<double>() - axis).norm(), 1e-6);
+  EXPECT_EQ(projection.width, v.view.camera.width);
+  EXPECT_EQ(projection.height, v.view.camera.height);
+  EXPECT_TRUE(projection.InFrame(0, 0));
+  EXPECT_TRUE(projection.InFrame(float(projection.width), 1));
+  EXPECT_FALSE(projection.InFrame(-0.01f, 1));
+  EXPECT_FALSE(projection.InFrame(1, float(projection.height) + 0.01f));
+  EXPECT_FALSE(projection.InFrame(std::nanf(""), 1));
+}
+
+TEST(ViewProjection, HasNoPositiveDepthBehindTheCamera) {
+  Random random(4);
+  for (int i = 0; i < 20; ++i) {
+    const ViewOfCube v = RandomViewOfCube(random, 5);
+    const ViewProjection projection = MakeViewProjection(v.view, v.cube);
+    const Eigen::Vector3f behind =
+        projection.center -
+        float(random.Uniform(0.1, 2)) * projection.optical_axis;
+    EXPECT_LT(projection.Homogeneous(behind).z(), 0);
+  }
+}
+
+TEST(ViewProjection, FootprintIsWhatALengthAcrossTheRayCovers) {
+  Random random(5);
+  for (int i = 0; i < 20; ++i) {
+    ViewOfCube v = RandomViewOfCube(random, 5);
+    v.view.camera.fy = v.view.camera.fx;
+    const ViewProjection projection = MakeViewProjection(v.view, v.cube);
+    const float depth = 2;
+    const float length = 0.125f;
+    const Eigen::Vector3f a =
+        projection.center + depth * projection.optical_axis;
+    const Eigen::Vector3f b =
+        a + length *
+                v.view.cam_from_world.rotation.row(0).transpose().cast<float>();
+    const Eigen::Vector3f pa = projection.Homogeneous(a);
+    const Eigen::Vector3f pb = projection.Homogeneous(b);
+    EXPECT_NEAR((pb / pb.z() - pa / pa.z()).head<2>().norm(),
+                projection.Footprint(length, depth),
+                1e-2);
+  }
+}
+
+TEST(VoxelCenter, IsTheMiddleOfTheVoxel) {
+  const Eigen::Vector3f center = VoxelCenter({0, 3, 7}, 3);
+  EXPECT_EQ(center, Eigen::Vector3f(0.5f / 8, 3.5f / 8, 7.5f / 8));
+  EXPECT_EQ(VoxelCenter({0, 0, 0}, 0), Eigen::Vector3f::Constant(0.5f));
+}
+
+}  // namespace
+}  // namespace octacut

@@ -2,6 +2,7 @@
 # Compares the meshes that COLMAP left in a workspace with octacut's.
 #
 #   workflows/compare_dense.sh WORKSPACE [--mesh_path MESH]
+#                              [options of octacut mesh_comparer]
 #
 # MESH is octacut's mesh, by default WORKSPACE/meshed-octahedral.ply; COLMAP's
 # meshed-poisson.ply, meshed-delaunay.ply and meshed-advancing-front.ply are
@@ -20,11 +21,9 @@ fi
 workspace=${1%/}
 shift
 mesh=$workspace/meshed-octahedral.ply
-if [[ $# -eq 2 && $1 == --mesh_path ]]; then
-  mesh=$2
-elif [[ $# -gt 0 ]]; then
-  echo "compare_dense: unexpected argument $1" >&2
-  exit 1
+if [[ ${1:-} == --mesh_path ]]; then
+  mesh=${2:?"--mesh_path needs a value"}
+  shift 2
 fi
 
 if [[ ! -d $workspace ]]; then
@@ -51,6 +50,5 @@ if [[ ${#inputs[@]} -eq 0 ]]; then
 fi
 
 octacut=$("$root/workflows/find_octacut.sh")
-# octacut's own mesh is in the table, too: its topology is of interest.
-"$octacut" mesh_comparer --input_path "$mesh" "${inputs[@]}" \
-  --reference_path "$mesh" --output_path "$workspace/compare-dense.json"
+"$octacut" mesh_comparer "${inputs[@]}" --reference_path "$mesh" \
+  --output_path "$workspace/compare-dense.json" "$@"

@@ -13,11 +13,6 @@
 namespace octacut {
 namespace {
 
-std::string ExecutablePath() {
-  const char* const path = std::getenv("OCTACUT_EXECUTABLE");
-  return path != nullptr ? path : OCTACUT_EXECUTABLE;
-}
-
 // In the child: everything here is safe after fork.
 [[noreturn]] void Execute(const char* out,
                           const char* err,
@@ -31,6 +26,11 @@ std::string ExecutablePath() {
 }
 
 }  // namespace
+
+std::string ExecutablePath() {
+  const char* const path = std::getenv("OCTACUT_EXECUTABLE");
+  return path != nullptr ? path : OCTACUT_EXECUTABLE;
+}
 
 TemporaryFolder::TemporaryFolder() {
   std::string name =

@@ -36,6 +36,9 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
+// Of the executable under test.
+std::string ExecutablePath();
+
 std::string ReadFile(const std::filesystem::path& path);
 
 // A running octacut.

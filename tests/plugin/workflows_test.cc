@@ -1,0 +1,123 @@
+// The shell workflows that follow COLMAP's mapper, on a small example.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "plugin/report.h"
+#include "tests/plugin/run_octacut.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+// Runs a script of workflows/ from another folder than the tree's.
+ProgramResult RunWorkflow(const std::string& script,
+                          const std::string& arguments) {
+  const TemporaryFolder folder;
+  const fs::path out = folder / "out";
+  const fs::path err = folder / "err";
+  const std::string command =
+      fmt::format("cd / && OCTACUT='{}' '{}/workflows/{}' {} >'{}' 2>'{}'",
+                  ExecutablePath(),
+                  OCTACUT_SOURCE_DIR,
+                  script,
+                  arguments,
+                  out.string(),
+                  err.string());
+  const int status = std::system(command.c_str());
+  return {WEXITSTATUS(status), ReadFile(out), ReadFile(err)};
+}
+
+std::string Quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+TEST(Workflows, CompareDenseSaysWhatIsMissing) {
+  const TemporaryFolder folder;
+  const std::string workspace = Quoted(folder.Path());
+  EXPECT_EQ(RunWorkflow("compare_dense.sh", "").exit_code, 1);
+  EXPECT_EQ(RunWorkflow("compare_dense.sh", "--help").exit_code, 0);
+  EXPECT_THAT(RunWorkflow("compare_dense.sh", "/gone").err,
+              HasSubstr("/gone: no such folder"));
+  const ProgramResult no_mesh = RunWorkflow("compare_dense.sh", workspace);
+  EXPECT_EQ(no_mesh.exit_code, 1);
+  EXPECT_THAT(no_mesh.err, HasSubstr("meshed-octahedral.ply: no such mesh"));
+  folder.Write("meshed-octahedral.ply", "ply\n");
+  const ProgramResult alone = RunWorkflow("compare_dense.sh", workspace);
+  EXPECT_EQ(alone.exit_code, 0);
+  EXPECT_THAT(alone.out, HasSubstr("no mesh of COLMAP"));
+}
+
+TEST(Workflows, AfterMapperMeshesAndComparesAndCanBeRepeated) {
+  const TemporaryFolder folder;
+  const fs::path workspace = folder / "with blanks";
+  const ProgramResult example = RunOctacut({"example_creator",
+                                            "--output_path",
+                                            workspace.string(),
+                                            "--scene",
+                                            "sphere",
+                                            "--num_views",
+                                            "12",
+                                            "--width",
+                                            "160",
+                                            "--height",
+                                            "120",
+                                            "--reference_resolution",
+                                            "40"});
+  ASSERT_EQ(example.exit_code, 0) << example.err;
+  fs::create_directories(workspace / "dense" / "0");
+  const fs::path reference = workspace / "gt" / "reference.ply";
+  fs::copy(reference, workspace / "dense" / "0" / "meshed-poisson.ply");
+  for (int run = 0; run < 2; ++run) {
+    const ProgramResult result =
+        RunWorkflow("after_mapper.sh",
+                    Quoted(workspace) +
+                        " --OctahedralMeshing.hull_level 5"
+                        " --OctahedralMeshing.target_level 6"
+                        " --picture 0");
+    ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
+    EXPECT_THAT(result.out, HasSubstr("meshed-octahedral.ply (reference)"));
+    EXPECT_THAT(result.out, HasSubstr("meshed-poisson.ply "));
+    EXPECT_TRUE(fs::is_regular_file(workspace / "meshed-octahedral.ply"));
+    EXPECT_NO_THROW(Json::parse(ReadFile(workspace / "compare-dense.json")));
+  }
+
+  // Wherever COLMAP leaves its meshes, and two of the same name.
+  fs::create_directories(workspace / "dense" / "1");
+  fs::copy(reference, workspace / "meshed-delaunay.ply");
+  fs::copy(reference, workspace / "dense" / "meshed-advancing-front.ply");
+  fs::copy(reference, workspace / "dense" / "1" / "meshed-poisson.ply");
+  const ProgramResult result = RunWorkflow(
+      "compare_dense.sh", Quoted(workspace) + " --num_samples 10000");
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  for (const char* name : {"meshed-delaunay.ply",
+                           "meshed-advancing-front.ply",
+                           "dense/0/meshed-poisson.ply",
+                           "dense/1/meshed-poisson.ply"}) {
+    EXPECT_THAT(result.out, HasSubstr(name));
+  }
+}
+
+TEST(Workflows, AfterMapperFailsWithTheMesher) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      RunWorkflow("after_mapper.sh", Quoted(folder.Path()));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("ERROR: "));
+}
+
+TEST(Workflows, PassShellcheck) {
+  if (std::system("command -v shellcheck >/dev/null") != 0) {
+    GTEST_SKIP() << "shellcheck is not installed";
+  }
+  EXPECT_EQ(std::system("cd '" OCTACUT_SOURCE_DIR
+                        "' && shellcheck workflows/*.sh .ci/run"),
+            0);
+}
+
+}  // namespace
+}  // namespace octacut

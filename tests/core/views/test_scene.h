@@ -1,0 +1,69 @@
+// Small synthetic scenes with prepared views, for the tests of the steps.
+#pragma once
+
+#include <string>
+
+#include "core/scene/region.h"
+#include "core/synthetic/synthetic_scene.h"
+#include "core/views/view_set.h"
+#include "tests/core/views/random_views.h"
+
+namespace octacut::testing {
+
+struct TestScene {
+  SyntheticScene synthetic;
+  Scene scene;
+  Region region;  // 5 % of the object's size free on each side
+  ViewSet views;
+
+  double Value(const Eigen::Vector3d& unit) const {  // < 0 inside; world units
+    return synthetic.object.shape(ToWorld(region.cube, unit));
+  }
+  double VoxelSize(int level) const { return region.cube.VoxelSize(level); }
+  // Size of a pixel at the object, in world units.
+  double PixelSize() const {
+    const View& view = scene.views[0];
+    return (view.Center() - region.cube.Center()).norm() / view.camera.fx;
+  }
+  static Eigen::AlignedBox3f UnitBox() {
+    return {Eigen::Vector3f::Zero(), Eigen::Vector3f::Ones()};
+  }
+};
+
+inline TestScene MakeTestScene(const SceneSpec& spec,
+                               const Context& context = Context(2)) {
+  TestScene test;
+  test.synthetic = MakeScene(spec, context);
+  test.scene = ToScene(test.synthetic);
+  const Eigen::AlignedBox3d& box = test.synthetic.object.shape.box;
+  test.region.cube.edge = 1.1 * box.sizes().maxCoeff();
+  test.region.cube.min_corner =
+      box.center() - Eigen::Vector3d::Constant(test.region.cube.edge / 2);
+  test.region.box =
+      Eigen::AlignedBox3d(test.region.cube.min_corner,
+                          test.region.cube.min_corner +
+                              Eigen::Vector3d::Constant(test.region.cube.edge));
+  test.views = PrepareViews(test.scene, test.region.cube, context);
+  return test;
+}
+
+// The whole cube is in sight, so that no phantoms are left at its corners.
+inline SceneSpec TestSpec(const std::string& object,
+                          int width = 160,
+                          int height = 120,
+                          int num_views = 20) {
+  SceneSpec spec = QuickScene(object, width, height, num_views);
+  spec.rig.fill = 0.65;
+  spec.num_points = 0;
+  spec.reference.resolution = 48;
+  spec.lighting.num_samples = 2;
+  return spec;
+}
+inline TestScene MakeTestScene(const std::string& object,
+                               int width = 160,
+                               int height = 120,
+                               int num_views = 20) {
+  return MakeTestScene(TestSpec(object, width, height, num_views));
+}
+
+}  // namespace octacut::testing

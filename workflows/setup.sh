@@ -9,7 +9,7 @@ packages=(
   libeigen3-dev libfmt-dev libspdlog-dev libtbb-dev nlohmann-json3-dev
   libopencv-dev libopenmesh-dev libembree-dev libboost-dev
   libgtest-dev libgmock-dev
-  colmap
+  colmap jq
 )
 
 is_installed() {

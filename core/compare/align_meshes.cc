@@ -1,43 +1,20 @@
 #include "core/compare/align_meshes.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
 #include <limits>
 #include <vector>
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
+#include "core/compare/align_step.h"
 #include "core/compare/surface_samples.h"
 
 namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 512;
-// Eigenvalues of the normal equations below this part of the largest belong
-// to motions that the shape does not determine.
-constexpr double kSmallestEigenvalue = 1e-6;
-// Linearisation holds for small turns; radians and relative scale a step.
-constexpr double kLargestStep = 0.2;
-
-// A point of the moved mesh and the point of the reference it should be at.
-struct Pair {
-  Eigen::Vector3d moved;
-  Eigen::Vector3d target;
-  Eigen::Vector3d normal;  // of the reference
-  double distance;         // infinite: does not count
-};
-
-using Matrix7d = Eigen::Matrix<double, 7, 7>;
-using Vector7d = Eigen::Matrix<double, 7, 1>;
-
-// Turn, shift (in units of the size) and relative scale about the centre.
-struct NormalEquations {
-  Matrix7d matrix = Matrix7d::Zero();
-  Vector7d right = Vector7d::Zero();
-};
 
 class Aligner {
  public:
@@ -85,11 +62,10 @@ class Aligner {
       if (best.converged || iteration == options_.max_iterations) {
         break;
       }
-      const Vector7d step = SolveStep();
-      current = ToSimilarity(step) * current;
-      best.converged = step.head<3>().norm() + step.segment<3>(3).norm() +
-                           std::abs(step[6]) <
-                       options_.tolerance;
+      const AlignStep step = SolveAlignStep(
+          pairs_, center_, size_, options_.estimate_scale, context_);
+      current = step.better_from_moved * current;
+      best.converged = step.largest_motion < options_.tolerance;
       phase.Advance();
     }
     return best;
@@ -130,7 +106,7 @@ class Aligner {
     });
   }
 
-  Pair PairOfMesh(const Eigen::Vector3d& moved) const {
+  AlignPair PairOfMesh(const Eigen::Vector3d& moved) const {
     const RayScene::Closest closest = reference_scene_.ClosestPoint(moved);
     const bool counts = !filter_ || filter_(closest.triangle, closest.point);
     return {
@@ -140,9 +116,9 @@ class Aligner {
         counts ? closest.distance : std::numeric_limits<double>::infinity()};
   }
 
-  Pair PairOfReference(const SurfaceSample& sample,
-                       const Similarity3d& reference_from_mesh,
-                       const Similarity3d& mesh_from_reference) const {
+  AlignPair PairOfReference(const SurfaceSample& sample,
+                            const Similarity3d& reference_from_mesh,
+                            const Similarity3d& mesh_from_reference) const {
     const RayScene::Closest closest =
         mesh_scene_.ClosestPoint(mesh_from_reference * sample.point);
     return {reference_from_mesh * closest.point,
@@ -187,64 +163,6 @@ class Aligner {
     return std::sqrt(sum / static_cast<double>(std::max<size_t>(count, 1)));
   }
 
-  // Least squares of normal . (target - moved - motion(moved)).
-  NormalEquations Accumulate() const {
-    std::vector<NormalEquations> chunks(NumChunks(pairs_.size(), kGrain));
-    ParallelChunks(context_,
-                   pairs_.size(),
-                   kGrain,
-                   [&](size_t chunk, size_t begin, size_t end) {
-                     for (size_t i = begin; i < end; ++i) {
-                       const Pair& pair = pairs_[i];
-                       if (!std::isfinite(pair.distance)) {
-                         continue;
-                       }
-                       const Eigen::Vector3d arm =
-                           (pair.moved - center_) / size_;
-                       Vector7d row;
-                       row << arm.cross(pair.normal), pair.normal,
-                           options_.estimate_scale ? arm.dot(pair.normal) : 0.0;
-                       const double residual =
-                           pair.normal.dot(pair.target - pair.moved) / size_;
-                       chunks[chunk].matrix += row * row.transpose();
-                       chunks[chunk].right += residual * row;
-                     }
-                   });
-    NormalEquations sum;
-    for (const NormalEquations& chunk : chunks) {
-      sum.matrix += chunk.matrix;
-      sum.right += chunk.right;
-    }
-    return sum;
-  }
-
-  Vector7d SolveStep() const {
-    const NormalEquations equations = Accumulate();
-    const Eigen::SelfAdjointEigenSolver<Matrix7d> solver(equations.matrix);
-    const double smallest = kSmallestEigenvalue * solver.eigenvalues()[6];
-    Vector7d step = Vector7d::Zero();
-    for (int i = 0; i < 7; ++i) {
-      if (solver.eigenvalues()[i] > smallest) {
-        const Vector7d direction = solver.eigenvectors().col(i);
-        step += direction *
-                (direction.dot(equations.right) / solver.eigenvalues()[i]);
-      }
-    }
-    const double turn = std::max(step.head<3>().norm(), std::abs(step[6]));
-    return turn > kLargestStep ? Vector7d(step * (kLargestStep / turn)) : step;
-  }
-
-  Similarity3d ToSimilarity(const Vector7d& step) const {
-    const Eigen::Vector3d turn = step.head<3>();
-    Similarity3d motion;
-    motion.scale = 1 + step[6];
-    motion.rotation = Eigen::AngleAxisd(turn.norm(), turn.stableNormalized())
-                          .toRotationMatrix();
-    motion.translation = center_ + size_ * step.segment<3>(3) -
-                         motion.scale * (motion.rotation * center_);
-    return motion;
-  }
-
   const RayScene& mesh_scene_;
   const IndexedMesh& reference_;
   const RayScene& reference_scene_;
@@ -255,7 +173,7 @@ class Aligner {
   std::vector<SurfaceSample> reference_samples_;
   Eigen::Vector3d center_;
   double size_ = 1;
-  std::vector<Pair> pairs_;
+  std::vector<AlignPair> pairs_;
 };
 
 }  // namespace

@@ -123,10 +123,10 @@ MeshComparer::Measured MeshComparer::Measure(const fs::path& path,
     context.Info(fmt::format("{}: {}", path.string(), note));
   }
   if (file.mesh.triangles.empty()) {
-    throw InputError(fmt::format(
-        "{}: has {} vertices but no faces; a surface is needed, not points",
-        path.string(),
-        file.mesh.positions.size()));
+    throw InputError(
+        fmt::format("{}: has no faces, only {} vertices; a surface is needed",
+                    path.string(),
+                    file.mesh.positions.size()));
   }
   Measured measured;
   measured.result.name = NameOf(path);

@@ -1,17 +1,16 @@
 #include "core/base/parallel.h"
 
-#include <algorithm>
-
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+
 namespace octacut {
 
-void ParallelChunks(
-    const Context& context,
-    size_t count,
-    size_t grain,
-    const std::function<void(size_t, size_t, size_t)>& body) {
+void ParallelChunks(const Context& context,
+                    size_t count,
+                    size_t grain,
+                    const std::function<void(size_t, size_t, size_t)>& body) {
   const size_t num_chunks = NumChunks(count, grain);
   const auto run_chunk = [&](size_t chunk) {
     context.ThrowIfCancelled();
@@ -24,20 +23,19 @@ void ParallelChunks(
     }
     return;
   }
-  tbb::task_arena arena(context.NumThreads());
-  arena.execute([&] {
-    tbb::parallel_for(size_t{0}, num_chunks, run_chunk);
-  });
+  // More threads than cores would gain nothing, and oneTBB would complain.
+  tbb::task_arena arena(
+      std::min(context.NumThreads(), tbb::this_task_arena::max_concurrency()));
+  arena.execute([&] { tbb::parallel_for(size_t{0}, num_chunks, run_chunk); });
 }
 
 void ParallelFor(const Context& context,
                  size_t count,
                  size_t grain,
                  const std::function<void(size_t, size_t)>& body) {
-  ParallelChunks(context,
-                 count,
-                 grain,
-                 [&](size_t, size_t begin, size_t end) { body(begin, end); });
+  ParallelChunks(context, count, grain, [&](size_t, size_t begin, size_t end) {
+    body(begin, end);
+  });
 }
 
 }  // namespace octacut

@@ -81,6 +81,7 @@ float EvidenceAt(const ViewSet& views,
                  const InsideEvidenceOptions& options) {
   float matter = 0;
   float free_space = 0;
+  bool near_surface = false;
   for (size_t i = 0; i < views.size(); ++i) {
     const Eigen::Vector3f h = views[i].projection.Homogeneous(point);
     if (h.z() <= 0) {
@@ -95,9 +96,12 @@ float EvidenceAt(const ViewSet& views,
       free_space += 1;
     } else if (behind > kMatterFrom && behind < kMatterTo) {
       matter += 1;
+    } else if (behind <= kMatterFrom) {
+      near_surface = true;
     }
   }
-  return float(options.ballooning) +
+  // Beside a surface that some view has found, photo-consistency decides.
+  return (near_surface ? 0 : float(options.ballooning)) +
          float(options.matter_weight) * std::min(matter, kMaxVotes) -
          float(options.free_space_weight) * std::min(free_space, 2 * kMaxVotes);
 }

@@ -19,8 +19,9 @@ struct InsideEvidenceOptions {
   // depth counts.
   int min_agreeing_views = 2;
   // Evidence a voxel, in units of the graph's weights: what every voxel of the
-  // hull has for inside when nothing speaks against it (so unseen parts keep
-  // the hull and thin limbs survive), and what one view's word is worth.
+  // hull has for inside unless a view has found a surface right there (so
+  // unseen parts keep the hull and thin limbs survive), and what one view's
+  // word is worth.
   double ballooning = 0.6;
   double matter_weight = 0.5;  // a view with its surface just before the voxel
   double free_space_weight = 0.5;  // a view that sees through the voxel

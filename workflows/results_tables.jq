@@ -104,8 +104,8 @@ def thresholds:
 def aims:
   def verdict($holds): if $holds then "met" else "**not met**" end;
   def aim($text; $found; $holds): [$text, $found, verdict($holds)] | row;
-  map(select(.mesh)) as $made
-  | ($made | map(select(.mesh.audit | .closed and .edge_manifold and
+  map(select(.mesh or .state == "failed")) as $made
+  | ($made | map(select(.mesh.audit | . and .closed and .edge_manifold and
       .vertex_manifold and .oriented and .components == 1))) as $good
   | aim("every mesh closed, 2-manifold, one component";
         "\($good | length) of \($made | length)";

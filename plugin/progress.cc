@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace octacut {
 
 std::string FormatDuration(std::chrono::duration<double> duration) {
-  const auto seconds = static_cast<long>(duration.count() + 0.5);
+  const long seconds = std::lround(duration.count());
   if (seconds >= 3600) {
     return fmt::format(
         "{}:{:02}:{:02}", seconds / 3600, seconds / 60 % 60, seconds % 60);

@@ -1,0 +1,168 @@
+#include "core/evidence/inside_evidence.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/hull/visual_hull.h"
+#include "tests/core/views/test_scene.h"
+
+namespace octacut {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::MakeTestScene;
+using testing::TestScene;
+
+VoxelGrid HullOf(const TestScene& test, int level) {
+  VisualHullOptions options;
+  options.hull_level = level;
+  return ComputeVisualHull(
+             test.views, TestScene::UnitBox(), options, Context(2))
+      .voxels;
+}
+
+struct Shares {
+  double positive = 0;
+  double negative = 0;
+  size_t count = 0;
+};
+
+// Of the voxels for which choose(world coordinates of the centre) holds.
+template <typename Choose>
+Shares SharesWhere(const TestScene& test,
+                   const VoxelGrid& hull,
+                   const InsideEvidence& evidence,
+                   Choose&& choose) {
+  Shares shares;
+  hull.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    const Eigen::Vector3d unit =
+        VoxelCenter(DecodeMorton(code), hull.Level()).cast<double>();
+    if (choose(testing::ToWorld(test.region.cube, unit))) {
+      ++shares.count;
+      shares.positive += evidence.values[index] > 0;
+      shares.negative += evidence.values[index] < 0;
+    }
+  });
+  shares.positive /= double(shares.count);
+  shares.negative /= double(shares.count);
+  return shares;
+}
+
+// A cup half as deep as wide, whose bottom most of the upper views see.
+TEST(InsideEvidence, IsNegativeInACavityAndPositiveInItsWalls) {
+  SceneSpec spec = testing::TestSpec("cup", 240, 180, 32);
+  spec.parameters.cup_depth = 0.5;
+  spec.rig.kind = RigKind::kRings;
+  spec.rig.min_elevation = -10;
+  spec.rig.max_elevation = 75;
+  const TestScene test = MakeTestScene(spec);
+  constexpr int kLevel = 6;
+  const VoxelGrid hull = HullOf(test, kLevel);
+  const InsideEvidence evidence = EstimateInsideEvidence(
+      test.views, hull, InsideEvidenceOptions(), Context(2));
+  ASSERT_EQ(evidence.values.size(), hull.Size());
+  const double voxel = test.VoxelSize(kLevel);
+  const double top = (0.5 + 0.15) / 2;
+  const double bottom = top - 0.5;
+  const auto radius = [](const Eigen::Vector3d& x) {
+    return x.head<2>().norm();
+  };
+  const Shares cavity =
+      SharesWhere(test, hull, evidence, [&](const Eigen::Vector3d& x) {
+        return radius(x) < 0.5 - 3 * voxel && x.z() > bottom + 3 * voxel &&
+               x.z() < top - voxel;
+      });
+  EXPECT_GT(cavity.count, 500u);
+  EXPECT_GT(cavity.negative, 0.9);
+  const Shares wall =
+      SharesWhere(test, hull, evidence, [&](const Eigen::Vector3d& x) {
+        return std::abs(radius(x) - 0.575) < 0.05 && x.z() < top - 2 * voxel;
+      });
+  EXPECT_GT(wall.count, 500u);
+  EXPECT_GT(wall.positive, 0.85);
+  EXPECT_LT(wall.negative, 0.05);
+}
+
+TEST(InsideEvidence, OfASolidKeepsWhatTheHullHas) {
+  const TestScene test = MakeTestScene("sphere", 160, 120, 24);
+  const VoxelGrid hull = HullOf(test, 5);
+  const InsideEvidence evidence = EstimateInsideEvidence(
+      test.views, hull, InsideEvidenceOptions(), Context(2));
+  const Shares inner =
+      SharesWhere(test, hull, evidence, [&](const Eigen::Vector3d& x) {
+        return x.norm() < 0.8 - 1.5 * test.VoxelSize(5);
+      });
+  EXPECT_GT(inner.count, 1000u);
+  EXPECT_LT(inner.negative, 0.01);
+  EXPECT_GT(inner.positive, 0.9);
+  EXPECT_GT(evidence.summary.num_depths, 1000u);
+  EXPECT_GT(evidence.summary.num_agreeing, evidence.summary.num_depths / 2);
+  EXPECT_LE(evidence.summary.num_agreeing, evidence.summary.num_depths);
+}
+
+TEST(InsideEvidence, CountsWhatItSays) {
+  const TestScene test = MakeTestScene("cup", 120, 90, 16);
+  const VoxelGrid hull = HullOf(test, 5);
+  const InsideEvidence evidence = EstimateInsideEvidence(
+      test.views, hull, InsideEvidenceOptions(), Context(1));
+  size_t num_free = 0;
+  for (const float value : evidence.values) {
+    ASSERT_TRUE(std::isfinite(value));
+    num_free += value < 0;
+  }
+  EXPECT_EQ(evidence.summary.num_free_voxels, num_free);
+  for (const int num_threads : {2, 4}) {
+    EXPECT_EQ(
+        EstimateInsideEvidence(
+            test.views, hull, InsideEvidenceOptions(), Context(num_threads))
+            .values,
+        evidence.values);
+  }
+}
+
+// Where no view says anything the hull is kept.
+TEST(InsideEvidence, IsTheBallooningWhereNothingIsSeen) {
+  SceneSpec spec = testing::TestSpec("sphere", 120, 90, 4);  // far apart
+  const TestScene test = MakeTestScene(spec);
+  const VoxelGrid hull = HullOf(test, 4);
+  InsideEvidenceOptions options;
+  options.sweep.max_angle = 10;
+  options.ballooning = 0.25;
+  const InsideEvidence evidence =
+      EstimateInsideEvidence(test.views, hull, options, Context(2));
+  EXPECT_EQ(evidence.summary.num_depths, 0u);
+  for (const float value : evidence.values) {
+    EXPECT_EQ(value, 0.25f);
+  }
+}
+
+TEST(InsideEvidenceOptions, AreRejectedWithField) {
+  EXPECT_NO_THROW(InsideEvidenceOptions().Check());
+  const auto refusal = [](auto&& change) {
+    InsideEvidenceOptions options;
+    change(&options);
+    try {
+      options.Check();
+    } catch (const OptionError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_THAT(refusal([](auto* o) { o->min_agreeing_views = 0; }),
+              HasSubstr("min_agreeing_views = 0"));
+  EXPECT_THAT(refusal([](auto* o) { o->ballooning = -0.1; }),
+              HasSubstr("ballooning"));
+  EXPECT_THAT(refusal([](auto* o) { o->matter_weight = -1; }),
+              HasSubstr("matter_weight"));
+  EXPECT_THAT(refusal([](auto* o) { o->free_space_weight = std::nan(""); }),
+              HasSubstr("free_space_weight"));
+  EXPECT_THAT(refusal([](auto* o) { o->sweep.window_radius = 99; }),
+              HasSubstr("window_radius"));
+}
+
+}  // namespace
+}  // namespace octacut

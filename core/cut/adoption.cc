@@ -32,13 +32,13 @@ void SearchForest::Settle() {
 template <Forest F>
 void SearchForest::Adopt() {
   BucketQueue& orphans = orphans_[int(F)];
-  for (int32_t label = orphans.Lowest(); label <= orphans.Highest(); ++label) {
+  while (!orphans.Empty()) {
+    const int32_t label = orphans.Lowest();
     orphans.Take(label).Consume(
         pool_,
         [&](NodeId id) { state_.PrefetchSearch(id); },
         [&](NodeId id) { AdoptNode<F>(id, label); });
   }
-  orphans.SetEmpty();
 }
 
 // A node with a lower label is attached for good when this is asked, since
@@ -50,19 +50,20 @@ void SearchForest::AdoptNode(NodeId id, int32_t label) {
   if (Label<F>(word) != label || Parent(word) != kOrphan) {
     return;  // listed twice, or adopted meanwhile
   }
-  const VoxelPlace low = state_.Low(node);
+  const NodeVoxels voxels = state_.VoxelsAround(node);
   int32_t least = std::numeric_limits<int32_t>::max();
-  for (uint32_t arcs = ArcsToParents<F>(node, low); arcs != 0;
+  for (uint32_t arcs = ArcsToParents<F>(node, voxels.index[1]); arcs != 0;
        arcs &= arcs - 1) {
     const int code = std::countr_zero(arcs);
-    const int32_t other =
-        Label<F>(state_.Word(Follow(node, low, ArcOf(node, code))));
+    const int32_t other = Label<F>(state_.WordAcross(voxels, node.axis, code));
     if (other <= 0) {
       continue;
     }
     if (other < label) {
       word = WithParent(word, code);
-      Enlist<F>(id, label);
+      if (label == Depth(F)) {
+        Activate<F>(node);
+      }
       if (word & kExcess) {
         QueueDrain(node);
       }
@@ -70,7 +71,7 @@ void SearchForest::AdoptNode(NodeId id, int32_t label) {
     }
     least = std::min(least, other);
   }
-  OrphanChildren<F>(node, low, label);
+  OrphanChildren<F>(node, voxels, label);
   if (least < Depth(F)) {
     word = MakeWord<F>(least + 1, word & kFlagMask);
     orphans_[int(F)].Add(least + 1, id, pool_);
@@ -81,14 +82,15 @@ void SearchForest::AdoptNode(NodeId id, int32_t label) {
 
 template <Forest F>
 void SearchForest::OrphanChildren(const FaceNode& node,
-                                  const VoxelPlace& low,
+                                  const NodeVoxels& voxels,
                                   int32_t label) {
-  for (uint32_t arcs = ArcsAway<F>(node, low); arcs != 0; arcs &= arcs - 1) {
-    const NodeArc& arc = ArcOf(node, std::countr_zero(arcs));
-    const FaceNode child = Follow(node, low, arc);
-    const int32_t word = state_.Word(child);
+  for (uint32_t arcs = ArcsAway<F>(node, voxels.index[1]); arcs != 0;
+       arcs &= arcs - 1) {
+    const int code = std::countr_zero(arcs);
+    const int32_t word = state_.WordAcross(voxels, node.axis, code);
+    const NodeArc& arc = ArcOf(node, code);
     if (Label<F>(word) > label && Parent(word) == arc.back) {
-      MakeOrphan<F>(child);
+      MakeOrphan<F>(Follow(node, state_.Low(node), arc));
     }
   }
 }
@@ -100,7 +102,7 @@ void SearchForest::Leave(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   if (word & kExcess) {
     word = MakeWord<Forest::kSource>(Depth(Forest::kSource), kRoot);
-    Enlist<Forest::kSource>(IdOf(node), Depth(Forest::kSource));
+    Activate<Forest::kSource>(node);
   } else {
     word = 0;
   }

@@ -69,7 +69,7 @@ void SearchForest::Drain() {
         [&](NodeId id) { state_.PrefetchFlows(id); },
         [&](NodeId id) { DrainNode(state_.Node(id)); });
   }
-  draining_.SetEmpty();
+  draining_.Lowest();
 }
 
 void SearchForest::DrainNode(const FaceNode& node) {
@@ -96,9 +96,9 @@ void SearchForest::SendExcess(const FaceNode& node,
   int32_t& word = state_.Word(node);
   const int32_t label = Label<Forest::kSink>(word);
   int code = Parent(word);
-  uint32_t candidates = ArcsToParents<Forest::kSink>(node, low);
+  uint32_t candidates = ArcsToParents<Forest::kSink>(node, low.index);
   if (code == kOrphan) {
-    code = FindLowerParent(node, low, label, candidates);
+    code = FindLowerParent(node, state_.VoxelsAround(node), label, candidates);
   }
   while (code != kOrphan) {
     const NodeArc& arc = ArcOf(node, code);
@@ -116,7 +116,7 @@ void SearchForest::SendExcess(const FaceNode& node,
     if (excess == 0) {
       break;
     }
-    code = FindLowerParent(node, low, label, candidates);
+    code = FindLowerParent(node, state_.VoxelsAround(node), label, candidates);
   }
   if (Parent(word) != kOrphan) {
     MakeOrphan<Forest::kSink>(node);
@@ -126,13 +126,13 @@ void SearchForest::SendExcess(const FaceNode& node,
 
 // Takes candidates off until one is a parent that is itself attached.
 int SearchForest::FindLowerParent(const FaceNode& node,
-                                  const VoxelPlace& low,
+                                  const NodeVoxels& voxels,
                                   int32_t label,
                                   uint32_t& candidates) {
   while (candidates != 0) {
     const int code = std::countr_zero(candidates);
     candidates &= candidates - 1;
-    const int32_t word = state_.Word(Follow(node, low, ArcOf(node, code)));
+    const int32_t word = state_.WordAcross(voxels, node.axis, code);
     const int32_t other = Label<Forest::kSink>(word);
     if (other > 0 && other < label && Parent(word) != kOrphan) {
       return code;

@@ -43,7 +43,7 @@ class ChunkPool {
   size_t MemoryBytes() const { return blocks_.size() * kBlock * sizeof(Chunk); }
 
  private:
-  static constexpr uint32_t kBlock = 256;
+  static constexpr uint32_t kBlock = 16;
   std::vector<std::unique_ptr<Chunk[]>> blocks_;
   uint32_t num_chunks_ = 0;
   uint32_t free_ = kNone;
@@ -106,23 +106,35 @@ class BucketQueue {
     levels_[level].Add(item, pool);
     lowest_ = std::min(lowest_, level);
     highest_ = std::max(highest_, level);
+    ++size_;
   }
-  // Levels outside [Lowest(), Highest()] are empty.
-  int32_t Lowest() const { return lowest_; }
+  bool Empty() const { return size_ == 0; }
+  size_t Size() const { return size_; }
+  // The least and greatest levels that may hold items; of an empty queue
+  // Lowest() > Highest().
+  int32_t Lowest() {
+    while (lowest_ <= highest_ && levels_[lowest_].Empty()) {
+      ++lowest_;
+    }
+    if (lowest_ > highest_) {
+      lowest_ = kNoLevel;
+      highest_ = -1;
+    }
+    return lowest_;
+  }
   int32_t Highest() const { return highest_; }
-  bool Empty() const { return highest_ < lowest_; }
-  void SetEmpty() {
-    lowest_ = kNoLevel;
-    highest_ = -1;
-  }
   // Moves a level's list out.
-  ChunkList Take(int32_t level) { return std::exchange(levels_[level], {}); }
+  ChunkList Take(int32_t level) {
+    size_ -= levels_[level].Size();
+    return std::exchange(levels_[level], {});
+  }
 
  private:
   static constexpr int32_t kNoLevel = 0x7fffffff;
   std::vector<ChunkList> levels_;
   int32_t lowest_ = kNoLevel;
   int32_t highest_ = -1;
+  size_t size_ = 0;
 };
 
 }  // namespace octacut

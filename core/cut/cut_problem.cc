@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -69,31 +69,18 @@ void CheckAll(size_t count,
                                constraint));
 }
 
-void CheckTies(FaceTies ties,
-               bool border,
-               int face,
-               const VoxelGrid& grid,
-               const VoxelPlace& place) {
-  const auto name = [&] {
-    return VoxelName(
-        VoxelGrid::CodeOf(grid.Bricks()[place.brick], int(place.bit)));
-  };
-  const bool outside = ties & OutsideTie(face);
-  const bool inside = ties & InsideTie(face);
-  if (outside && inside) {
-    throw InputError(
-        fmt::format("cut problem: face {} of voxel {} is tied both outside "
-                    "and inside",
-                    kFaceNames[face],
-                    name()));
-  }
-  if (border && !outside && !inside) {
-    throw InputError(
-        fmt::format("cut problem: face {} of voxel {} is on the border of the "
-                    "crust and not tied",
-                    kFaceNames[face],
-                    name()));
-  }
+// Names the first face that is tied both ways, or on the border and not tied.
+[[noreturn]] void ThrowTies(const VoxelGrid& grid,
+                            const VoxelPlace& place,
+                            int both_ways,
+                            int untied) {
+  const int face = std::countr_zero(unsigned(both_ways ? both_ways : untied));
+  throw InputError(fmt::format(
+      "cut problem: face {} of voxel {} is {}",
+      kFaceNames[face],
+      VoxelName(VoxelGrid::CodeOf(grid.Bricks()[place.brick], int(place.bit))),
+      both_ways ? "tied both outside and inside"
+                : "on the border of the crust and not tied"));
 }
 
 }  // namespace
@@ -151,17 +138,22 @@ std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
         walk.ForEachWithNeighbors(
             begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
               const uint32_t i = place.index;
-              FaceTies ties = problem.ties[i] & 0xfff;
+              int ties = problem.ties[i] & 0xfff;
+              int border = 0;
               for (int face = 0; face < kNumFaces; ++face) {
-                const bool border = neighbors[face] == VoxelGrid::kNone;
-                if (!border) {
-                  const FaceTies other = problem.ties[neighbors[face]];
-                  const int opposite = OppositeFace(face);
-                  ties |= ((other >> opposite) & 0x41) << face;
+                if (neighbors[face] == VoxelGrid::kNone) {
+                  border |= 1 << face;
+                } else {
+                  const int other = problem.ties[neighbors[face]];
+                  ties |= ((other >> OppositeFace(face)) & 0x41) << face;
                 }
-                CheckTies(ties, border, face, grid, place);
               }
-              merged[i] = ties;
+              const int both_ways = ties & (ties >> kNumFaces) & kAllFaces;
+              const int untied = border & ~(ties | (ties >> kNumFaces));
+              if (both_ways | untied) {
+                ThrowTies(grid, place, both_ways, untied);
+              }
+              merged[i] = FaceTies(ties);
             });
       });
   return merged;

@@ -9,21 +9,6 @@
 namespace octacut {
 namespace {
 
-// Residual arcs at the start by tied faces: those between two faces that are
-// not tied.
-constexpr std::array<uint32_t, 64> MakeFreeArcs() {
-  std::array<uint32_t, 64> free = {};
-  for (int tied = 0; tied < 64; ++tied) {
-    for (int arc = 0; arc < kNumOctahedronArcs; ++arc) {
-      const bool is_free = ((tied >> (arc / 4)) & 1) == 0 &&
-                           ((tied >> kOctahedron.head[arc]) & 1) == 0;
-      free[tied] |= uint32_t(is_free) << arc;
-    }
-  }
-  return free;
-}
-constexpr std::array<uint32_t, 64> kFreeArcs = MakeFreeArcs();
-
 // Edges into the sink: those of a face tied inside and one that is not.
 int NumSinkEdges(FaceTies ties) {
   return NumCutEdges(FaceLabels(ties >> kNumFaces));
@@ -34,6 +19,7 @@ int NumSinkEdges(FaceTies ties) {
 FlowState::FlowState(const OctahedralCutProblem& problem,
                      const VoxelWalk& walk,
                      std::span<const FaceTies> merged_ties,
+                     std::span<const uint32_t> region_ends,
                      const Context& context)
     : walk_(walk),
       num_voxels_(problem.crust->Size()),
@@ -41,47 +27,56 @@ FlowState::FlowState(const OctahedralCutProblem& problem,
       flows_(std::make_unique_for_overwrite<FlowRecord[]>(num_voxels_)) {
   const bool with_evidence = !problem.evidence.empty();
   evidence_.resize(problem.evidence.size());
-  std::vector<size_t> num_nodes(NumChunks(walk.NumBricks(), kCutBrickGrain));
-  std::vector<int64_t> capacity(num_nodes.size());
-  ParallelChunks(context,
-                 walk.NumBricks(),
-                 kCutBrickGrain,
-                 [&](size_t chunk, size_t begin, size_t end) {
-                   walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-                     const uint32_t i = place.index;
-                     const FaceTies ties = merged_ties[i];
-                     InitVoxel(FixedWeight(problem.weights[i]), ties, i);
-                     capacity[chunk] +=
-                         int64_t{NumSinkEdges(ties)} * flows_[i].weight;
-                     if (with_evidence) {
-                       evidence_[i] = FixedFaceEvidence(problem.evidence[i]);
-                     }
-                     for (uint32_t axis = 0; axis < 3; ++axis) {
-                       const bool is_node = ((ties >> (2 * axis)) & 0x41) == 0;
-                       search_[i].word[axis] = is_node ? 0 : kNoNode;
-                       num_nodes[chunk] += is_node;
-                       if (is_node && with_evidence) {
-                         const uint32_t low = Low({place, axis}).index;
-                         capacity[chunk] += std::max<int64_t>(
-                             0,
-                             int64_t{FixedFaceEvidence(problem.evidence[i])} +
-                                 FixedFaceEvidence(problem.evidence[low]));
-                       }
-                     }
-                   });
-                 });
+  std::vector<size_t> num_nodes(region_ends.size());
+  std::vector<int64_t> capacity(region_ends.size());
+  ParallelFor(context, region_ends.size(), 1, [&](size_t region, size_t) {
+    const size_t begin = region == 0 ? 0 : region_ends[region - 1];
+    walk.ForEach(begin, region_ends[region], [&](const VoxelPlace& place) {
+      const uint32_t i = place.index;
+      const FaceTies ties = merged_ties[i];
+      InitVoxel(problem, place, ties, region_ends[region]);
+      capacity[region] += int64_t{NumSinkEdges(ties)} * flows_[i].weight;
+      for (uint32_t axis = 0; axis < 3; ++axis) {
+        const bool is_node = ((ties >> (2 * axis)) & 0x41) == 0;
+        search_[i].word[axis] = is_node ? 0 : kNoNode;
+        num_nodes[region] += is_node;
+        if (is_node && with_evidence) {
+          const float low = problem.evidence[Low({place, axis}).index];
+          capacity[region] +=
+              std::max<int64_t>(0,
+                                int64_t{FixedFaceEvidence(low)} +
+                                    FixedFaceEvidence(problem.evidence[i]));
+        }
+      }
+    });
+  });
   num_nodes_ = std::accumulate(num_nodes.begin(), num_nodes.end(), size_t{0});
   sink_capacity_ =
       std::accumulate(capacity.begin(), capacity.end(), int64_t{0});
 }
 
-void FlowState::InitVoxel(int32_t weight, FaceTies ties, size_t voxel) {
+void FlowState::InitVoxel(const OctahedralCutProblem& problem,
+                          const VoxelPlace& place,
+                          FaceTies ties,
+                          uint32_t region_end) {
+  const uint32_t voxel = place.index;
+  const int32_t weight = FixedWeight(problem.weights[voxel]);
   FlowRecord& record = flows_[voxel];
   record.weight = weight;
+  if (!problem.evidence.empty()) {
+    evidence_[voxel] = FixedFaceEvidence(problem.evidence[voxel]);
+  }
   const int outside = ties & kAllFaces;
   const int inside = ties >> kNumFaces;
-  const int tied = outside | inside;
-  search_[voxel].residual = kFreeArcs[tied];
+  const uint32_t tied = uint32_t(outside | inside);
+  uint32_t blocked = tied;
+  for (int face = 1; face < kNumFaces; face += 2) {
+    // A brick beside a high face comes later in Morton order.
+    const bool foreign = walk_.StepBrick(place, face) >= region_end;
+    blocked |= uint32_t{foreign} << face;
+  }
+  search_[voxel].residual =
+      internal::kFreeArcs[blocked] | blocked << kNumOctahedronArcs;
   if (tied == 0) {
     std::fill(std::begin(record.flow), std::end(record.flow), 0);
     return;

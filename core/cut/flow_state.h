@@ -8,8 +8,16 @@
 // flow is a pseudoflow: a node has an excess (> 0: it came from the source) or
 // a deficit (< 0: the sink waits for it), always recomputed from the flows of
 // its eight arcs and its evidence, never stored.
+//
+// The crust is cut into regions, ranges of bricks. An arc shows in the mask of
+// residual arcs only when its voxel and the voxels of both its nodes lie in
+// one region, so a search never leaves its region; OpenArcs shows more arcs
+// when regions are merged. A high face is blocked while its node is foreign.
 #pragma once
 
+#include <array>
+#include <atomic>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -29,6 +37,12 @@ struct FaceNode {
   uint32_t axis;
 };
 
+// A node's voxels in the order of kNodeArcHolder; where one is missing its
+// index must not be used, and no residual arc leads there.
+struct NodeVoxels {
+  uint32_t index[6];
+};
+
 // A node in 32 bits: brick (24 bits), position in it (6), axis (2).
 using NodeId = uint32_t;
 inline constexpr size_t kMaxCutBricks = size_t{1} << 24;
@@ -40,7 +54,8 @@ class FlowState {
  public:
   struct SearchRecord {
     int32_t word[3];    // of the three nodes; see SearchForest
-    uint32_t residual;  // bit a: arc a has a residual capacity
+    uint32_t residual;  // bit a: arc a has a residual capacity;
+                        // bit 24 + f: face f is blocked (tied or foreign)
   };
   struct FlowRecord {
     int32_t weight;
@@ -50,10 +65,12 @@ class FlowState {
   // The word of a face that is no node.
   static constexpr int32_t kNoNode = 15;
 
-  // All tied arcs saturated, every node's word 0.
+  // All tied arcs saturated, every node's word 0. Region r holds the bricks
+  // from region_ends[r - 1], or 0, to region_ends[r].
   FlowState(const OctahedralCutProblem& problem,
             const VoxelWalk& walk,
             std::span<const FaceTies> merged_ties,
+            std::span<const uint32_t> region_ends,
             const Context& context);
 
   static constexpr size_t kBytesPerVoxel =
@@ -69,24 +86,44 @@ class FlowState {
   VoxelPlace Low(const FaceNode& node) const {
     return walk_.Step(node.place, int(2 * node.axis));
   }
+  NodeVoxels VoxelsAround(const FaceNode& node) const {
+    const int next = node.axis == 2 ? 1 : int(2 * node.axis + 3);
+    const int last = node.axis == 0 ? 5 : int(2 * node.axis - 1);
+    const VoxelPlace low = Low(node);
+    return {{node.place.index,
+             low.index,
+             walk_.Step(node.place, next).index,
+             walk_.Step(node.place, last).index,
+             walk_.Step(low, next).index,
+             walk_.Step(low, last).index}};
+  }
+  // The word of the node at the other end of a node's arc.
+  int32_t& WordAcross(const NodeVoxels& voxels, uint32_t axis, int code) {
+    return search_[voxels.index[kNodeArcHolder[code]]]
+        .word[kNodeArcAxis[4 * axis + uint32_t(code & 3) / 2]];
+  }
   int32_t& Word(const FaceNode& node) {
     return search_[node.place.index].word[node.axis];
   }
-  uint32_t Residual(uint32_t voxel) const { return search_[voxel].residual; }
+  // Another region may change arcs of its own in a mask that both look at.
+  uint32_t Residual(uint32_t voxel) const {
+    return std::atomic_ref(search_[voxel].residual)
+        .load(std::memory_order_relaxed);
+  }
   std::span<const SearchRecord> SearchRecords() const {
     return {search_.get(), num_voxels_};
   }
 
   // Bit c: the arc of code c leaves / enters the node with a residual.
-  uint32_t ResidualOut(const FaceNode& node, const VoxelPlace& low) const {
+  uint32_t ResidualOut(const FaceNode& node, uint32_t low) const {
     const int face = int(2 * node.axis);
     return ArcsOut(Residual(node.place.index), face) |
-           ArcsOut(Residual(low.index), face + 1) << 4;
+           ArcsOut(Residual(low), face + 1) << 4;
   }
-  uint32_t ResidualIn(const FaceNode& node, const VoxelPlace& low) const {
+  uint32_t ResidualIn(const FaceNode& node, uint32_t low) const {
     const int face = int(2 * node.axis);
     return ArcsIn(Residual(node.place.index), face) |
-           ArcsIn(Residual(low.index), face + 1) << 4;
+           ArcsIn(Residual(low), face + 1) << 4;
   }
 
   int32_t Capacity(uint32_t voxel, uint32_t arc) const {
@@ -99,13 +136,23 @@ class FlowState {
     FlowRecord& record = flows_[voxel];
     int32_t& flow = record.flow[kOctahedron.edge[arc]];
     flow += kOctahedron.sign[arc] * amount;
-    uint32_t& residual = search_[voxel].residual;
-    residual |= 1u << kOctahedron.reverse[arc];
-    if (kOctahedron.sign[arc] * flow != record.weight) {
-      return false;
-    }
-    residual &= ~(1u << arc);
-    return true;
+    const bool saturated = kOctahedron.sign[arc] * flow == record.weight;
+    const uint32_t residual = Residual(voxel);
+    SetResidual(voxel,
+                (residual | 1u << kOctahedron.reverse[arc]) &
+                    ~(uint32_t{saturated} << arc));
+    return saturated;
+  }
+
+  // Shows the arcs of a voxel whose high faces have their nodes in bricks
+  // below `end`, and calls opened(arc) for each that has a residual and did
+  // not show before.
+  template <typename Opened>
+  void OpenArcs(const VoxelPlace& place, uint32_t end, Opened&& opened);
+  // The node of a voxel's face, which must exist.
+  FaceNode NodeOf(const VoxelPlace& place, int face) const {
+    return {walk_.Step(place, (face & 1) ? face : kNumFaces),
+            uint32_t(face / 2)};
   }
 
   // Excess (> 0) or deficit (< 0) of a node.
@@ -133,7 +180,14 @@ class FlowState {
   void ReleaseFlows() { flows_.reset(); }
 
  private:
-  void InitVoxel(int32_t weight, FaceTies ties, size_t voxel);
+  void InitVoxel(const OctahedralCutProblem& problem,
+                 const VoxelPlace& place,
+                 FaceTies ties,
+                 uint32_t region_end);
+  void SetResidual(uint32_t voxel, uint32_t residual) {
+    std::atomic_ref(search_[voxel].residual)
+        .store(residual, std::memory_order_relaxed);
+  }
 
   const VoxelWalk& walk_;
   size_t num_voxels_;
@@ -145,6 +199,20 @@ class FlowState {
 };
 
 namespace internal {
+
+// Arcs between two faces that are not blocked.
+inline constexpr std::array<uint32_t, 64> MakeFreeArcs() {
+  std::array<uint32_t, 64> free = {};
+  for (int blocked = 0; blocked < 64; ++blocked) {
+    for (int arc = 0; arc < kNumOctahedronArcs; ++arc) {
+      const bool is_free = ((blocked >> (arc / 4)) & 1) == 0 &&
+                           ((blocked >> kOctahedron.head[arc]) & 1) == 0;
+      free[blocked] |= uint32_t(is_free) << arc;
+    }
+  }
+  return free;
+}
+inline constexpr std::array<uint32_t, 64> kFreeArcs = MakeFreeArcs();
 
 template <int kFace>
 inline int64_t Outflow(const int32_t* flow) {
@@ -180,6 +248,40 @@ inline int64_t FlowState::Imbalance(const FaceNode& node,
     inflow -= int64_t{evidence_[node.place.index]} + evidence_[low.index];
   }
   return inflow;
+}
+
+template <typename Opened>
+void FlowState::OpenArcs(const VoxelPlace& place,
+                         uint32_t end,
+                         Opened&& opened) {
+  uint32_t residual = Residual(place.index);
+  const uint32_t before = residual >> kNumOctahedronArcs;
+  uint32_t blocked = before;
+  for (int face = 1; face < kNumFaces; face += 2) {
+    if ((blocked >> face) & 1) {
+      const uint32_t owner = walk_.Neighbor(place, face);
+      if (owner != VoxelGrid::kNone && owner < walk_.FirstVoxelOrEnd(end) &&
+          search_[owner].word[face / 2] != kNoNode) {
+        blocked &= ~(1u << face);
+      }
+    }
+  }
+  if (blocked == before) {
+    return;
+  }
+  uint32_t arcs = internal::kFreeArcs[blocked] & ~internal::kFreeArcs[before];
+  residual &= (1u << kNumOctahedronArcs) - 1;
+  residual |= blocked << kNumOctahedronArcs;
+  for (uint32_t rest = arcs; rest != 0; rest &= rest - 1) {
+    const uint32_t arc = uint32_t(std::countr_zero(rest));
+    if (Capacity(place.index, arc) == 0) {
+      arcs &= ~(1u << arc);
+    }
+  }
+  SetResidual(place.index, residual | arcs);
+  for (; arcs != 0; arcs &= arcs - 1) {
+    opened(uint32_t(std::countr_zero(arcs)));
+  }
 }
 
 }  // namespace octacut

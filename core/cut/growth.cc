@@ -1,4 +1,4 @@
-// Planting the roots and growing the forests, one label a pass.
+// Planting the roots, growing the forests, and joining two ranges.
 #include <bit>
 
 #include "core/base/error.h"
@@ -6,27 +6,21 @@
 
 namespace octacut {
 
-SearchForest::SearchForest(FlowState& state, const Context& context)
-    : state_(state), context_(context) {}
-
-void SearchForest::Run() {
+SearchForest::SearchForest(FlowState& state,
+                           uint32_t begin,
+                           uint32_t end,
+                           double source_share,
+                           const Context& context)
+    : state_(state),
+      context_(context),
+      begin_(begin),
+      end_(end),
+      source_share_(source_share) {
   PlantRoots();
-  while (!Frontier(Forest::kSource).Empty()) {
-    context_.ThrowIfCancelled();
-    // The smaller frontier first; once the sink forest is complete, the
-    // source forest takes the free nodes that are left.
-    const size_t source = Frontier(Forest::kSource).Size();
-    const size_t sink = Frontier(Forest::kSink).Size();
-    if (sink == 0 || source <= sink) {
-      Grow<Forest::kSource>();
-    } else {
-      Grow<Forest::kSink>();
-    }
-  }
 }
 
 void SearchForest::PlantRoots() {
-  state_.Walk().ForEach(0, state_.Walk().NumBricks(), [&](VoxelPlace place) {
+  state_.Walk().ForEach(begin_, end_, [&](const VoxelPlace& place) {
     for (uint32_t axis = 0; axis < 3; ++axis) {
       const FaceNode node{place, axis};
       int32_t& word = state_.Word(node);
@@ -36,63 +30,80 @@ void SearchForest::PlantRoots() {
       const int64_t imbalance = state_.Imbalance(node, state_.Low(node));
       if (imbalance > 0) {
         word = MakeWord<Forest::kSource>(1, kRoot);
-        Frontier(Forest::kSource).Add(IdOf(node), pool_);
+        Activate<Forest::kSource>(node);
       } else if (imbalance < 0) {
         word = MakeWord<Forest::kSink>(1, kRoot);
-        Frontier(Forest::kSink).Add(IdOf(node), pool_);
+        Activate<Forest::kSink>(node);
       }
     }
   });
 }
 
+void SearchForest::Run() {
+  while (!Active(Forest::kSource).Empty() && !Active(Forest::kSink).Empty()) {
+    context_.ThrowIfCancelled();
+    if (double(Active(Forest::kSource).Size()) <=
+        source_share_ * double(Active(Forest::kSink).Size())) {
+      Grow<Forest::kSource>();
+    } else {
+      Grow<Forest::kSink>();
+    }
+  }
+}
+
+void SearchForest::Finish() {
+  while (!Active(Forest::kSource).Empty()) {
+    context_.ThrowIfCancelled();
+    Grow<Forest::kSource>();
+  }
+}
+
 template <Forest F>
 void SearchForest::Grow() {
-  const int32_t label = Depth(F)++;
+  const int32_t label = Active(F).Lowest();
   if (label >= kMaxLabel) {
     throw InvariantError("cut: the search is deeper than any path can be");
   }
-  growing_ = F;
-  scanning_label_ = label;
-  std::swap(again_, Frontier(F));
-  while (!again_.Empty()) {
-    ChunkList now = std::exchange(again_, {});
-    now.Consume(
-        pool_,
-        [&](NodeId id) { state_.PrefetchSearch(id); },
-        [&](NodeId id) {
-          if (!ScanNode<F>(id, label)) {
-            again_.Add(id, pool_);
-          }
-        });
-    Settle();
-  }
-  scanning_label_ = 0;
+  Depth(F) = std::max(Depth(F), label + 1);
+  Active(F).Take(label).Consume(
+      pool_,
+      [&](NodeId id) { state_.PrefetchSearch(id); },
+      [&](NodeId id) {
+        const FaceNode node = state_.Node(id);
+        int32_t& word = state_.Word(node);
+        if ((word & kActive) == 0 || Label<F>(word) < label) {
+          return;  // a stale entry
+        }
+        word &= ~kActive;
+        if (Label<F>(word) > label || Parent(word) == kOrphan ||
+            !ScanNode<F>(node, label)) {
+          Activate<F>(node);
+        }
+      });
+  Settle();
 }
 
 // Returns false when the node may touch the other forest still.
 template <Forest F>
-bool SearchForest::ScanNode(NodeId id, int32_t label) {
-  const FaceNode node = state_.Node(id);
-  const int32_t word = state_.Word(node);
-  if (Label<F>(word) != label || Parent(word) == kOrphan) {
-    return true;  // moved since, or to be listed again when it is adopted
-  }
-  const VoxelPlace low = state_.Low(node);
+bool SearchForest::ScanNode(const FaceNode& node, int32_t label) {
+  const NodeVoxels voxels = state_.VoxelsAround(node);
   bool done = true;
-  for (uint32_t arcs = ArcsAway<F>(node, low); arcs != 0; arcs &= arcs - 1) {
-    const NodeArc& arc = ArcOf(node, std::countr_zero(arcs));
-    const FaceNode other = Follow(node, low, arc);
-    int32_t& other_word = state_.Word(other);
+  for (uint32_t arcs = ArcsAway<F>(node, voxels.index[1]); arcs != 0;
+       arcs &= arcs - 1) {
+    const int code = std::countr_zero(arcs);
+    int32_t& other_word = state_.WordAcross(voxels, node.axis, code);
     const int32_t other_label = Label<F>(other_word);
     if (other_label > 0) {
       continue;
     }
+    const NodeArc& arc = ArcOf(node, code);
+    const FaceNode other = Follow(node, state_.Low(node), arc);
     if (other_label == 0) {
       other_word = MakeWord<F>(label + 1, arc.back);
-      Frontier(F).Add(IdOf(other), pool_);
+      Activate<F>(other);
       continue;
     }
-    const uint32_t voxel = VoxelOf(node, low, arc);
+    const uint32_t voxel = voxels.index[arc.side];
     done &= F == Forest::kSource ? Augment(node, other, voxel, arc.out)
                                  : Augment(other, node, voxel, arc.in);
   }
@@ -100,15 +111,58 @@ bool SearchForest::ScanNode(NodeId id, int32_t label) {
 }
 
 template <Forest F>
-void SearchForest::Enlist(NodeId id, int32_t label) {
-  if (label == Depth(F)) {
-    Frontier(F).Add(id, pool_);
-  } else if (F == growing_ && label == scanning_label_) {
-    again_.Add(id, pool_);
+void SearchForest::Activate(const FaceNode& node) {
+  int32_t& word = state_.Word(node);
+  if ((word & kActive) == 0) {
+    word |= kActive;
+    Active(F).Add(Label<F>(word), IdOf(node), pool_);
+  }
+}
+template void SearchForest::Activate<Forest::kSource>(const FaceNode&);
+template void SearchForest::Activate<Forest::kSink>(const FaceNode&);
+
+void SearchForest::Absorb(SearchForest& next) {
+  const uint32_t middle = end_;
+  end_ = next.end_;
+  for (int forest = 0; forest < 2; ++forest) {
+    depth_[forest] = std::max(depth_[forest], next.depth_[forest]);
+    BucketQueue& active = next.active_[forest];
+    while (!active.Empty()) {
+      const int32_t label = active.Lowest();
+      active.Take(label).Consume(
+          next.pool_,
+          [](NodeId) {},
+          [&](NodeId id) { active_[forest].Add(label, id, pool_); });
+    }
+  }
+  next.pool_ = ChunkPool();
+  // Only bricks of the lower range look across: high faces lead upwards.
+  for (uint32_t brick = begin_; brick < middle; ++brick) {
+    const auto crosses = [&](int face) {
+      const uint32_t beside = state_.Walk().BrickBeside(brick, face);
+      return beside >= middle && beside < end_;
+    };
+    if (crosses(1) || crosses(3) || crosses(5)) {
+      state_.Walk().ForEach(brick, brick + 1, [&](const VoxelPlace& place) {
+        state_.OpenArcs(
+            place, end_, [&](uint32_t arc) { WakeEnds(place, arc); });
+      });
+    }
   }
 }
 
-template void SearchForest::Enlist<Forest::kSource>(NodeId, int32_t);
-template void SearchForest::Enlist<Forest::kSink>(NodeId, int32_t);
+// Activates the ends of a residual arc that the invariant asks for.
+void SearchForest::WakeEnds(const VoxelPlace& place, uint32_t arc) {
+  const FaceNode from = state_.NodeOf(place, int(arc / 4));
+  const FaceNode to = state_.NodeOf(place, kOctahedron.head[arc]);
+  const int32_t from_label = Label<Forest::kSource>(state_.Word(from));
+  const int32_t to_label = Label<Forest::kSource>(state_.Word(to));
+  if (from_label > 0 && to_label <= 0) {
+    Activate<Forest::kSource>(from);
+  }
+  if (to_label < 0 && from_label >= 0) {
+    Activate<Forest::kSink>(to);
+  }
+}
 
 }  // namespace octacut

@@ -1,5 +1,12 @@
 #include "core/cut/implicit_cut.h"
 
+#include <tbb/parallel_invoke.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/cut/cut_problem.h"
@@ -50,20 +57,114 @@ std::vector<FaceLabels> EmitLabels(const FlowState& state,
   return labels;
 }
 
+// Ranges of bricks of some `region_voxels` voxels, by their ends. They depend
+// on the crust alone, whatever the number of threads.
+std::vector<uint32_t> RegionEnds(const VoxelWalk& walk,
+                                 uint32_t region_voxels) {
+  std::vector<uint32_t> ends;
+  uint32_t first = 0;
+  for (uint32_t brick = 1; brick <= walk.NumBricks(); ++brick) {
+    const uint32_t size = walk.FirstVoxelOrEnd(brick) - first;
+    if (size >= region_voxels || brick == walk.NumBricks()) {
+      ends.push_back(brick);
+      first += size;
+    }
+  }
+  return ends;
+}
+
+// Searches regions [begin, end) alone and joins them pairwise, bottom up.
+std::unique_ptr<SearchForest> SearchRegions(FlowState& state,
+                                            std::span<const uint32_t> ends,
+                                            size_t begin,
+                                            size_t end,
+                                            double source_share,
+                                            const Context& context) {
+  if (end - begin == 1) {
+    auto forest =
+        std::make_unique<SearchForest>(state,
+                                       begin == 0 ? 0 : ends[begin - 1],
+                                       ends[begin],
+                                       source_share,
+                                       context);
+    forest->Run();
+    return forest;
+  }
+  const size_t middle = (begin + end) / 2;
+  std::unique_ptr<SearchForest> low, high;
+  const auto search_low = [&] {
+    low = SearchRegions(state, ends, begin, middle, source_share, context);
+  };
+  const auto search_high = [&] {
+    high = SearchRegions(state, ends, middle, end, source_share, context);
+  };
+  if (context.NumThreads() == 1) {
+    search_low();
+    search_high();
+  } else {
+    tbb::parallel_invoke(search_low, search_high);
+  }
+  low->Absorb(*high);
+  high.reset();
+  low->Run();
+  return low;
+}
+
+// Leaves the side of every node in its word.
+void Search(FlowState& state,
+            std::span<const uint32_t> ends,
+            double source_share,
+            const Context& context) {
+  if (ends.empty()) {
+    return;
+  }
+  std::unique_ptr<SearchForest> forest;
+  tbb::task_arena arena(context.NumThreads());
+  arena.execute([&] {
+    forest = SearchRegions(state, ends, 0, ends.size(), source_share, context);
+  });
+  forest->Finish();
+}
+
 }  // namespace
+
+SearchPlan PlanSearch(const OctahedralCutProblem& problem,
+                      std::span<const FaceTies> merged_ties) {
+  // Low faces that are tied: some three for every two columns through the
+  // crust, so that their share tells how thick it is.
+  constexpr int kLowFaces = 0x15;
+  size_t num_tied = 0;
+  for (const FaceTies ties : merged_ties) {
+    num_tied +=
+        size_t(std::popcount(unsigned((ties | ties >> kNumFaces) & kLowFaces)));
+  }
+  const double thickness =
+      1.5 * double(merged_ties.size()) / double(std::max<size_t>(1, num_tied));
+  constexpr double kThick = 12;
+  // A region that both sides of the crust reach, several thicknesses wide.
+  SearchPlan plan;
+  plan.region_voxels =
+      uint32_t(std::clamp(64 * thickness * thickness * thickness,
+                          double(1 << 13),
+                          double(1u << 31)));
+  if (thickness > kThick || !problem.evidence.empty()) {
+    plan.source_share = 0;
+  }
+  return plan;
+}
 
 OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
                               const VoxelWalk& walk,
+                              std::vector<FaceTies> merged_ties,
+                              const SearchPlan& plan,
                               const Context& context) {
   if (walk.NumBricks() > kMaxCutBricks) {
     throw InputError("cut problem: more bricks than the solver can number");
   }
-  FlowState state(
-      problem, walk, MergeFaceTies(problem, walk, context), context);
-  {
-    SearchForest forest(state, context);
-    forest.Run();
-  }
+  const std::vector<uint32_t> ends = RegionEnds(walk, plan.region_voxels);
+  FlowState state(problem, walk, merged_ties, ends, context);
+  std::vector<FaceTies>().swap(merged_ties);
+  Search(state, ends, plan.source_share, context);
   OctahedralCut cut;
   cut.num_nodes = state.NumNodes();
   cut.cost_fixed_point = state.FlowValue(context);
@@ -74,9 +175,9 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
 }
 
 size_t EstimateImplicitCutBytes(size_t num_voxels, bool with_evidence) {
-  // At 25 voxels a brick, and one node in two queued.
+  // At 30 voxels a brick, and one node in four queued.
   const size_t per_voxel = FlowState::kBytesPerVoxel +
-                           VoxelWalk::kBytesPerBrick / 25 +
+                           VoxelWalk::kBytesPerBrick / 30 +
                            (with_evidence ? sizeof(int32_t) : 0) + 3;
   return num_voxels * per_voxel + (size_t{1} << 20);
 }

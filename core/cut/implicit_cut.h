@@ -1,19 +1,37 @@
 // The octahedral cut without a graph: the voxel grid is the graph.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/cut/octahedral_cut.h"
 #include "core/cut/voxel_walk.h"
 
 namespace octacut {
 
-// A checked problem and its merged ties (cut_problem.h), which are freed once
-// they are no longer needed. Fills labels, cost_fixed_point (the flow) and
-// num_nodes of the result. Throws InvariantError when a residual arc leaves
-// the source side.
+// How to search; changes the time, never the result.
+struct SearchPlan {
+  // Regions of about so many voxels are searched alone, then joined pairwise.
+  uint32_t region_voxels = 1 << 13;
+  // A pass grows the source forest if its active nodes are at most so many
+  // times those of the sink forest; 0: only when the sink forest is complete.
+  double source_share = 1.2;
+};
+
+// The plan that measurements speak for (docs/cut_engine.md).
+SearchPlan PlanSearch(const OctahedralCutProblem& problem,
+                      std::span<const FaceTies> merged_ties);
+
+// Solves a problem whose values are checked (cut_problem.h); move its merged
+// ties in, they are freed as soon as they are used. Fills labels,
+// cost_fixed_point (the flow) and num_nodes of the result, which depend
+// neither on the plan nor on the number of threads. Throws InvariantError
+// when a residual arc leaves the source side.
 OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
                               const VoxelWalk& walk,
+                              std::vector<FaceTies> merged_ties,
+                              const SearchPlan& plan,
                               const Context& context);
 
 // Bytes SolveImplicitly and the proof need at their peak.

@@ -17,13 +17,13 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
   options.Check();
   CheckCutValues(problem, context);
   const VoxelWalk walk(*problem.crust);
-  OctahedralCut cut = SolveImplicitly(problem, walk, context);
+  std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
+  const SearchPlan plan = PlanSearch(problem, ties);
+  OctahedralCut cut =
+      SolveImplicitly(problem, walk, std::move(ties), plan, context);
   // A cut that costs what flows is a minimum cut, and the flow a maximum.
-  const int64_t cost = LabellingCost(problem,
-                                     walk,
-                                     MergeFaceTies(problem, walk, context),
-                                     cut.labels,
-                                     context);
+  ties = MergeFaceTies(problem, walk, context);
+  const int64_t cost = LabellingCost(problem, walk, ties, cut.labels, context);
   if (cost != cut.cost_fixed_point) {
     throw InvariantError(fmt::format(
         "cut: cost {} differs from flow {}", cost, cut.cost_fixed_point));

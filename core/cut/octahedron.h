@@ -92,6 +92,15 @@ inline constexpr std::array<NodeArc, 3 * kNumNodeArcs> MakeNodeArcs() {
 inline constexpr std::array<NodeArc, 3 * kNumNodeArcs> kNodeArcs =
     MakeNodeArcs();
 
+// The six voxels that hold a node's arcs and the nodes at their other ends:
+// the node's own (0) and the lower one (1), and the voxels above each of these
+// along the next axis (2, 4) and the last (3, 5). Which of them holds the
+// other node, by code of the arc:
+inline constexpr uint8_t kNodeArcHolder[kNumNodeArcs] = {
+    0, 2, 0, 3, 1, 4, 1, 5};
+// and that node's axis, by 4 axis + j / 2:
+inline constexpr uint8_t kNodeArcAxis[12] = {1, 2, 0, 0, 2, 0, 0, 0, 0, 1};
+
 // Of a voxel's residual arcs, the four that leave a face; bit j is the arc to
 // its j-th face.
 inline constexpr uint32_t ArcsOut(uint32_t residual, int face) {

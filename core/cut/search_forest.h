@@ -5,22 +5,28 @@
 //
 // A node of a forest has a label >= 1 that is greater than its parent's, and
 // a residual arc from its parent (source) or to it (sink). Roots hold an
-// imbalance. One pass scans the nodes of a forest whose label is its depth,
-// joining free nodes with the next label. Where the forests touch, flow is
-// sent: exactly as much as the source forest can supply along the path to its
-// root; in the sink forest it is left at the node that receives it, and
+// imbalance. One pass scans the active nodes of a forest that have the least
+// label, joining free nodes with the next label. Where the forests touch, flow
+// is sent: exactly as much as the source forest can supply along the path to
+// its root; in the sink forest it is left at the node that receives it, and
 // drained to the roots level by level after the pass, so that paths that join
 // are walked once. Nodes that lose their parent are adopted level by level.
 // What cannot be drained makes its node a root of the source forest.
 //
-// Invariants between passes, with `depth` the label of a forest's frontier:
-//  - a residual arc from a source node below the frontier leads to a source
-//    node; one into a sink node below the frontier comes from a sink node;
+// Invariants between passes, with a forest's depth its greatest label:
+//  - a residual arc from a source node that is not active leads to a source
+//    node; one into a sink node that is not active comes from a sink node;
+//  - every node whose label is the depth is active, so that a node that
+//    leaves a forest for want of a lower parent may be joined again;
 //  - no node of the sink forest has an excess, and of the source forest only
 //    roots have an imbalance, an excess.
-// The search ends when the source frontier is empty: then no residual arc
-// leaves the source forest, which holds every excess and nothing that an
-// excess does not reach: the least source side of all minimum cuts.
+// The search ends when no source node is active: then no residual arc leaves
+// the source forest, which holds every excess and nothing that an excess does
+// not reach: the least source side of all minimum cuts.
+//
+// A search covers a range of bricks. Two neighbouring ranges that have been
+// searched are joined by Absorb, which keeps their trees [in the spirit of Liu
+// & Sun CVPR 2010] and activates the nodes at arcs that open.
 #pragma once
 
 #include <cstdint>
@@ -40,10 +46,19 @@ inline constexpr Forest Other(Forest forest) {
 
 class SearchForest {
  public:
-  SearchForest(FlowState& state, const Context& context);
+  // Plants the roots of bricks [begin, end). `source_share`: see SearchPlan.
+  SearchForest(FlowState& state,
+               uint32_t begin,
+               uint32_t end,
+               double source_share,
+               const Context& context);
 
-  // Plants the roots and searches to the end.
+  // Searches until no flow can be sent inside the range.
   void Run();
+  // Gives the source forest every free node that it reaches; after Run.
+  void Finish();
+  // Joins the range that follows and opens the arcs between the two.
+  void Absorb(SearchForest& next);
 
   // Whether a node's word says that it is on the source side.
   static bool IsSource(int32_t word) { return (word >> kLabelShift) > 0; }
@@ -51,7 +66,7 @@ class SearchForest {
   size_t QueueBytes() const { return pool_.MemoryBytes(); }
 
  private:
-  // A word: label << 6 | flags | parent. The label is > 0 in the source
+  // A word: label << 7 | flags | parent. The label is > 0 in the source
   // forest, < 0 in the sink forest and 0 for a free node; the parent is the
   // code of the arc to it.
   static constexpr int32_t kParentMask = 15;
@@ -59,8 +74,9 @@ class SearchForest {
   static constexpr int32_t kOrphan = 9;
   static constexpr int32_t kExcess = 16;    // an orphan with an excess
   static constexpr int32_t kDraining = 32;  // is in draining_
-  static constexpr int32_t kFlagMask = 63;
-  static constexpr int kLabelShift = 6;
+  static constexpr int32_t kActive = 64;    // is to be scanned
+  static constexpr int32_t kFlagMask = 127;
+  static constexpr int kLabelShift = 7;
   static constexpr int32_t kMaxLabel = 1 << 24;
 
   // Label of a word in forest F; negative in the other one.
@@ -78,7 +94,7 @@ class SearchForest {
     return (word & ~kParentMask) | parent;
   }
 
-  // The other end of a node's arc.
+  // The other end of a node's arc; `low` is the voxel below the node.
   FaceNode Follow(const FaceNode& node,
                   const VoxelPlace& low,
                   const NodeArc& arc) const {
@@ -97,29 +113,27 @@ class SearchForest {
   // Codes of the arcs along which forest F may grow from a node, and those
   // by which the node may hang from a parent.
   template <Forest F>
-  uint32_t ArcsAway(const FaceNode& node, const VoxelPlace& low) const {
+  uint32_t ArcsAway(const FaceNode& node, uint32_t low) const {
     return F == Forest::kSource ? state_.ResidualOut(node, low)
                                 : state_.ResidualIn(node, low);
   }
   template <Forest F>
-  uint32_t ArcsToParents(const FaceNode& node, const VoxelPlace& low) const {
+  uint32_t ArcsToParents(const FaceNode& node, uint32_t low) const {
     return ArcsAway<Other(F)>(node, low);
   }
 
   int32_t& Depth(Forest forest) { return depth_[int(forest)]; }
-  ChunkList& Frontier(Forest forest) { return frontier_[int(forest)]; }
-
-  // roots.cc
-  void PlantRoots();
+  BucketQueue& Active(Forest forest) { return active_[int(forest)]; }
 
   // growth.cc
+  void PlantRoots();
   template <Forest F>
   void Grow();
   template <Forest F>
-  bool ScanNode(NodeId id, int32_t label);
-  // Lists a node that has just got its label for scanning, if it is due.
+  bool ScanNode(const FaceNode& node, int32_t label);
   template <Forest F>
-  void Enlist(NodeId id, int32_t label);
+  void Activate(const FaceNode& node);
+  void WakeEnds(const VoxelPlace& place, uint32_t arc);
 
   // augmentation.cc
   // Sends what the source forest can along source_node -> sink_node, `arc` of
@@ -133,7 +147,7 @@ class SearchForest {
   void DrainNode(const FaceNode& node);
   void SendExcess(const FaceNode& node, const VoxelPlace& low, int64_t excess);
   int FindLowerParent(const FaceNode& node,
-                      const VoxelPlace& low,
+                      const NodeVoxels& voxels,
                       int32_t label,
                       uint32_t& candidates);
   void QueueDrain(const FaceNode& node);
@@ -147,7 +161,7 @@ class SearchForest {
   void AdoptNode(NodeId id, int32_t label);
   template <Forest F>
   void OrphanChildren(const FaceNode& node,
-                      const VoxelPlace& low,
+                      const NodeVoxels& voxels,
                       int32_t label);
   template <Forest F>
   void Leave(const FaceNode& node);
@@ -156,12 +170,11 @@ class SearchForest {
 
   FlowState& state_;
   const Context& context_;
+  uint32_t begin_, end_;  // bricks
+  double source_share_;
   ChunkPool pool_;
   int32_t depth_[2] = {1, 1};
-  ChunkList frontier_[2];  // nodes to be scanned by the next pass
-  ChunkList again_;        // nodes to be scanned once more by this pass
-  Forest growing_ = Forest::kSource;
-  int32_t scanning_label_ = 0;  // label of the nodes being scanned; 0: none
+  BucketQueue active_[2];  // nodes to be scanned; may hold stale entries
   bool unsettled_ = false;
   BucketQueue draining_;  // sink nodes that may have an excess
   BucketQueue orphans_[2];

@@ -26,27 +26,38 @@ class VoxelWalk {
 
   explicit VoxelWalk(const VoxelGrid& grid);
 
-  size_t NumBricks() const { return links_.size(); }
+  size_t NumBricks() const { return links_.size() - 1; }
   static constexpr size_t kBytesPerBrick = 64 + 32;
+
+  // Number of voxels in the bricks before `brick`, which may be the end.
+  uint32_t FirstVoxelOrEnd(size_t brick) const { return links_[brick].first; }
+  // The brick across a face of a brick, NumBricks() where there is none.
+  uint32_t BrickBeside(size_t brick, int face) const {
+    return links_[brick].brick[face];
+  }
 
   // A voxel of the crust.
   VoxelPlace At(uint32_t brick, uint32_t bit) const {
     return {brick, bit, links_[brick].first + ranks_[brick].rank[bit]};
   }
 
-  // The voxel across `face`, which must exist; `face` = kNumFaces stays.
+  // The voxel across `face`; `face` = kNumFaces stays. Where there is none, a
+  // place whose index must not be used.
   VoxelPlace Step(const VoxelPlace& from, int face) const {
     const BrickStep step = kSteps[face][from.bit];
     return At(links_[from.brick].brick[step.link], step.bit);
+  }
+
+  // The brick across `face` of a voxel, which may be its own; NumBricks()
+  // where there is none.
+  uint32_t StepBrick(const VoxelPlace& from, int face) const {
+    return links_[from.brick].brick[kSteps[face][from.bit].link];
   }
 
   // Index of the voxel across `face`, kNone where there is none.
   Index Neighbor(const VoxelPlace& from, int face) const {
     const BrickStep step = kSteps[face][from.bit];
     const uint32_t brick = links_[from.brick].brick[step.link];
-    if (brick == VoxelGrid::kNone) {
-      return VoxelGrid::kNone;
-    }
     const uint8_t rank = ranks_[brick].rank[step.bit];
     return rank == kEmpty ? VoxelGrid::kNone : links_[brick].first + rank;
   }
@@ -95,6 +106,7 @@ class VoxelWalk {
   static constexpr BrickSteps MakeSteps();
   static const BrickSteps kSteps;
 
+  // With an empty brick at the end, which stands for all that are missing.
   std::vector<Ranks> ranks_;
   std::vector<Links> links_;
 };

@@ -16,12 +16,18 @@ void ExpectEqualsReference(const OctahedralCutProblem& problem) {
   const VoxelWalk walk(*problem.crust);
   const std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
   const OctahedralCut expected = SolveWithBoost(problem, ties);
-  const OctahedralCut actual = SolveImplicitly(problem, walk, context);
-  ASSERT_EQ(actual.cost_fixed_point, expected.cost_fixed_point);
-  ASSERT_EQ(actual.labels, expected.labels);
-  ASSERT_EQ(actual.num_nodes, expected.num_nodes);
-  ASSERT_EQ(LabellingCost(problem, walk, ties, actual.labels, context),
-            actual.cost_fixed_point);
+  // One region, a region a brick, and regions of a few bricks.
+  const SearchPlan plans[] = {
+      {1u << 20, 1}, {1u << 20, 0}, {1, 1}, {100, 0}, {100, 1e9}};
+  for (const SearchPlan& plan : plans) {
+    const OctahedralCut actual =
+        SolveImplicitly(problem, walk, ties, plan, context);
+    ASSERT_EQ(actual.cost_fixed_point, expected.cost_fixed_point);
+    ASSERT_EQ(actual.labels, expected.labels);
+    ASSERT_EQ(actual.num_nodes, expected.num_nodes);
+    ASSERT_EQ(LabellingCost(problem, walk, ties, actual.labels, context),
+              actual.cost_fixed_point);
+  }
 }
 
 using Codes = std::vector<MortonCode>;
@@ -160,6 +166,35 @@ TEST(ImplicitCut, EqualsTheReferenceOnLayeredCrusts) {
     ExpectEqualsReference(problem.View());
     if (HasFatalFailure()) {
       return;
+    }
+  }
+}
+
+TEST(ImplicitCut, SameForAnyNumberOfThreadsAndRegions) {
+  std::mt19937 random(9);
+  Codes codes = BoxCodes({3, 3, 3}, {22, 22, 22});
+  std::erase_if(codes, [&](MortonCode) { return random() % 5 == 0; });
+  OwnedCutProblem problem = TieRandomly(
+      VoxelGrid::FromCodes(5, codes), {.inside = 0.4, .inner = 0.01}, random);
+  SetRandomWeights(WeightKind::kSpeckle, random, problem);
+  SetRandomEvidence(0.05f, random, problem);
+  const OctahedralCutProblem view = problem.View();
+  const VoxelWalk walk(problem.crust);
+  const std::vector<FaceTies> ties = MergeFaceTies(view, walk, Context(1));
+  const OctahedralCut expected =
+      SolveImplicitly(view, walk, ties, {}, Context(1));
+  for (const int num_threads : {1, 2, 4}) {
+    for (const uint32_t region_voxels : {1u, 64u, 500u, 3000u, 1u << 30}) {
+      for (const double source_share : {0.0, 1.2}) {
+        const OctahedralCut actual =
+            SolveImplicitly(view,
+                            walk,
+                            ties,
+                            {region_voxels, source_share},
+                            Context(num_threads));
+        EXPECT_EQ(actual.labels, expected.labels);
+        EXPECT_EQ(actual.cost_fixed_point, expected.cost_fixed_point);
+      }
     }
   }
 }

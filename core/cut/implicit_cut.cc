@@ -141,14 +141,15 @@ SearchPlan PlanSearch(const OctahedralCutProblem& problem,
   const double thickness =
       1.5 * double(merged_ties.size()) / double(std::max<size_t>(1, num_tied));
   constexpr double kThick = 12;
-  // A region that both sides of the crust reach, several thicknesses wide.
   SearchPlan plan;
-  plan.region_voxels =
-      uint32_t(std::clamp(64 * thickness * thickness * thickness,
-                          double(1 << 13),
-                          double(1u << 31)));
   if (thickness > kThick || !problem.evidence.empty()) {
+    plan.region_voxels = 1 << 17;
     plan.source_share = 0;
+  } else {
+    // Some eight thicknesses wide.
+    plan.region_voxels = uint32_t(
+        std::clamp(64 * thickness * thickness * thickness, 8192.0, 65536.0));
+    plan.source_share = 0.9;
   }
   return plan;
 }

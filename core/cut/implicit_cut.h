@@ -16,7 +16,7 @@ struct SearchPlan {
   uint32_t region_voxels = 1 << 13;
   // A pass grows the source forest if its active nodes are at most so many
   // times those of the sink forest; 0: only when the sink forest is complete.
-  double source_share = 1.2;
+  double source_share = 0.9;
 };
 
 // The plan that measurements speak for (docs/cut_engine.md).

@@ -228,6 +228,25 @@ TEST(Silhouette, CubesThatReachBehindTheCameraTellNothing) {
   }
 }
 
+TEST(Silhouette, TheShortTestForBackgroundAgreesWithTheLongOne) {
+  Random random(7);
+  int num_background = 0;
+  for (int round = 0; round < 20; ++round) {
+    const PreparedRandomView view = PrepareRandomView(random);
+    for (int i = 0; i < 300; ++i) {
+      const float half = float(std::pow(2.0, -random.Uniform(1, 8)));
+      const Eigen::Vector3f center = random.Point(-2, 3).cast<float>();
+      const bool expected =
+          view.silhouette.TestCube(view.projection, center, half) ==
+          Footprint::kBackground;
+      ASSERT_EQ(view.silhouette.IsBackgroundCube(view.projection, center, half),
+                expected);
+      num_background += expected;
+    }
+  }
+  EXPECT_GT(num_background, 500);
+}
+
 TEST(PrepareViews, GivesPyramidsToViewsWithImagesOnly) {
   Random random(6);
   ViewOfCube v = RandomViewOfCube(random, 3);

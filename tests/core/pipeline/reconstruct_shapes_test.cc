@@ -1,0 +1,141 @@
+// End to end: what is hard for a minimal cut is still there in the mesh.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/core/pipeline/reconstruction_checks.h"
+
+namespace octacut {
+namespace {
+
+using testing::InsideTest;
+using testing::MeanDistance;
+using testing::PipelineSpec;
+using testing::QuickOptions;
+using testing::ReconstructedScene;
+using testing::ReconstructScene;
+
+constexpr double kPi = std::numbers::pi;
+
+// Closed, manifold, oriented outward, and as near to the reference as half a
+// voxel in the mean, both ways.
+void ExpectNearReference(const ReconstructedScene& scene) {
+  const Reconstruction& result = scene.result;
+  EXPECT_EQ(result.audit.DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(result.mesh).DescribeFailure(), "");
+  const IndexedMesh& reference = scene.synthetic.reference;
+  EXPECT_LT(MeanDistance(result.mesh, reference), 0.5 * scene.VoxelSize());
+  EXPECT_LT(MeanDistance(reference, result.mesh), 0.5 * scene.VoxelSize());
+}
+
+TEST(Reconstruct, Sphere) {
+  const ReconstructedScene scene =
+      ReconstructScene(PipelineSpec("sphere"), QuickOptions());
+  ExpectNearReference(scene);
+  const MeshAudit& audit = scene.result.audit;
+  EXPECT_EQ(audit.num_components, 1u);
+  EXPECT_EQ(audit.genus, 0);
+  const double volume = 4.0 / 3 * kPi * std::pow(0.8, 3);
+  const double area = 4 * kPi * std::pow(0.8, 2);
+  EXPECT_NEAR(audit.volume, volume, 0.02 * volume);
+  EXPECT_NEAR(audit.area, area, 0.03 * area);
+}
+
+TEST(Reconstruct, Torus) {
+  const ReconstructedScene scene =
+      ReconstructScene(PipelineSpec("torus"), QuickOptions());
+  ExpectNearReference(scene);
+  const MeshAudit& audit = scene.result.audit;
+  EXPECT_EQ(audit.num_components, 1u);
+  EXPECT_EQ(audit.genus, 1);
+  const double volume = 2 * kPi * kPi * 0.65 * std::pow(0.25, 2);
+  const double area = 4 * kPi * kPi * 0.65 * 0.25;
+  EXPECT_NEAR(audit.volume, volume, 0.05 * volume);
+  EXPECT_NEAR(audit.area, area, 0.04 * area);
+}
+
+// The cavity is a cylinder of radius 0.5 and depth 1 from z = 0.575 down; the
+// wall 0.15 thick. Its hull is solid.
+TEST(Reconstruct, ACupAsDeepAsWideIsHollow) {
+  SceneSpec spec = PipelineSpec("cup");
+  spec.rig.num_views = 14;
+  spec.rig.min_elevation = -10;
+  spec.rig.max_elevation = 30;
+  // The bottom is in sight from 45 degrees on, half of it from 63.
+  RigOptions from_above = spec.rig;
+  from_above.num_views = 16;
+  from_above.min_elevation = 48;
+  from_above.max_elevation = 82;
+  const ReconstructedScene scene =
+      ReconstructScene(spec, QuickOptions(), from_above);
+  EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
+  const InsideTest inside(scene.result.mesh);
+  const auto ring = [&](double radius, double z, bool expected) {
+    int correct = 0;
+    for (int i = 0; i < 12; ++i) {
+      const double angle = 2 * kPi * (i + 0.5) / 12;
+      const Eigen::Vector3d point(
+          radius * std::cos(angle), radius * std::sin(angle), z);
+      correct += inside(point) == expected;
+    }
+    return correct;
+  };
+  for (double z = -0.3; z < 0.56; z += 0.1) {
+    EXPECT_FALSE(inside({0, 0, z})) << z;
+    EXPECT_GE(ring(0.25, z, false), 11) << z;
+  }
+  EXPECT_FALSE(inside({0, 0, -0.36}));
+  for (double z = -0.45; z < 0.5; z += 0.1) {
+    EXPECT_EQ(ring(0.575, z, true), 12) << z;  // in the wall
+  }
+  EXPECT_EQ(ring(0.3, -0.5, true), 12);  // in the bottom
+  const double solid = kPi * std::pow(0.65, 2) * 1.15;
+  const double cavity = kPi * std::pow(0.5, 2) * 1.0;
+  EXPECT_NEAR(scene.result.audit.volume, solid - cavity, 0.05 * solid);
+}
+
+TEST(Reconstruct, RodsOfThreeVoxelsAtTheHullsLevelAreStillThere) {
+  SceneSpec spec = PipelineSpec("rods");
+  spec.reference.resolution = 128;
+  const ReconstructionOptions options = QuickOptions();
+  // The cube is some 1.08 times 1.9 units.
+  spec.parameters.rod_radius = 1.5 * 2.05 / (1 << options.hull.hull_level);
+  const ReconstructedScene scene = ReconstructScene(spec, options);
+  const double thickness = 2 * spec.parameters.rod_radius;
+  EXPECT_LT(thickness,
+            3.2 * scene.region.cube.VoxelSize(options.hull.hull_level));
+  EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
+  EXPECT_EQ(scene.result.audit.num_components, 1u);
+  EXPECT_LT(MeanDistance(scene.result.mesh, scene.synthetic.reference),
+            scene.VoxelSize());
+  const InsideTest inside(scene.result.mesh);
+  const Eigen::Matrix3d tilt =
+      Eigen::AngleAxisd(20 * kPi / 180, Eigen::Vector3d(1, 1, 0.3).normalized())
+          .toRotationMatrix();
+  for (int axis = 0; axis < 3; ++axis) {
+    // The round ends reach a radius beyond 0.9.
+    for (double t = -0.9; t < 0.901; t += 0.02) {
+      const Eigen::Vector3d point = tilt * (t * Eigen::Vector3d::Unit(axis));
+      EXPECT_TRUE(inside(point)) << "rod " << axis << " at " << t;
+    }
+  }
+}
+
+TEST(Reconstruct, TouchingSpheresAreAManifold) {
+  const ReconstructedScene scene =
+      ReconstructScene(PipelineSpec("touching_spheres"), QuickOptions());
+  ExpectNearReference(scene);
+  EXPECT_GE(scene.result.audit.num_components, 1u);
+  EXPECT_LE(scene.result.audit.num_components, 2u);
+  EXPECT_EQ(scene.result.audit.genus, 0);
+  const InsideTest inside(scene.result.mesh);
+  EXPECT_TRUE(inside({-0.5, 0, 0}));
+  EXPECT_TRUE(inside({0.5, 0, 0}));
+  for (const double y : {-0.25, 0.25}) {
+    EXPECT_FALSE(inside({0, y, 0}));
+  }
+}
+
+}  // namespace
+}  // namespace octacut

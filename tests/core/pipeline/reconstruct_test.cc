@@ -1,0 +1,250 @@
+// What a run promises whatever the object: the same bytes, errors, summaries.
+#include "core/pipeline/reconstruct.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <functional>
+
+#include "core/base/error.h"
+#include "tests/core/pipeline/reconstruction_checks.h"
+
+namespace octacut {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::AnyOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::MeanDistance;
+
+struct SmallScene {
+  IndexedMesh reference;
+  Scene scene;
+  Region region;
+  ReconstructionOptions options;
+};
+
+// 32^3 to 64^3.
+SmallScene MakeSmallScene(const std::string& object = "torus") {
+  SceneSpec spec = QuickScene(object, 120, 90, 16);
+  spec.lighting.num_samples = 2;
+  const SyntheticScene synthetic = MakeScene(spec, Context(2));
+  SmallScene small;
+  small.reference = synthetic.reference;
+  small.scene = ToScene(synthetic);
+  small.region = EstimateRegion(
+      small.scene.views, small.scene.points, RegionOptions(), Context(2));
+  small.options.hull.hull_level = 5;
+  small.options.target_level = 6;
+  return small;
+}
+
+Reconstruction RunSmall(const SmallScene& small, const Context& context) {
+  return Reconstruct(small.scene, small.region, small.options, context);
+}
+
+TEST(Reconstruct, GivesTheSameBytesForAnyNumberOfThreads) {
+  const SmallScene small = MakeSmallScene("fingers");
+  const Reconstruction expected = RunSmall(small, Context(1));
+  EXPECT_GT(expected.mesh.triangles.size(), 1000u);
+  for (const int num_threads : {2, 4}) {
+    const Reconstruction again = RunSmall(small, Context(num_threads));
+    EXPECT_EQ(again.mesh.positions, expected.mesh.positions);
+    EXPECT_EQ(again.mesh.triangles, expected.mesh.triangles);
+    EXPECT_EQ(again.mesh.normals, expected.mesh.normals);
+    EXPECT_EQ(again.mesh.colors, expected.mesh.colors);
+    for (size_t i = 0; i < expected.summary.levels.size(); ++i) {
+      EXPECT_EQ(again.summary.levels[i].cut_cost,
+                expected.summary.levels[i].cut_cost);
+    }
+  }
+}
+
+TEST(Reconstruct, SaysWhatItHasDone) {
+  const SmallScene small = MakeSmallScene();
+  std::vector<int> observed;
+  std::vector<size_t> observed_triangles;
+  const Reconstruction result =
+      Reconstruct(small.scene,
+                  small.region,
+                  small.options,
+                  Context(2),
+                  [&](int level, const IndexedMesh& mesh) {
+                    observed.push_back(level);
+                    observed_triangles.push_back(mesh.triangles.size());
+                    const MeshAudit audit = AuditMesh(mesh);
+                    EXPECT_TRUE(audit.IsClosed()) << level;
+                    EXPECT_TRUE(audit.IsEdgeManifold()) << level;
+                    EXPECT_TRUE(audit.IsVertexManifold()) << level;
+                  });
+  EXPECT_THAT(observed, ElementsAre(-1, 5, 6));
+  EXPECT_GT(observed_triangles[2], 2 * observed_triangles[1]);
+
+  EXPECT_EQ(result.audit.DescribeFailure(), "");
+  EXPECT_EQ(result.mesh.normals.size(), result.mesh.positions.size());
+  EXPECT_EQ(result.mesh.colors.size(), result.mesh.positions.size());
+  const ReconstructionSummary& summary = result.summary;
+  EXPECT_GT(summary.hull.num_voxels, 1000u);
+  EXPECT_GT(summary.evidence.num_depths, summary.evidence.num_agreeing);
+  EXPECT_GT(summary.evidence.num_agreeing, 0u);
+  ASSERT_EQ(summary.levels.size(), 2u);
+  for (size_t i = 0; i < 2; ++i) {
+    const LevelSummary& level = summary.levels[i];
+    EXPECT_EQ(level.level, 5 + int(i));
+    EXPECT_EQ(level.resolution, 32 << i);
+    EXPECT_GT(level.num_crust_voxels, level.num_cut_voxels);
+    EXPECT_GT(level.num_cut_voxels, 500u);
+    EXPECT_GT(level.num_graph_nodes, 2 * level.num_crust_voxels);
+    EXPECT_GT(level.cut_cost, 0);
+    EXPECT_GE(level.consistency.num_voxels, level.num_crust_voxels);
+    EXPECT_LT(level.consistency.num_unseen, level.consistency.num_voxels / 2);
+    EXPECT_GT(level.consistency.mean, 0);
+    EXPECT_LT(level.consistency.mean, 1);
+  }
+  EXPECT_EQ(summary.levels[0].num_crust_voxels, summary.hull.num_voxels);
+}
+
+// A plain object of a known colour under even light.
+TEST(Reconstruct, ColorsAreThoseOfThePhotographs) {
+  SceneSpec spec = QuickScene("sphere", 120, 90, 12);
+  spec.texture.kind = TextureKind::kPlain;
+  spec.texture.color = {0.8f, 0.3f, 0.1f};
+  spec.lighting.num_samples = 2;
+  const Scene scene = ToScene(MakeScene(spec, Context(2)));
+  SmallScene small = MakeSmallScene("sphere");
+  small.scene = scene;
+  const Reconstruction result = RunSmall(small, Context(2));
+  size_t reddish = 0;
+  for (const auto& color : result.mesh.colors) {
+    reddish += color[0] > color[1] + 20 && color[1] > color[2];
+  }
+  EXPECT_GT(reddish, result.mesh.colors.size() * 9 / 10);
+}
+
+// Counts phases, and stops the run at the beginning of one of them.
+class Stopper : public ProgressSink {
+ public:
+  Stopper(int stop_at, std::atomic<bool>* stop)
+      : stop_at_(stop_at), stop_(stop) {}
+  void BeginPhase(std::string_view name, size_t) override {
+    if (int(phases.size()) == stop_at_) {
+      stop_->store(true);
+    }
+    phases.emplace_back(name);
+  }
+  void Advance(size_t) override {}
+  void EndPhase() override {}
+  void Info(std::string_view) override {}
+  void Warn(std::string_view) override {}
+
+  std::vector<std::string> phases;
+
+ private:
+  int stop_at_;
+  std::atomic<bool>* stop_;
+};
+
+TEST(Reconstruct, CanBeCancelledInEveryPhase) {
+  const SmallScene small = MakeSmallScene();
+  std::atomic<bool> stop{false};
+  Stopper counter(-1, &stop);
+  RunSmall(small, Context(2, &counter, &stop));
+  EXPECT_THAT(counter.phases, Contains("visual hull"));
+  EXPECT_THAT(counter.phases, Contains("photo-consistency"));
+  for (size_t phase = 0; phase < counter.phases.size(); ++phase) {
+    stop = false;
+    Stopper stopper(int(phase), &stop);
+    EXPECT_THROW(RunSmall(small, Context(2, &stopper, &stop)), CancelledError)
+        << counter.phases[phase];
+    EXPECT_EQ(stopper.phases.size(), phase + 1) << "it went on";
+  }
+  stop = true;
+  EXPECT_THROW(RunSmall(small, Context(1, nullptr, &stop)), CancelledError);
+  EXPECT_THROW(ReconstructHull(small.scene,
+                               small.region,
+                               VisualHullOptions(),
+                               SmoothOptions(),
+                               Context(1, nullptr, &stop)),
+               CancelledError);
+}
+
+TEST(Reconstruct, RefusesScenesItCannotUse) {
+  const SmallScene small = MakeSmallScene("sphere");
+  const auto message_for = [&](const std::function<void(Scene*)>& spoil) {
+    SmallScene spoilt = small;
+    // Views share their pixels: none is written to below.
+    spoil(&spoilt.scene);
+    try {
+      RunSmall(spoilt, Context(2));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_THAT(message_for([](Scene* scene) { scene->views.resize(2); }),
+              AllOf(HasSubstr("2 views"), HasSubstr("at least 3")));
+  EXPECT_THAT(message_for([](Scene* scene) { scene->views.clear(); }),
+              HasSubstr("0 views"));
+  EXPECT_THAT(
+      message_for([](Scene* scene) { scene->views[3].image = cv::Mat(); }),
+      AllOf(HasSubstr("view_003"), HasSubstr("image")));
+  EXPECT_THAT(
+      message_for([](Scene* scene) { scene->views[1].mask = cv::Mat(); }),
+      AllOf(HasSubstr("view_001"), HasSubstr("mask")));
+  EXPECT_THAT(message_for([](Scene* scene) {
+                for (View& view : scene->views) {
+                  view.mask = cv::Mat::zeros(view.mask.size(), CV_8UC1);
+                }
+              }),
+              AnyOf(HasSubstr("hull is empty"), HasSubstr("surface vanished")));
+}
+
+TEST(ReconstructHull, IsClosedAndNeedsNoImages) {
+  SmallScene small = MakeSmallScene();
+  for (View& view : small.scene.views) {
+    view.image = cv::Mat();
+  }
+  VisualHullOptions options;
+  options.hull_level = 6;
+  const HullReconstruction hull = ReconstructHull(
+      small.scene, small.region, options, SmoothOptions(), Context(2));
+  EXPECT_EQ(hull.audit.DescribeFailure(), "");
+  EXPECT_EQ(hull.audit.genus, 1);
+  EXPECT_EQ(hull.mesh.normals.size(), hull.mesh.positions.size());
+  EXPECT_GT(hull.audit.volume, AuditMesh(small.reference).volume);
+  for (View& view : small.scene.views) {
+    view.mask = cv::Mat::zeros(view.mask.size(), CV_8UC1);
+  }
+  EXPECT_THROW(
+      ReconstructHull(
+          small.scene, small.region, options, SmoothOptions(), Context(2)),
+      InputError);
+}
+
+TEST(EstimateReconstructionBytes, GrowsWithLevelCrustAndViews) {
+  Scene scene;
+  ReconstructionOptions options;
+  options.target_level = 9;
+  const size_t bytes = EstimateReconstructionBytes(scene, options);
+  // A crust of 512^3: at least a byte for each voxel of a band of six around
+  // six faces, and less than the 4 GB that a run of that size may take.
+  EXPECT_GT(bytes, size_t(6) * 512 * 512);
+  EXPECT_LT(bytes, size_t(4) << 30);
+  options.target_level = 10;
+  EXPECT_GT(EstimateReconstructionBytes(scene, options), 3 * bytes);
+  options.target_level = 9;
+  options.crust.crust_dilation = 4;
+  EXPECT_GT(EstimateReconstructionBytes(scene, options), bytes);
+  options.crust.crust_dilation = 2;
+  View view;
+  view.mask = cv::Mat::zeros(100, 200, CV_8UC1);
+  scene.views.push_back(view);
+  // Image and silhouette sums: at least 8 bytes a pixel.
+  EXPECT_GE(EstimateReconstructionBytes(scene, options), bytes + 8 * 100 * 200);
+}
+
+}  // namespace
+}  // namespace octacut

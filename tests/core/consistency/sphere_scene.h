@@ -1,0 +1,78 @@
+// A textured sphere with a thick shell of voxels around its surface, and their
+// true normals.
+#pragma once
+
+#include <vector>
+
+#include "core/consistency/photo_consistency.h"
+#include "tests/core/crust/labeled_shapes.h"
+#include "tests/core/views/test_scene.h"
+
+namespace octacut::testing {
+
+struct SphereScene {
+  static constexpr int kLevel = 6;
+  static constexpr double kRadius = 0.8;  // world units
+  TestScene test;
+  LabeledVoxels surface;
+  VoxelGrid shell;
+  std::vector<Eigen::Vector3f> normals;  // of the shell
+
+  // Voxels above the true surface.
+  double Height(MortonCode code) const {
+    const Eigen::Vector3d center =
+        VoxelCenter(DecodeMorton(code), kLevel).cast<double>();
+    return (ToWorld(test.region.cube, center).norm() - kRadius) /
+           test.VoxelSize(kLevel);
+  }
+
+  Visibility EstimateVisibility(const ViewSet& views) const {
+    return Visibility::Estimate(views,
+                                surface.voxels,
+                                surface.labels,
+                                kLevel,
+                                VisibilityOptions(),
+                                Context(2));
+  }
+  PhotoConsistency Estimate(const ConsistencyOptions& options,
+                            const ViewSet& views,
+                            const Context& context) const {
+    return EstimateConsistency(
+        views, shell, normals, EstimateVisibility(views), options, context);
+  }
+  PhotoConsistency Estimate(const ConsistencyOptions& options,
+                            const ViewSet& views) const {
+    return Estimate(options, views, Context(2));
+  }
+  PhotoConsistency Estimate(const ConsistencyOptions& options) const {
+    return Estimate(options, test.views);
+  }
+};
+
+// Fine texture: features of some five voxels.
+inline SceneSpec SphereSpec() {
+  SceneSpec spec = TestSpec("sphere", 200, 150, 16);
+  spec.texture.kind = TextureKind::kSpeckle;
+  spec.texture.scale = 0.18;
+  spec.reference.resolution = 64;
+  return spec;
+}
+
+inline SphereScene MakeSphereScene(const SceneSpec& spec) {
+  SphereScene sphere;
+  sphere.test = MakeTestScene(spec);
+  const double radius = SphereScene::kRadius / sphere.test.region.cube.edge;
+  const Eigen::Vector3d middle =
+      ToUnit(sphere.test.region.cube, Eigen::Vector3d::Zero());
+  sphere.surface = LabelSolid(Ball(middle, radius), SphereScene::kLevel, 4);
+  sphere.shell = sphere.surface.voxels;
+  sphere.shell.ForEach([&](VoxelGrid::Index, MortonCode code) {
+    sphere.normals.push_back(
+        (VoxelCenter(DecodeMorton(code), SphereScene::kLevel) -
+         middle.cast<float>())
+            .normalized());
+  });
+  return sphere;
+}
+
+}  // namespace octacut::testing

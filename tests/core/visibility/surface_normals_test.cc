@@ -1,0 +1,106 @@
+#include "core/visibility/surface_normals.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/crust/crust.h"
+#include "core/views/view_projection.h"
+#include "tests/core/crust/labeled_shapes.h"
+#include "tests/core/views/random_views.h"
+
+namespace octacut {
+namespace {
+
+using testing::Ball;
+using testing::OneLevel;
+
+const Eigen::Vector3d kMiddle(0.48, 0.51, 0.5);
+
+Crust CrustOfBall() {
+  return RefineCrust(
+      OneLevel(Ball(kMiddle, 0.35), 5), CrustOptions(), Context(2));
+}
+
+TEST(EstimateNormals, PointOutwardOfABall) {
+  const Crust crust = CrustOfBall();
+  const std::vector<Eigen::Vector3f> normals =
+      EstimateNormals(crust.voxels, crust.ties, crust.prior, 12, Context(2));
+  ASSERT_EQ(normals.size(), crust.voxels.Size());
+  std::vector<double> angles;
+  crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    const Eigen::Vector3d center =
+        VoxelCenter(DecodeMorton(code), crust.voxels.Level()).cast<double>();
+    ASSERT_NEAR(normals[index].norm(), 1, 1e-4);
+    angles.push_back(std::acos(std::min(1.0,
+                                        normals[index].cast<double>().dot(
+                                            (center - kMiddle).normalized()))) *
+                     180 / std::numbers::pi);
+  });
+  std::sort(angles.begin(), angles.end());
+  EXPECT_LT(angles[angles.size() / 2], 6);
+  EXPECT_LT(angles[angles.size() * 95 / 100], 18);
+}
+
+TEST(EstimateNormals, OfAPlaneAreExact) {
+  // A whole slab of the cube: inside below, tied so at both sides.
+  std::vector<MortonCode> codes;
+  for (int i = 0; i < 16 * 16; ++i) {
+    for (int z = 5; z < 11; ++z) {
+      codes.push_back(EncodeMorton(i % 16, i / 16, z));
+    }
+  }
+  const VoxelGrid slab = VoxelGrid::FromCodes(4, codes);
+  std::vector<FaceTies> ties(slab.Size(), 0);
+  std::vector<float> prior(slab.Size());
+  slab.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    const int z = DecodeMorton(code).z();
+    prior[index] = z < 8 ? 1 : 0;
+    if (z == 5) {
+      ties[index] = InsideTie(4);
+    } else if (z == 10) {
+      ties[index] = OutsideTie(5);
+    }
+  });
+  const std::vector<Eigen::Vector3f> normals =
+      EstimateNormals(slab, ties, prior, 4, Context(1));
+  // Far from the slab's rim.
+  for (int z = 6; z < 10; ++z) {
+    const Eigen::Vector3f normal = normals[slab.Find(Eigen::Vector3i(8, 8, z))];
+    EXPECT_LT((normal - Eigen::Vector3f::UnitZ()).norm(), 1e-3) << z;
+  }
+}
+
+TEST(EstimateNormals, AreZeroWithoutAGradient) {
+  std::vector<MortonCode> codes;
+  for (MortonCode code = 0; code < 512; ++code) {
+    codes.push_back(code);
+  }
+  const VoxelGrid cube = VoxelGrid::FromCodes(3, codes);
+  std::vector<FaceTies> ties(cube.Size(), 0);
+  cube.ForEach([&](VoxelGrid::Index index, MortonCode) {
+    for (int face = 0; face < kNumFaces; ++face) {
+      ties[index] |= InsideTie(face);
+    }
+  });
+  for (const Eigen::Vector3f& normal : EstimateNormals(
+           cube, ties, std::vector<float>(cube.Size(), 1), 3, Context(1))) {
+    EXPECT_EQ(normal, Eigen::Vector3f::Zero());
+  }
+}
+
+TEST(EstimateNormals, AreTheSameForAnyNumberOfThreads) {
+  const Crust crust = CrustOfBall();
+  const auto estimate = [&](int num_threads) {
+    return EstimateNormals(
+        crust.voxels, crust.ties, crust.prior, 5, Context(num_threads));
+  };
+  const std::vector<Eigen::Vector3f> expected = estimate(1);
+  EXPECT_EQ(estimate(2), expected);
+  EXPECT_EQ(estimate(4), expected);
+}
+
+}  // namespace
+}  // namespace octacut

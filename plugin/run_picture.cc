@@ -10,7 +10,7 @@ namespace octacut {
 namespace {
 
 // Wide enough to judge a surface by, small enough to look at.
-constexpr int kLongestSide = 900;
+constexpr int kLongestSide = 600;
 
 size_t ViewOfMostObject(const Scene& scene) {
   size_t best = 0;

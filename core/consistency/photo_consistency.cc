@@ -1,5 +1,7 @@
 #include "core/consistency/photo_consistency.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -141,7 +143,9 @@ PhotoConsistency EstimateConsistency(
     const ConsistencyOptions& options,
     const Context& context) {
   options.Check();
-  Phase phase(context, "photo-consistency", voxels.Size());
+  Phase phase(context,
+              fmt::format("photo-consistency of level {}", voxels.Level()),
+              voxels.Size());
   PhotoConsistency result;
   result.phi.resize(voxels.Size());
   const float spacing = 1.0f / float(voxels.Resolution());

@@ -42,9 +42,8 @@ Crust RefineCrust(const LabelHierarchy& hierarchy,
                   const Context& context);
 
 // `crust` grown by `steps` dilations around the cut voxels that touch its
-// border where it could grow (the voxel across is no hull exterior of l0);
-// the number of voxels grown from comes back in `num_border`. The same crust
-// when there is none.
+// border; the number of voxels grown from comes back in `num_border`. The same
+// crust when there is none.
 Crust GrowCrust(const LabelHierarchy& hierarchy,
                 const Crust& crust,
                 const std::vector<FaceLabels>& labels,

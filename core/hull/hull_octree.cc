@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 
 namespace octacut {
@@ -78,6 +79,20 @@ bool HullOctree::IsInside(MortonCode code) const {
     code = ParentCode(code);
   }
   return false;
+}
+
+bool HullOctree::IsEmpty() const {
+  return mixed.empty() &&
+         std::all_of(inside.begin(), inside.end(), [](const auto& codes) {
+           return codes.empty();
+         });
+}
+
+void ThrowEmptyHull() {
+  throw InputError(
+      "the visual hull is empty: no part of the region is object in every "
+      "view (do masks and cameras belong together, and is the bounding box "
+      "right?)");
 }
 
 HullOctree RefineHull(const ViewSet& views,

@@ -22,7 +22,11 @@ struct HullOctree {
 
   // Whether a voxel of `level` is inside as a descendant of one of `inside`.
   bool IsInside(MortonCode code) const;
+  bool IsEmpty() const;
 };
+
+// Throws the InputError of a hull that is empty.
+[[noreturn]] void ThrowEmptyHull();
 
 // Conservative footprint tests down to `level`; `box` (unit coordinates)
 // clips.

@@ -32,6 +32,9 @@ LabeledVoxels ComputeHullSurface(const ViewSet& views,
                                  const Context& context) {
   options.Check();
   const HullOctree octree = RefineHull(views, box, options.hull_level, context);
+  if (octree.IsEmpty()) {
+    ThrowEmptyHull();
+  }
   LabeledVoxels crust;
   crust.voxels = VoxelGrid::FromCodes(octree.level, octree.mixed);
   crust.labels.assign(crust.voxels.Size(), 0);

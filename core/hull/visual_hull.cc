@@ -31,10 +31,7 @@ VisualHull ComputeVisualHull(const ViewSet& views,
   }
   hull.summary.num_voxels = hull.voxels.Size();
   if (hull.voxels.Empty()) {
-    throw InputError(
-        "the visual hull is empty: no part of the region is object in every "
-        "view (do masks and cameras belong together, and is the bounding box "
-        "right?)");
+    ThrowEmptyHull();
   }
   return hull;
 }

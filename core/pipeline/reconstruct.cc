@@ -13,13 +13,13 @@
 namespace octacut {
 namespace {
 
-void CheckScene(const Scene& scene) {
+void CheckScene(const Scene& scene, bool needs_images) {
   if (scene.views.size() < 3) {
     throw InputError(
         fmt::format("{} views: at least 3 are needed", scene.views.size()));
   }
   for (const View& view : scene.views) {
-    if (view.image.empty() || view.mask.empty()) {
+    if ((needs_images && view.image.empty()) || view.mask.empty()) {
       throw InputError(view.name + ": the view has no image or no mask");
     }
   }
@@ -59,7 +59,7 @@ Reconstruction Reconstruct(const Scene& scene,
                            const Context& context,
                            const LevelObserver& observer) {
   options.Check();
-  CheckScene(scene);
+  CheckScene(scene, true);
   Reconstruction result;
   ReconstructionSummary& summary = result.summary;
   Stopwatch stopwatch;
@@ -119,6 +119,7 @@ HullReconstruction ReconstructHull(const Scene& scene,
                                    const VisualHullOptions& hull,
                                    const SmoothOptions& smoothing,
                                    const Context& context) {
+  CheckScene(scene, false);
   const ViewSet views = PrepareViews(scene, region.cube, context);
   const LabeledVoxels surface =
       ComputeHullSurface(views, BoxInUnitCoordinates(region), hull, context);

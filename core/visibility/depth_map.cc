@@ -15,8 +15,8 @@ void DepthMap::Splat(float u, float v, float radius, float depth) {
   const float x = u * scale_;
   const float y = v * scale_;
   // Pixels whose centre the splat covers, at least the one below its centre.
-  const int x0 = std::max(0, int(std::lround(x - radius)));
-  const int y0 = std::max(0, int(std::lround(y - radius)));
+  const int x0 = std::max(0, std::min(int(x), int(std::lround(x - radius))));
+  const int y0 = std::max(0, std::min(int(y), int(std::lround(y - radius))));
   const int x1 =
       std::min(width_ - 1, std::max(int(x), int(std::lround(x + radius)) - 1));
   const int y1 =

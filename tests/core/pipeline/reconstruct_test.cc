@@ -153,7 +153,7 @@ TEST(Reconstruct, CanBeCancelledInEveryPhase) {
   Stopper counter(-1, &stop);
   RunSmall(small, Context(2, &counter, &stop));
   EXPECT_THAT(counter.phases, Contains("visual hull"));
-  EXPECT_THAT(counter.phases, Contains("photo-consistency"));
+  EXPECT_THAT(counter.phases, Contains("photo-consistency of level 6"));
   for (size_t phase = 0; phase < counter.phases.size(); ++phase) {
     stop = false;
     Stopper stopper(int(phase), &stop);

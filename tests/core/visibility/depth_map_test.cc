@@ -47,9 +47,9 @@ TEST(DepthMap, SplatsAreSquaresOfTheirRadius) {
 
 TEST(DepthMap, TheSmallestSplatHasAPixel) {
   DepthMap map = MakeMap(1);
-  map.Splat(10.2f, 20.4f, 0.01f, 2);
-  EXPECT_EQ(map.At(10.2f, 20.4f), 2);
-  EXPECT_EQ(map.At(12.2f, 20.4f), DepthMap::kEmpty);
+  map.Splat(10.2f, 20.9f, 0.01f, 2);
+  EXPECT_EQ(map.At(10.2f, 20.9f), 2);
+  EXPECT_EQ(map.At(12.2f, 20.9f), DepthMap::kEmpty);
 }
 
 TEST(DepthMap, IsEmptyOutOfTheFrame) {

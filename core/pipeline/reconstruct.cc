@@ -119,6 +119,8 @@ HullReconstruction ReconstructHull(const Scene& scene,
                                    const VisualHullOptions& hull,
                                    const SmoothOptions& smoothing,
                                    const Context& context) {
+  hull.Check();
+  smoothing.Check();
   CheckScene(scene, false);
   const ViewSet views = PrepareViews(scene, region.cube, context);
   const LabeledVoxels surface =

@@ -119,7 +119,9 @@ void Search(FlowState& state,
     return;
   }
   std::unique_ptr<SearchForest> forest;
-  tbb::task_arena arena(context.NumThreads());
+  // More threads than cores would gain nothing, and oneTBB would complain.
+  tbb::task_arena arena(
+      std::min(context.NumThreads(), tbb::this_task_arena::max_concurrency()));
   arena.execute([&] {
     forest = SearchRegions(state, ends, 0, ends.size(), source_share, context);
   });

@@ -145,7 +145,7 @@ SearchPlan PlanSearch(const OctahedralCutProblem& problem,
   constexpr double kThick = 12;
   SearchPlan plan;
   if (thickness > kThick || !problem.evidence.empty()) {
-    plan.region_voxels = 1 << 17;
+    plan.region_voxels = 1 << 20;
     plan.source_share = 0;
   } else {
     // Some eight thicknesses wide.

@@ -2,29 +2,38 @@
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 #include "tests/bench/explicit_graph.h"
 
 namespace octacut {
 namespace {
 
-using Graph = boost::compressed_sparse_row_graph<boost::directedS>;
+// As compact as Boost allows: 32-bit numbers of vertices and arcs, and the
+// residuals double as capacities. 20 bytes an arc.
+using Graph = boost::compressed_sparse_row_graph<boost::directedS,
+                                                 boost::no_property,
+                                                 boost::no_property,
+                                                 boost::no_property,
+                                                 uint32_t,
+                                                 uint32_t>;
 using Vertex = boost::graph_traits<Graph>::vertex_descriptor;
 using Arc = boost::graph_traits<Graph>::edge_descriptor;
 
 struct FlowNetwork {
   Graph graph;
-  std::vector<int64_t> capacity, residual;
+  std::vector<int64_t> residual;
   std::vector<Arc> reverse;
 };
 
 // Calls body(a, b, capacity, reverse capacity) for every pair of arcs.
 template <typename Body>
 void ForEachArcPair(const ExplicitGraph& graph, Body&& body) {
-  for (const ExplicitGraph::Edge& edge : graph.edges) {
-    body(edge.a, edge.b, edge.capacity, edge.capacity);
-  }
+  graph.ForEachEdge([&](uint32_t a, uint32_t b, int32_t capacity) {
+    body(a, b, int64_t{capacity}, int64_t{capacity});
+  });
   for (uint32_t v = ExplicitGraph::kFirstNode; v < graph.num_vertices; ++v) {
     if (graph.terminal[v] > 0) {
       body(ExplicitGraph::kSource, v, graph.terminal[v], int64_t{0});
@@ -34,36 +43,99 @@ void ForEachArcPair(const ExplicitGraph& graph, Body&& body) {
   }
 }
 
-FlowNetwork BuildNetwork(const ExplicitGraph& graph) {
-  std::vector<size_t> next(graph.num_vertices + 1, 0);
-  ForEachArcPair(graph, [&](uint32_t a, uint32_t b, int64_t, int64_t) {
-    ++next[a + 1];
-    ++next[b + 1];
-  });
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  FlowNetwork network;
-  const size_t num_arcs = next.back();
-  std::vector<std::pair<uint32_t, uint32_t>> ends(num_arcs);
-  std::vector<size_t> reverse(num_arcs);
-  network.capacity.resize(num_arcs);
+// Calls body(ab, ba, a, b, capacity, reverse capacity) with the numbers of the
+// arcs; `first` holds the number of each vertex's first arc.
+template <typename Body>
+void ForEachNumberedArcPair(const ExplicitGraph& graph,
+                            std::vector<uint32_t> first,
+                            Body&& body) {
   ForEachArcPair(
       graph, [&](uint32_t a, uint32_t b, int64_t forward, int64_t backward) {
-        const size_t ab = next[a]++;
-        const size_t ba = next[b]++;
-        ends[ab] = {a, b};
-        ends[ba] = {b, a};
-        network.capacity[ab] = forward;
-        network.capacity[ba] = backward;
-        reverse[ab] = ba;
-        reverse[ba] = ab;
+        const uint32_t ab = first[a]++;
+        body(ab, first[b]++, a, b, forward, backward);
       });
-  network.graph = Graph(
-      boost::edges_are_sorted, ends.begin(), ends.end(), graph.num_vertices);
+}
+
+// The ends of arcs in order, made as they are asked for.
+class ArcEnds {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = std::pair<uint32_t, uint32_t>;
+  using difference_type = ptrdiff_t;
+  using pointer = const value_type*;
+  using reference = const value_type&;
+
+  ArcEnds(const std::vector<uint32_t>& first,
+          const std::vector<uint32_t>& heads,
+          uint32_t arc)
+      : first_(&first), heads_(&heads), arc_(arc) {
+    Load();
+  }
+  reference operator*() const { return ends_; }
+  pointer operator->() const { return &ends_; }
+  ArcEnds& operator++() {
+    ++arc_;
+    Load();
+    return *this;
+  }
+  bool operator==(const ArcEnds& other) const { return arc_ == other.arc_; }
+  bool operator!=(const ArcEnds& other) const { return arc_ != other.arc_; }
+
+ private:
+  void Load() {
+    if (arc_ < heads_->size()) {
+      while ((*first_)[ends_.first + 1] <= arc_) {
+        ++ends_.first;
+      }
+      ends_.second = (*heads_)[arc_];
+    }
+  }
+
+  const std::vector<uint32_t>* first_;
+  const std::vector<uint32_t>* heads_;
+  uint32_t arc_;
+  value_type ends_ = {0, 0};
+};
+
+FlowNetwork BuildNetwork(const ExplicitGraph& graph) {
+  std::vector<uint32_t> first(graph.num_vertices + 1, 0);
+  ForEachArcPair(graph, [&](uint32_t a, uint32_t b, int64_t, int64_t) {
+    ++first[a + 1];
+    ++first[b + 1];
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  const uint32_t num_arcs = first.back();
+  FlowNetwork network;
+  {
+    std::vector<uint32_t> heads(num_arcs);
+    ForEachNumberedArcPair(
+        graph,
+        first,
+        [&](uint32_t ab, uint32_t ba, uint32_t a, uint32_t b, auto...) {
+          heads[ab] = b;
+          heads[ba] = a;
+        });
+    network.graph = Graph(boost::edges_are_sorted,
+                          ArcEnds(first, heads, 0),
+                          ArcEnds(first, heads, num_arcs),
+                          graph.num_vertices,
+                          num_arcs);
+  }
   network.residual.resize(num_arcs);
   network.reverse.resize(num_arcs);
-  for (size_t arc = 0; arc < num_arcs; ++arc) {
-    network.reverse[arc] = Arc(ends[reverse[arc]].first, reverse[arc]);
-  }
+  ForEachNumberedArcPair(graph,
+                         first,
+                         [&](uint32_t ab,
+                             uint32_t ba,
+                             uint32_t a,
+                             uint32_t b,
+                             int64_t forward,
+                             int64_t backward) {
+                           network.residual[ab] = forward;
+                           network.residual[ba] = backward;
+                           network.reverse[ab] = Arc(b, ba);
+                           network.reverse[ba] = Arc(a, ab);
+                         });
   return network;
 }
 
@@ -73,7 +145,7 @@ int64_t MaximumFlow(FlowNetwork& network) {
   const auto vertex_index = get(boost::vertex_index, network.graph);
   std::vector<Arc> predecessor(n);
   std::vector<boost::default_color_type> color(n);
-  std::vector<long> distance(n);
+  std::vector<int32_t> distance(n);
   const auto by_arc = [&](auto& values) {
     return boost::make_iterator_property_map(values.begin(), arc_index);
   };
@@ -81,7 +153,7 @@ int64_t MaximumFlow(FlowNetwork& network) {
     return boost::make_iterator_property_map(values.begin(), vertex_index);
   };
   return boost::boykov_kolmogorov_max_flow(network.graph,
-                                           by_arc(network.capacity),
+                                           by_arc(network.residual),
                                            by_arc(network.residual),
                                            by_arc(network.reverse),
                                            by_vertex(predecessor),

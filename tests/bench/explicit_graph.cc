@@ -33,11 +33,9 @@ void NumberVertices(const VoxelGrid& crust,
 // Terminal arcs are summed by vertex: {from the source, to the sink}.
 using TerminalArcs = std::vector<std::array<int64_t, 2>>;
 
-void AddVoxel(size_t voxel,
-              int64_t weight,
-              ExplicitGraph& graph,
-              TerminalArcs& terminal) {
+void AddVoxel(size_t voxel, ExplicitGraph& graph, TerminalArcs& terminal) {
   const auto& vertices = graph.vertices[voxel];
+  const int64_t weight = graph.weights[voxel];
   for (int f = 0; f < kNumFaces; ++f) {
     for (int g = f + 1; g < kNumFaces; ++g) {
       const auto [a, b] = std::minmax(vertices[f], vertices[g]);
@@ -49,7 +47,7 @@ void AddVoxel(size_t voxel,
       } else if (a < ExplicitGraph::kFirstNode) {
         terminal[b][a] += weight;
       } else {
-        graph.edges.push_back({a, b, weight});
+        ++graph.num_edges;
       }
     }
   }
@@ -77,9 +75,10 @@ ExplicitGraph BuildExplicitGraph(const OctahedralCutProblem& problem,
   ExplicitGraph graph;
   NumberVertices(*problem.crust, merged_ties, graph);
   TerminalArcs terminal(graph.num_vertices, {0, 0});
-  graph.edges.reserve(12 * problem.crust->Size());
+  graph.weights.resize(problem.crust->Size());
   for (size_t i = 0; i < problem.crust->Size(); ++i) {
-    AddVoxel(i, FixedWeight(problem.weights[i]), graph, terminal);
+    graph.weights[i] = FixedWeight(problem.weights[i]);
+    AddVoxel(i, graph, terminal);
   }
   AddEvidence(problem, graph, terminal);
   graph.terminal.resize(graph.num_vertices, 0);

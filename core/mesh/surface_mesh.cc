@@ -4,6 +4,9 @@
 
 #include "core/base/error.h"
 
+template class OpenMesh::PropertyT<octacut::SurfaceMesh::Point>;
+template class OpenMesh::PropertyT<octacut::SurfaceMesh::Color>;
+
 namespace octacut {
 namespace {
 
@@ -44,11 +47,9 @@ SurfaceMesh ToSurfaceMesh(const IndexedMesh& mesh) {
   result.reserve(
       mesh.positions.size(), num_triangles + num_triangles / 2, num_triangles);
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
-    const Eigen::Vector3d& p = mesh.positions[v];
-    const auto vertex = result.add_vertex({p.x(), p.y(), p.z()});
+    const auto vertex = result.add_vertex(mesh.positions[v]);
     if (has_normals) {
-      const Eigen::Vector3f& n = mesh.normals[v];
-      result.set_normal(vertex, {n.x(), n.y(), n.z()});
+      result.set_normal(vertex, mesh.normals[v].cast<double>());
     }
     if (has_colors) {
       const std::array<uint8_t, 3>& c = mesh.colors[v];
@@ -86,29 +87,30 @@ SurfaceMesh ToSurfaceMesh(const IndexedMesh& mesh) {
 
 IndexedMesh ToIndexedMesh(const SurfaceMesh& mesh) {
   IndexedMesh result;
-  // Deleted elements are left out.
-  std::vector<uint32_t> index(mesh.n_vertices(), 0);
-  for (const auto vertex : mesh.vertices()) {
-    index[vertex.idx()] = uint32_t(result.positions.size());
-    const OpenMesh::Vec3d& p = mesh.point(vertex);
-    result.positions.emplace_back(p[0], p[1], p[2]);
-    if (mesh.has_vertex_normals()) {
-      const OpenMesh::Vec3f& n = mesh.normal(vertex);
-      result.normals.emplace_back(n[0], n[1], n[2]);
+  const size_t num_vertices = mesh.n_vertices();
+  result.positions.assign(mesh.points(), mesh.points() + num_vertices);
+  if (mesh.has_vertex_normals()) {
+    result.normals.reserve(num_vertices);
+    for (const auto vertex : mesh.vertices()) {
+      result.normals.push_back(mesh.normal(vertex).cast<float>());
     }
-    if (mesh.has_vertex_colors()) {
+  }
+  if (mesh.has_vertex_colors()) {
+    result.colors.reserve(num_vertices);
+    for (const auto vertex : mesh.vertices()) {
       const OpenMesh::Vec3uc& c = mesh.color(vertex);
       result.colors.push_back({c[0], c[1], c[2]});
     }
   }
   result.triangles.reserve(mesh.n_faces());
   for (const auto face : mesh.faces()) {
-    std::array<uint32_t, 3> triangle{};
-    int i = 0;
-    for (auto v = mesh.cfv_iter(face); v.is_valid() && i < 3; ++v) {
-      triangle[i++] = index[v->idx()];
+    // The half-edge of a face leads to its first corner.
+    auto edge = mesh.halfedge_handle(face);
+    std::array<uint32_t, 3>& triangle = result.triangles.emplace_back();
+    for (uint32_t& corner : triangle) {
+      corner = uint32_t(mesh.to_vertex_handle(edge).idx());
+      edge = mesh.next_halfedge_handle(edge);
     }
-    result.triangles.push_back(triangle);
   }
   return result;
 }

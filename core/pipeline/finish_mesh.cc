@@ -14,13 +14,13 @@ namespace octacut {
 namespace {
 
 constexpr size_t kVertexGrain = 1024;
-constexpr std::array<uint8_t, 3> kUnseenColor = {128, 128, 128};
+constexpr uint8_t kUnseenGrey = 128;
 
 // Mean colour of the selected views at a point.
-std::array<uint8_t, 3> BlendColor(const ViewSet& views,
-                                  const Visibility::Selection& selection,
-                                  const Eigen::Vector3f& point,
-                                  float spacing) {
+SurfaceMesh::Color BlendColor(const ViewSet& views,
+                              const Visibility::Selection& selection,
+                              const Eigen::Vector3f& point,
+                              float spacing) {
   Float4 sum = {0, 0, 0, 0};
   float weights = 0;
   for (int i = 0; i < selection.count; ++i) {
@@ -34,7 +34,7 @@ std::array<uint8_t, 3> BlendColor(const ViewSet& views,
     weights += selection.views[i].weight;
   }
   if (weights == 0) {
-    return kUnseenColor;
+    return {kUnseenGrey, kUnseenGrey, kUnseenGrey};
   }
   sum /= weights;
   const auto channel = [&](int i) { return uint8_t(std::lround(sum[i])); };
@@ -85,8 +85,8 @@ void ColorMesh(const ViewSet& views,
                const BoundingCube& cube,
                const VisibilityOptions& options,
                const Context& context,
-               IndexedMesh* mesh) {
-  Phase phase(context, "vertex colours", mesh->positions.size());
+               SurfaceMesh* mesh) {
+  Phase phase(context, "vertex colours", mesh->n_vertices());
   const Visibility visibility = Visibility::Estimate(views,
                                                      surface.voxels,
                                                      surface.labels,
@@ -94,23 +94,24 @@ void ColorMesh(const ViewSet& views,
                                                      options,
                                                      context);
   const float spacing = 1.0f / float(surface.voxels.Resolution());
-  mesh->colors.resize(mesh->positions.size());
-  ParallelFor(context,
-              mesh->positions.size(),
-              kVertexGrain,
-              [&](size_t begin, size_t end) {
-                for (size_t i = begin; i < end; ++i) {
-                  const Eigen::Vector3f point =
-                      ((mesh->positions[i] - cube.min_corner) / cube.edge)
-                          .cast<float>();
-                  mesh->colors[i] =
-                      BlendColor(views,
-                                 visibility.Select(point, mesh->normals[i]),
-                                 point,
-                                 spacing);
-                }
-                phase.Advance(end - begin);
-              });
+  if (!mesh->has_vertex_colors()) {
+    mesh->request_vertex_colors();
+  }
+  ParallelFor(
+      context, mesh->n_vertices(), kVertexGrain, [&](size_t begin, size_t end) {
+        for (size_t v = begin; v < end; ++v) {
+          const SurfaceMesh::VertexHandle vertex{int(v)};
+          const Eigen::Vector3f point =
+              ((mesh->point(vertex) - cube.min_corner) / cube.edge)
+                  .cast<float>();
+          const Eigen::Vector3f normal = mesh->normal(vertex).cast<float>();
+          mesh->set_color(
+              vertex,
+              BlendColor(
+                  views, visibility.Select(point, normal), point, spacing));
+        }
+        phase.Advance(end - begin);
+      });
 }
 
 }  // namespace octacut

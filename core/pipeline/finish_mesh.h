@@ -4,6 +4,7 @@
 #include "core/base/context.h"
 #include "core/grid/labeled_voxels.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/surface_mesh.h"
 #include "core/pipeline/options.h"
 #include "core/pipeline/reconstruct.h"
 #include "core/scene/scene.h"
@@ -33,6 +34,6 @@ void ColorMesh(const ViewSet& views,
                const BoundingCube& cube,
                const VisibilityOptions& options,
                const Context& context,
-               IndexedMesh* mesh);
+               SurfaceMesh* mesh);
 
 }  // namespace octacut

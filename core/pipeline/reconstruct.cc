@@ -99,8 +99,8 @@ Reconstruction Reconstruct(const Scene& scene,
   }
 
   stopwatch.Lap();
-  result.mesh =
-      FinalMesh(hierarchy.Finest(), region.cube, options, context, &summary);
+  result.mesh = ToSurfaceMesh(
+      FinalMesh(hierarchy.Finest(), region.cube, options, context, &summary));
   summary.meshing_seconds = stopwatch.Lap();
   ColorMesh(views,
             hierarchy.Finest(),
@@ -109,7 +109,7 @@ Reconstruction Reconstruct(const Scene& scene,
             context,
             &result.mesh);
   summary.coloring_seconds = stopwatch.Lap();
-  result.audit = AuditMesh(result.mesh, context);
+  result.audit = AuditMesh(ToIndexedMesh(result.mesh), context);
   CheckAudit(result.audit);
   return result;
 }
@@ -129,8 +129,9 @@ HullReconstruction ReconstructHull(const Scene& scene,
   options.smoothing = smoothing;
   ReconstructionSummary summary;
   HullReconstruction result;
-  result.mesh = FinalMesh(surface, region.cube, options, context, &summary);
-  result.audit = AuditMesh(result.mesh, context);
+  result.mesh = ToSurfaceMesh(
+      FinalMesh(surface, region.cube, options, context, &summary));
+  result.audit = AuditMesh(ToIndexedMesh(result.mesh), context);
   CheckAudit(result.audit);
   return result;
 }

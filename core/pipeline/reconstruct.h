@@ -10,6 +10,7 @@
 #include "core/mesh/audit.h"
 #include "core/mesh/extract_surface.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/surface_mesh.h"
 #include "core/pipeline/options.h"
 #include "core/scene/region.h"
 #include "core/scene/scene.h"
@@ -47,8 +48,9 @@ struct ReconstructionSummary {
 };
 
 struct Reconstruction {
-  IndexedMesh mesh;  // world coordinates, with normals and colours
-  MeshAudit audit;   // of `mesh`; CheckAudit(audit) has passed
+  SurfaceMesh mesh;  // world coordinates, with normals and colours
+  // Of ToIndexedMesh(mesh), as it is written; CheckAudit(audit) has passed.
+  MeshAudit audit;
   ReconstructionSummary summary;
 };
 
@@ -65,8 +67,8 @@ Reconstruction Reconstruct(const Scene& scene,
                            const LevelObserver& observer = nullptr);
 
 struct HullReconstruction {
-  IndexedMesh mesh;  // world coordinates, with normals
-  MeshAudit audit;   // of `mesh`; CheckAudit(audit) has passed
+  SurfaceMesh mesh;  // world coordinates, with normals
+  MeshAudit audit;   // as that of a Reconstruction
 };
 
 // The visual hull alone, from silhouettes (images are not needed). Throws as

@@ -66,10 +66,10 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
       double(EstimateReconstructionBytes(loaded.scene, meshing_)) / 1e9));
   const Reconstruction result =
       Reconstruct(loaded.scene, loaded.region, meshing_, context, observer);
-  WriteMesh(workspace_.output_path, result.mesh);
+  const IndexedMesh mesh = ToIndexedMesh(result.mesh);
+  WriteMesh(workspace_.output_path, mesh);
   if (picture_) {
-    WriteRunPicture(
-        workspace_.Beside(".png"), loaded.scene, result.mesh, context);
+    WriteRunPicture(workspace_.Beside(".png"), loaded.scene, mesh, context);
   }
 
   Json report = MakeReport(environment);

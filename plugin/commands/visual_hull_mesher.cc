@@ -42,7 +42,7 @@ void VisualHullMesher::Run(const CommandEnvironment& environment) {
       workspace_.workspace_path, workspace_.loading, hull_.hull_level, context);
   const HullReconstruction result =
       ReconstructHull(loaded.scene, loaded.region, hull_, smoothing_, context);
-  WriteMesh(workspace_.output_path, result.mesh);
+  WriteMesh(workspace_.output_path, ToIndexedMesh(result.mesh));
 
   Json report = MakeReport(environment);
   report["mesh_path"] = workspace_.output_path.string();

@@ -21,12 +21,12 @@ constexpr double kPi = std::numbers::pi;
 // Closed, manifold, oriented outward, and as near to the reference as half a
 // voxel in the mean, both ways.
 void ExpectNearReference(const ReconstructedScene& scene) {
-  const Reconstruction& result = scene.result;
-  EXPECT_EQ(result.audit.DescribeFailure(), "");
-  EXPECT_EQ(AuditMesh(result.mesh).DescribeFailure(), "");
+  const IndexedMesh& mesh = scene.mesh;
+  EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(mesh).DescribeFailure(), "");
   const IndexedMesh& reference = scene.synthetic.reference;
-  EXPECT_LT(MeanDistance(result.mesh, reference), 0.5 * scene.VoxelSize());
-  EXPECT_LT(MeanDistance(reference, result.mesh), 0.5 * scene.VoxelSize());
+  EXPECT_LT(MeanDistance(mesh, reference), 0.5 * scene.VoxelSize());
+  EXPECT_LT(MeanDistance(reference, mesh), 0.5 * scene.VoxelSize());
 }
 
 TEST(Reconstruct, Sphere) {
@@ -70,7 +70,7 @@ TEST(Reconstruct, ACupAsDeepAsWideIsHollow) {
   const ReconstructedScene scene =
       ReconstructScene(spec, QuickOptions(), from_above);
   EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
-  const InsideTest inside(scene.result.mesh);
+  const InsideTest inside(scene.mesh);
   const auto ring = [&](double radius, double z, bool expected) {
     int correct = 0;
     for (int i = 0; i < 12; ++i) {
@@ -107,9 +107,9 @@ TEST(Reconstruct, RodsOfThreeVoxelsAtTheHullsLevelAreStillThere) {
             3.2 * scene.region.cube.VoxelSize(options.hull.hull_level));
   EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
   EXPECT_EQ(scene.result.audit.num_components, 1u);
-  EXPECT_LT(MeanDistance(scene.result.mesh, scene.synthetic.reference),
+  EXPECT_LT(MeanDistance(scene.mesh, scene.synthetic.reference),
             scene.VoxelSize());
-  const InsideTest inside(scene.result.mesh);
+  const InsideTest inside(scene.mesh);
   const Eigen::Matrix3d tilt =
       Eigen::AngleAxisd(20 * kPi / 180, Eigen::Vector3d(1, 1, 0.3).normalized())
           .toRotationMatrix();
@@ -129,7 +129,7 @@ TEST(Reconstruct, TouchingSpheresAreAManifold) {
   EXPECT_GE(scene.result.audit.num_components, 1u);
   EXPECT_LE(scene.result.audit.num_components, 2u);
   EXPECT_EQ(scene.result.audit.genus, 0);
-  const InsideTest inside(scene.result.mesh);
+  const InsideTest inside(scene.mesh);
   EXPECT_TRUE(inside({-0.5, 0, 0}));
   EXPECT_TRUE(inside({0.5, 0, 0}));
   for (const double y : {-0.25, 0.25}) {

@@ -49,13 +49,15 @@ Reconstruction RunSmall(const SmallScene& small, const Context& context) {
 TEST(Reconstruct, GivesTheSameBytesForAnyNumberOfThreads) {
   const SmallScene small = MakeSmallScene("fingers");
   const Reconstruction expected = RunSmall(small, Context(1));
-  EXPECT_GT(expected.mesh.triangles.size(), 1000u);
+  const IndexedMesh expected_mesh = ToIndexedMesh(expected.mesh);
+  EXPECT_GT(expected_mesh.triangles.size(), 1000u);
   for (const int num_threads : {2, 4}) {
     const Reconstruction again = RunSmall(small, Context(num_threads));
-    EXPECT_EQ(again.mesh.positions, expected.mesh.positions);
-    EXPECT_EQ(again.mesh.triangles, expected.mesh.triangles);
-    EXPECT_EQ(again.mesh.normals, expected.mesh.normals);
-    EXPECT_EQ(again.mesh.colors, expected.mesh.colors);
+    const IndexedMesh mesh = ToIndexedMesh(again.mesh);
+    EXPECT_EQ(mesh.positions, expected_mesh.positions);
+    EXPECT_EQ(mesh.triangles, expected_mesh.triangles);
+    EXPECT_EQ(mesh.normals, expected_mesh.normals);
+    EXPECT_EQ(mesh.colors, expected_mesh.colors);
     for (size_t i = 0; i < expected.summary.levels.size(); ++i) {
       EXPECT_EQ(again.summary.levels[i].cut_cost,
                 expected.summary.levels[i].cut_cost);
@@ -84,8 +86,11 @@ TEST(Reconstruct, SaysWhatItHasDone) {
   EXPECT_GT(observed_triangles[2], 2 * observed_triangles[1]);
 
   EXPECT_EQ(result.audit.DescribeFailure(), "");
-  EXPECT_EQ(result.mesh.normals.size(), result.mesh.positions.size());
-  EXPECT_EQ(result.mesh.colors.size(), result.mesh.positions.size());
+  EXPECT_TRUE(result.mesh.has_vertex_normals());
+  EXPECT_TRUE(result.mesh.has_vertex_colors());
+  EXPECT_EQ(result.audit.num_vertices, result.mesh.n_vertices());
+  EXPECT_EQ(result.audit.num_edges, result.mesh.n_edges());
+  EXPECT_EQ(result.audit.num_triangles, result.mesh.n_faces());
   const ReconstructionSummary& summary = result.summary;
   EXPECT_GT(summary.hull.num_voxels, 1000u);
   EXPECT_GT(summary.evidence.num_depths, summary.evidence.num_agreeing);
@@ -118,10 +123,11 @@ TEST(Reconstruct, ColorsAreThoseOfThePhotographs) {
   small.scene = scene;
   const Reconstruction result = RunSmall(small, Context(2));
   size_t reddish = 0;
-  for (const auto& color : result.mesh.colors) {
+  for (const auto vertex : result.mesh.vertices()) {
+    const SurfaceMesh::Color& color = result.mesh.color(vertex);
     reddish += color[0] > color[1] + 20 && color[1] > color[2];
   }
-  EXPECT_GT(reddish, result.mesh.colors.size() * 9 / 10);
+  EXPECT_GT(reddish, result.mesh.n_vertices() * 9 / 10);
 }
 
 // Counts phases, and stops the run at the beginning of one of them.
@@ -213,7 +219,7 @@ TEST(ReconstructHull, IsClosedAndNeedsNoImages) {
       small.scene, small.region, options, SmoothOptions(), Context(2));
   EXPECT_EQ(hull.audit.DescribeFailure(), "");
   EXPECT_EQ(hull.audit.genus, 1);
-  EXPECT_EQ(hull.mesh.normals.size(), hull.mesh.positions.size());
+  EXPECT_TRUE(hull.mesh.has_vertex_normals());
   EXPECT_GT(hull.audit.volume, AuditMesh(small.reference).volume);
   for (View& view : small.scene.views) {
     view.mask = cv::Mat::zeros(view.mask.size(), CV_8UC1);

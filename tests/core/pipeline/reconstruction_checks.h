@@ -17,6 +17,7 @@ struct ReconstructedScene {
   Region region;
   ReconstructionOptions options;
   Reconstruction result;
+  IndexedMesh mesh;  // of `result`
 
   double VoxelSize() const {
     return region.cube.VoxelSize(options.target_level);
@@ -57,6 +58,7 @@ inline ReconstructedScene ReconstructScene(
   scene.region = EstimateRegion(
       scene.scene.views, scene.scene.points, RegionOptions(), context);
   scene.result = Reconstruct(scene.scene, scene.region, options, context);
+  scene.mesh = ToIndexedMesh(scene.result.mesh);
   return scene;
 }
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <vector>
 
+#include "colmap_io/images/write_image.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/write_sparse_model.h"
 #include "core/base/check_option.h"
@@ -43,22 +43,6 @@ SparseImage ToSparseImage(const SyntheticView& view, uint32_t id) {
   image.rotation.normalize();
   image.translation = view.cam_from_world.translation;
   return image;
-}
-
-void WriteImage(const fs::path& path,
-                const cv::Mat& image,
-                const std::vector<int>& parameters) {
-  std::vector<uchar> bytes;
-  if (!cv::imencode(path.extension().string(), image, bytes, parameters)) {
-    throw Error(fmt::format("{}: cannot be encoded", path.string()));
-  }
-  std::ofstream file(path, std::ios::binary);
-  file.write(reinterpret_cast<const char*>(bytes.data()),
-             std::streamsize(bytes.size()));
-  file.close();
-  if (!file) {
-    throw Error(fmt::format("{}: cannot be written", path.string()));
-  }
 }
 
 void MakeFolder(const fs::path& folder) {
@@ -145,7 +129,7 @@ void WriteExampleWorkspace(const SyntheticScene& scene,
       WriteImage(folder / "images" / view.name,
                  view.image,
                  {cv::IMWRITE_JPEG_QUALITY, options.jpeg_quality});
-      WriteImage(folder / "masks" / (view.name + ".png"), view.mask, {});
+      WriteImage(folder / "masks" / (view.name + ".png"), view.mask);
     }
   });
   WriteSparseModelBinary(ToSparseModel(scene), folder / "sparse" / "0");

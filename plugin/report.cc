@@ -1,13 +1,10 @@
 #include "plugin/report.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <fstream>
 #include <string_view>
 #include <thread>
 
-#include "core/base/error.h"
+#include "colmap_io/files/atomic_files.h"
 
 namespace octacut {
 
@@ -49,20 +46,7 @@ Json MakeReport(const CommandEnvironment& environment) {
 void WriteReport(const std::filesystem::path& path, const Json& report) {
   const std::string text =
       report.dump(2, ' ', false, Json::error_handler_t::replace);
-  std::filesystem::path temporary = path;
-  temporary += fmt::format(".{}.tmp", getpid());
-  std::ofstream file(temporary, std::ios::binary);
-  file << text << '\n';
-  file.close();
-  std::error_code failure;
-  if (file) {
-    std::filesystem::rename(temporary, path, failure);
-  }
-  if (!file || failure) {
-    std::error_code ignored;
-    std::filesystem::remove(temporary, ignored);
-    throw Error(fmt::format("{}: cannot be written", path.string()));
-  }
+  WriteFile(path, [&](std::ostream& stream) { stream << text << '\n'; });
 }
 
 }  // namespace octacut

@@ -25,7 +25,7 @@ Json MakeReport(const CommandEnvironment& environment);
 
 // Replaces `path` as a whole or leaves it as it was. Text that is not UTF-8
 // (names of files may be) is written with replacement characters. Throws
-// Error.
+// InputError.
 void WriteReport(const std::filesystem::path& path, const Json& report);
 
 }  // namespace octacut

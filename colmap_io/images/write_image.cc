@@ -2,7 +2,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "colmap_io/mesh/atomic_file.h"
+#include "colmap_io/files/atomic_files.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -14,10 +14,10 @@ void WriteImage(const std::filesystem::path& path,
   if (!cv::imencode(path.extension().string(), image, bytes, parameters)) {
     throw InputError(path.string() + ": the picture cannot be encoded");
   }
-  AtomicFile file(path);
-  file.Stream().write(reinterpret_cast<const char*>(bytes.data()),
-                      std::streamsize(bytes.size()));
-  file.Commit();
+  WriteFile(path, [&](std::ostream& stream) {
+    stream.write(reinterpret_cast<const char*>(bytes.data()),
+                 std::streamsize(bytes.size()));
+  });
 }
 
 }  // namespace octacut

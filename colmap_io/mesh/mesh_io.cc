@@ -6,7 +6,7 @@
 #include <cctype>
 #include <fstream>
 
-#include "colmap_io/mesh/atomic_file.h"
+#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_readers.h"
 #include "colmap_io/mesh/mesh_writers.h"
 #include "core/base/error.h"
@@ -96,9 +96,8 @@ MeshFile ReadMesh(std::istream& stream,
 void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   const MeshFormat format = MeshFormatOf(path);
   CheckSizes(mesh);
-  AtomicFile file(path);
-  WriteMesh(file.Stream(), format, mesh);
-  file.Commit();
+  WriteFile(path,
+            [&](std::ostream& stream) { WriteMesh(stream, format, mesh); });
 }
 
 void WriteMesh(std::ostream& stream,

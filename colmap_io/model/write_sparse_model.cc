@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "colmap_io/model/atomic_files.h"
+#include "colmap_io/files/atomic_files.h"
 #include "core/base/error.h"
 
 namespace octacut {

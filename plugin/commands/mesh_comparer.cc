@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "colmap_io/mesh/atomic_file.h"
+#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
 #include "core/compare/compare_meshes.h"

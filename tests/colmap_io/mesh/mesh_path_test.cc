@@ -1,9 +1,7 @@
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <fstream>
 
-#include "colmap_io/mesh/atomic_file.h"
 #include "core/base/error.h"
 #include "tests/colmap_io/mesh/test_meshes.h"
 
@@ -13,16 +11,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-size_t NumFiles(const fs::path& folder) {
-  return static_cast<size_t>(
-      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
-
-std::string Contents(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST(MeshPath, UnknownExtensionIsAnOptionError) {
   for (const char* name : {"mesh.xyz", "mesh", "ply", ".ply"}) {
@@ -63,10 +51,10 @@ TEST(MeshPath, FolderOrDeviceInPlaceOfTheFileIsRefused) {
 TEST(MeshPath, CheckLeavesNothingAndTouchesNothing) {
   const TemporaryFolder folder;
   CheckMeshPath(folder.Path() / "a.ply");
-  EXPECT_EQ(NumFiles(folder.Path()), 0u);
+  EXPECT_EQ(folder.NumFiles(), 0u);
   std::ofstream(folder.Path() / "b.ply") << "precious";
   CheckMeshPath(folder.Path() / "b.ply");
-  EXPECT_EQ(NumFiles(folder.Path()), 1u);
+  EXPECT_EQ(folder.NumFiles(), 1u);
   EXPECT_EQ(Contents(folder.Path() / "b.ply"), "precious");
 }
 
@@ -75,7 +63,7 @@ TEST(MeshPath, WriteReplacesAndLeavesNoTemporary) {
   const fs::path path = folder.Path() / "a.off";
   std::ofstream(path) << "old";
   WriteMesh(path, TestMesh(false, false));
-  EXPECT_EQ(NumFiles(folder.Path()), 1u);
+  EXPECT_EQ(folder.NumFiles(), 1u);
   EXPECT_EQ(ReadMesh(path).mesh.triangles.size(), 8u);
 }
 
@@ -88,24 +76,6 @@ TEST(MeshPath, WriteThroughASymbolicLinkReplacesItsTarget) {
   WriteMesh(folder.Path() / "a.ply", TestMesh(false, false));
   EXPECT_TRUE(fs::is_symlink(folder.Path() / "a.ply"));
   EXPECT_EQ(ReadMesh(target).mesh.triangles.size(), 8u);
-}
-
-TEST(MeshPath, FailureKeepsTheOldFileAndRemovesTheTemporary) {
-  const TemporaryFolder folder;
-  const fs::path path = folder.Path() / "a.ply";
-  std::ofstream(path) << "old";
-  {
-    AtomicFile file(path);
-    file.Stream() << "half";
-    EXPECT_EQ(NumFiles(folder.Path()), 2u);
-  }
-  {
-    AtomicFile file(path);
-    file.Stream().setstate(std::ios::badbit);
-    EXPECT_THROW(file.Commit(), InputError);
-  }
-  EXPECT_EQ(NumFiles(folder.Path()), 1u);
-  EXPECT_EQ(Contents(path), "old");
 }
 
 TEST(MeshPath, MissingFileAndFolderAreNamedOnReading) {

@@ -2,14 +2,13 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <sstream>
 #include <string>
 
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
+#include "tests/colmap_io/files/temporary_folder.h"
 
 namespace octacut {
 
@@ -71,28 +70,5 @@ inline std::string ReadError(const std::string& text, MeshFormat format) {
   }
   return "";
 }
-
-// A folder of its own for one test, removed with the object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name =
-        (std::filesystem::temp_directory_path() / "octacut_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error("no temporary folder");
-    }
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::permissions(
-        path_, std::filesystem::perms::owner_all, ignored);
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& Path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 }  // namespace octacut

@@ -1,11 +1,12 @@
-#include "colmap_io/mesh/atomic_file.h"
+#include "colmap_io/files/atomic_files.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include "core/base/error.h"
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void Fail(const fs::path& path, const char* reason) {
+[[noreturn]] void Fail(const fs::path& path, std::string_view reason) {
   throw InputError(
       fmt::format("{}: cannot be written: {}", path.string(), reason));
 }
@@ -46,11 +47,11 @@ fs::path ResolveTarget(const fs::path& path) {
 }
 
 // Creates a file that did not exist, with the permissions of any new file.
-fs::path CreateTemporary(const fs::path& path) {
+fs::path CreateTemporary(const fs::path& target) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
-    fs::path temporary = path;
+    fs::path temporary = target;
     temporary.replace_filename(fmt::format(
-        ".{}.{}-{}.tmp", path.filename().string(), ::getpid(), attempt));
+        ".{}.{}-{}.tmp", target.filename().string(), ::getpid(), attempt));
     const int file =
         ::open(temporary.c_str(), O_CREAT | O_EXCL | O_WRONLY, 0666);
     if (file >= 0) {
@@ -58,43 +59,58 @@ fs::path CreateTemporary(const fs::path& path) {
       return temporary;
     }
     if (errno != EEXIST) {
-      Fail(path, std::strerror(errno));
+      Fail(target, std::generic_category().message(errno));
     }
   }
-  Fail(path, "too many temporary files beside it");
+  Fail(target, "too many temporary files beside it");
 }
 
 }  // namespace
 
-AtomicFile::AtomicFile(const fs::path& path)
-    : path_(ResolveTarget(path)), temporary_(CreateTemporary(path_)) {
-  stream_.open(temporary_, std::ios::binary | std::ios::trunc);
-}
-
-AtomicFile::~AtomicFile() {
-  if (!temporary_.empty()) {
-    stream_.close();
-    std::error_code ignored;
-    fs::remove(temporary_, ignored);
+AtomicFiles::~AtomicFiles() {
+  std::error_code ignored;
+  for (const Pending& file : pending_) {
+    fs::remove(file.temporary, ignored);
   }
 }
 
-void AtomicFile::Commit() {
-  stream_.close();
-  if (!stream_) {
-    Fail(path_, "the disk may be full");
+void AtomicFiles::Write(const fs::path& path,
+                        const std::function<void(std::ostream&)>& write) {
+  Pending& file = pending_.emplace_back();
+  file.target = ResolveTarget(path);
+  file.temporary = CreateTemporary(file.target);
+  std::ofstream stream(file.temporary, std::ios::binary | std::ios::trunc);
+  if (stream) {
+    write(stream);
   }
-  std::error_code error;
-  fs::rename(temporary_, path_, error);
-  if (error) {
-    Fail(path_, error.message().c_str());
+  stream.close();
+  if (!stream) {
+    Fail(path, "the disk may be full");
   }
-  temporary_.clear();
+}
+
+void AtomicFiles::Commit() {
+  for (Pending& file : pending_) {
+    std::error_code error;
+    fs::rename(file.temporary, file.target, error);
+    if (error) {
+      Fail(file.target, error.message());
+    }
+    file.temporary.clear();
+  }
+  pending_.clear();
+}
+
+void WriteFile(const fs::path& path,
+               const std::function<void(std::ostream&)>& write) {
+  AtomicFiles files;
+  files.Write(path, write);
+  files.Commit();
 }
 
 void CheckFilePath(const fs::path& path) {
   // Creates and removes the temporary file: the surest way to know.
-  const AtomicFile probe(path);
+  AtomicFiles().Write(path, [](std::ostream&) {});
 }
 
 }  // namespace octacut

@@ -1,8 +1,8 @@
 // New parents for the nodes that lost theirs, level by level from below, so
 // that a label is settled before a greater one is looked at and every node is
 // handled once a label.
+#include <algorithm>
 #include <bit>
-#include <limits>
 
 #include "core/cut/search_forest.h"
 
@@ -12,7 +12,7 @@ template <Forest F>
 void SearchForest::MakeOrphan(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   word = WithParent(word, kOrphan);
-  orphans_[int(F)].Add(Label<F>(word), IdOf(node), pool_);
+  orphans_[int(F)].Add(Label<F>(word), node.axis, IdOf(node.place), pool_);
 }
 template void SearchForest::MakeOrphan<Forest::kSource>(const FaceNode&);
 template void SearchForest::MakeOrphan<Forest::kSink>(const FaceNode&);
@@ -34,64 +34,70 @@ void SearchForest::Adopt() {
   BucketQueue& orphans = orphans_[int(F)];
   while (!orphans.Empty()) {
     const int32_t label = orphans.Lowest();
-    orphans.Take(label).Consume(
+    orphans.Consume(
+        label,
         pool_,
-        [&](NodeId id) { state_.PrefetchSearch(id); },
-        [&](NodeId id) { AdoptNode<F>(id, label); });
+        [&](auto axis, NodeId id) { state_.PrefetchSearch<axis()>(id); },
+        [&](auto axis, NodeId id) {
+          const AxisNode node = state_.Node<axis()>(id);
+          const int32_t word = state_.Word(node);
+          // Else listed twice, or adopted meanwhile.
+          if (Label<F>(word) == label && Parent(word) == kOrphan) {
+            AdoptNode<F>(node, label);
+          }
+        });
   }
 }
 
 // A node with a lower label is attached for good when this is asked, since
 // all orphans with lower labels have been handled.
-template <Forest F>
-void SearchForest::AdoptNode(NodeId id, int32_t label) {
-  const FaceNode node = state_.Node(id);
+template <Forest F, int kAxis>
+void SearchForest::AdoptNode(const AxisNode<kAxis>& node, int32_t label) {
+  const uint32_t to_parents = ArcsToParents<F>(node);
+  const uint32_t arcs = to_parents | ArcsAway<F>(node);
+  const WordsAround words = state_.Around(node, arcs);
+  uint32_t lower = 0;
+  for (int code = kNumNodeArcs - 1; code >= 0; --code) {
+    lower += lower + (Rank<F>(words[code]) < RankOf(label));
+  }
+  lower &= to_parents;
+  if (lower == 0) {
+    Lift<F>(node, words, arcs, to_parents);
+    return;
+  }
   int32_t& word = state_.Word(node);
-  if (Label<F>(word) != label || Parent(word) != kOrphan) {
-    return;  // listed twice, or adopted meanwhile
+  word = WithParent(word, std::countr_zero(lower));
+  if (label == Depth(F)) {
+    Activate<F>(Untyped(node));
   }
-  const NodeVoxels voxels = state_.VoxelsAround(node);
-  int32_t least = std::numeric_limits<int32_t>::max();
-  for (uint32_t arcs = ArcsToParents<F>(node, voxels.index[1]); arcs != 0;
-       arcs &= arcs - 1) {
-    const int code = std::countr_zero(arcs);
-    const int32_t other = Label<F>(state_.WordAcross(voxels, node.axis, code));
-    if (other <= 0) {
-      continue;
-    }
-    if (other < label) {
-      word = WithParent(word, code);
-      if (label == Depth(F)) {
-        Activate<F>(node);
-      }
-      if (word & kExcess) {
-        QueueDrain(node);
-      }
-      return;
-    }
-    least = std::min(least, other);
-  }
-  OrphanChildren<F>(node, voxels, label);
-  if (least < Depth(F)) {
-    word = MakeWord<F>(least + 1, word & kFlagMask);
-    orphans_[int(F)].Add(least + 1, id, pool_);
-  } else {
-    Leave<F>(node);
+  if (word & kExcess) {
+    QueueDrain(Untyped(node));
   }
 }
 
-template <Forest F>
-void SearchForest::OrphanChildren(const FaceNode& node,
-                                  const NodeVoxels& voxels,
-                                  int32_t label) {
-  for (uint32_t arcs = ArcsAway<F>(node, voxels.index[1]); arcs != 0;
-       arcs &= arcs - 1) {
-    const int code = std::countr_zero(arcs);
-    const int32_t word = state_.WordAcross(voxels, node.axis, code);
-    const NodeArc& arc = ArcOf(node, code);
-    if (Label<F>(word) > label && Parent(word) == arc.back) {
-      MakeOrphan<F>(Follow(node, state_.Low(node), arc));
-    }
+// Gives an orphan that has no lower neighbour a greater label.
+template <Forest F, int kAxis>
+void SearchForest::Lift(const AxisNode<kAxis>& node,
+                        const WordsAround& words,
+                        uint32_t arcs,
+                        uint32_t to_parents) {
+  uint32_t children = 0;
+  uint32_t least = kNoRank;
+  for (int code = kNumNodeArcs - 1; code >= 0; --code) {
+    children += children + IsChild<F>(words[code], kNodeArcs[kAxis][code].back);
+    least = std::min(least,
+                     Rank<F>(words[code]) | (((to_parents >> code) & 1) - 1));
+  }
+  for (children &= arcs; children != 0; children &= children - 1) {
+    MakeOrphan<F>(state_.Across(node, std::countr_zero(children)));
+  }
+  if (least < RankOf(Depth(F))) {
+    int32_t& word = state_.Word(node);
+    const int32_t label = LabelOfRank(least) + 1;
+    word = MakeWord<F>(label, word & kFlagMask);
+    orphans_[int(F)].Add(label, kAxis, IdOf(node.place), pool_);
+  } else {
+    Leave<F>(Untyped(node));
   }
 }
 
@@ -104,7 +110,7 @@ void SearchForest::Leave(const FaceNode& node) {
     word = MakeWord<Forest::kSource>(Depth(Forest::kSource), kRoot);
     Activate<Forest::kSource>(node);
   } else {
-    word = 0;
+    word = FlowState::kFreeNode;
   }
 }
 

@@ -13,19 +13,18 @@ int64_t SearchForest::TraceSupply(FaceNode node) {
   int64_t supply = std::numeric_limits<int64_t>::max();
   for (;;) {
     const int32_t parent = Parent(state_.Word(node));
-    const VoxelPlace low = state_.Low(node);
     if (parent == kOrphan) {
       return 0;
     }
     if (parent == kRoot) {
       path_root_ = node;
-      return std::min(supply, state_.Imbalance(node, low));
+      return std::min(supply, state_.Imbalance(node));
     }
-    const NodeArc& arc = ArcOf(node, parent);
-    const uint32_t voxel = VoxelOf(node, low, arc);
-    supply = std::min<int64_t>(supply, state_.Capacity(voxel, arc.in));
-    path_.push_back({node, voxel, arc.in});
-    node = Follow(node, low, arc);
+    const NodeArc& arc = kNodeArcs[node.axis][parent];
+    const VoxelPlace holder = arc.side ? state_.Low(node) : node.place;
+    supply = std::min<int64_t>(supply, state_.Capacity(holder.index, arc.in));
+    path_.push_back({node, holder.index, arc.in});
+    node = {state_.Walk().Step(holder, arc.step), arc.axis};
   }
 }
 
@@ -46,7 +45,7 @@ bool SearchForest::Augment(const FaceNode& source_node,
       MakeOrphan<Forest::kSource>(step.child);
     }
   }
-  if (state_.Imbalance(path_root_, state_.Low(path_root_)) == 0) {
+  if (state_.Imbalance(path_root_) == 0) {
     MakeOrphan<Forest::kSource>(path_root_);
   }
   QueueDrain(sink_node);
@@ -57,88 +56,74 @@ void SearchForest::QueueDrain(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   if ((word & kDraining) == 0) {
     word |= kDraining;
-    draining_.Add(Label<Forest::kSink>(word), IdOf(node), pool_);
+    draining_.Add(
+        Label<Forest::kSink>(word), node.axis, IdOf(node.place), pool_);
   }
 }
 
 // Moves every excess of the sink forest down as far as it goes.
 void SearchForest::Drain() {
   for (int32_t level = draining_.Highest(); level >= 1; --level) {
-    draining_.Take(level).Consume(
+    draining_.Consume(
+        level,
         pool_,
-        [&](NodeId id) { state_.PrefetchFlows(id); },
-        [&](NodeId id) { DrainNode(state_.Node(id)); });
+        [&](auto axis, NodeId id) { state_.PrefetchFlows<axis()>(id); },
+        [&](auto axis, NodeId id) { DrainNode(state_.Node<axis()>(id)); });
   }
   draining_.Lowest();
 }
 
-void SearchForest::DrainNode(const FaceNode& node) {
-  const VoxelPlace low = state_.Low(node);
+template <int kAxis>
+void SearchForest::DrainNode(const AxisNode<kAxis>& node) {
   int32_t& word = state_.Word(node);
   word &= ~(kDraining | kExcess);
-  const int64_t excess = state_.Imbalance(node, low);
+  const int64_t excess = state_.Imbalance(node);
   if (Parent(word) == kRoot) {
     if (excess < 0) {
       return;
     }
-    MakeOrphan<Forest::kSink>(node);  // its deficit is filled
+    MakeOrphan<Forest::kSink>(Untyped(node));  // its deficit is filled
   }
   if (excess > 0) {
-    SendExcess(node, low, excess);
+    SendExcess(node, excess);
   }
 }
 
 // Pushes to the parent, then to other parents with a lower label, until the
 // excess is gone or there is no parent left.
-void SearchForest::SendExcess(const FaceNode& node,
-                              const VoxelPlace& low,
-                              int64_t excess) {
+template <int kAxis>
+void SearchForest::SendExcess(const AxisNode<kAxis>& node, int64_t excess) {
   int32_t& word = state_.Word(node);
-  const int32_t label = Label<Forest::kSink>(word);
-  int code = Parent(word);
-  uint32_t candidates = ArcsToParents<Forest::kSink>(node, low.index);
-  if (code == kOrphan) {
-    code = FindLowerParent(node, state_.VoxelsAround(node), label, candidates);
-  }
-  while (code != kOrphan) {
-    const NodeArc& arc = ArcOf(node, code);
-    const uint32_t voxel = VoxelOf(node, low, arc);
+  const auto push = [&](int code) {
+    const NodeArc& arc = kNodeArcs[kAxis][code];
+    const uint32_t voxel = VoxelOf(node, code);
     const int32_t amount =
         int32_t(std::min<int64_t>(excess, state_.Capacity(voxel, arc.out)));
     const bool saturated = state_.Push(voxel, arc.out, amount);
-    QueueDrain(Follow(node, low, arc));
+    QueueDrain(state_.Across(node, code));
     excess -= amount;
-    if (!saturated) {
-      word = WithParent(word, code);
+    return saturated;
+  };
+  if (Parent(word) < kRoot) {
+    if (!push(Parent(word))) {
       return;
     }
-    candidates &= ~(1u << code);
-    if (excess == 0) {
-      break;
+    MakeOrphan<Forest::kSink>(Untyped(node));
+  }
+  if (excess > 0) {
+    uint32_t arcs = ArcsToParents<Forest::kSink>(node);
+    const WordsAround words = state_.Around(node, arcs);
+    const uint32_t below = RankOf(Label<Forest::kSink>(word));
+    for (; arcs != 0 && excess > 0; arcs &= arcs - 1) {
+      const int code = std::countr_zero(arcs);
+      if (Rank<Forest::kSink>(words[code]) < below &&
+          Parent(words[code]) != kOrphan && !push(code)) {
+        word = WithParent(word, code);
+        return;
+      }
     }
-    code = FindLowerParent(node, state_.VoxelsAround(node), label, candidates);
+    word |= excess > 0 ? kExcess : 0;
   }
-  if (Parent(word) != kOrphan) {
-    MakeOrphan<Forest::kSink>(node);
-  }
-  word |= excess > 0 ? kExcess : 0;
-}
-
-// Takes candidates off until one is a parent that is itself attached.
-int SearchForest::FindLowerParent(const FaceNode& node,
-                                  const NodeVoxels& voxels,
-                                  int32_t label,
-                                  uint32_t& candidates) {
-  while (candidates != 0) {
-    const int code = std::countr_zero(candidates);
-    candidates &= candidates - 1;
-    const int32_t word = state_.WordAcross(voxels, node.axis, code);
-    const int32_t other = Label<Forest::kSink>(word);
-    if (other > 0 && other < label && Parent(word) != kOrphan) {
-      return code;
-    }
-  }
-  return kOrphan;
 }
 
 }  // namespace octacut

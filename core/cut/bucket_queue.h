@@ -1,12 +1,15 @@
-// Lists of nodes by level, in chunks from a common pool, so that together
-// they take what is queued now and not what every level once held.
+// Lists of nodes by level and axis, in chunks from a common pool, so that
+// together they take what is queued now and not what every level once held.
+// Lists by axis let the code that takes them know the axis when compiled.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,57 +17,53 @@ namespace octacut {
 
 class ChunkPool {
  public:
-  static constexpr uint32_t kNone = 0xffffffffu;
   struct Chunk {
-    uint32_t next;
+    Chunk* next;
     uint32_t size;
-    uint32_t items[62];
+    uint32_t items[61];
   };
 
-  uint32_t Allocate() {
-    uint32_t chunk = free_;
-    if (chunk != kNone) {
-      free_ = At(chunk).next;
+  Chunk* Allocate() {
+    Chunk* chunk = free_;
+    if (chunk != nullptr) {
+      free_ = chunk->next;
     } else {
       if (num_chunks_ % kBlock == 0) {
         blocks_.push_back(std::make_unique_for_overwrite<Chunk[]>(kBlock));
       }
-      chunk = num_chunks_++;
+      chunk = &blocks_.back()[num_chunks_++ % kBlock];
     }
-    At(chunk).next = kNone;
-    At(chunk).size = 0;
+    chunk->next = nullptr;
+    chunk->size = 0;
     return chunk;
   }
-  void Free(uint32_t chunk) {
-    At(chunk).next = free_;
+  void Free(Chunk* chunk) {
+    chunk->next = free_;
     free_ = chunk;
   }
-  Chunk& At(uint32_t chunk) { return blocks_[chunk / kBlock][chunk % kBlock]; }
   size_t MemoryBytes() const { return blocks_.size() * kBlock * sizeof(Chunk); }
 
  private:
-  static constexpr uint32_t kBlock = 16;
+  static constexpr size_t kBlock = 16;
   std::vector<std::unique_ptr<Chunk[]>> blocks_;
-  uint32_t num_chunks_ = 0;
-  uint32_t free_ = kNone;
+  size_t num_chunks_ = 0;
+  Chunk* free_ = nullptr;
 };
 
 // A list; first in, first out.
 class ChunkList {
  public:
-  bool Empty() const { return head_ == ChunkPool::kNone; }
+  bool Empty() const { return head_ == nullptr; }
   size_t Size() const { return size_; }
 
   void Add(uint32_t item, ChunkPool& pool) {
-    if (tail_ == ChunkPool::kNone) {
-      head_ = tail_ = pool.Allocate();
-    } else if (pool.At(tail_).size == std::size(ChunkPool::Chunk{}.items)) {
-      const uint32_t chunk = pool.Allocate();
-      pool.At(tail_).next = chunk;
+    ChunkPool::Chunk* chunk = tail_;
+    if (chunk == nullptr || chunk->size == std::size(chunk->items)) {
+      chunk = pool.Allocate();
+      (tail_ == nullptr ? head_ : tail_->next) = chunk;
       tail_ = chunk;
     }
-    ChunkPool::Chunk& chunk = pool.At(tail_);
-    chunk.items[chunk.size++] = item;
+    chunk->items[chunk->size++] = item;
     ++size_;
   }
 
@@ -73,37 +72,36 @@ class ChunkList {
   template <typename Prefetch, typename Body>
   void Consume(ChunkPool& pool, Prefetch&& prefetch, Body&& body) {
     constexpr uint32_t kAhead = 6;
-    uint32_t chunk = head_;
+    ChunkPool::Chunk* chunk = head_;
     *this = ChunkList();
-    while (chunk != ChunkPool::kNone) {
-      // Blocks never move, so the chunk stays where it is.
-      const ChunkPool::Chunk& items = pool.At(chunk);
-      for (uint32_t k = 0; k < items.size; ++k) {
-        if (k + kAhead < items.size) {
-          prefetch(items.items[k + kAhead]);
+    while (chunk != nullptr) {
+      const uint32_t size = chunk->size;
+      for (uint32_t k = 0; k < size; ++k) {
+        if (k + kAhead < size) {
+          prefetch(chunk->items[k + kAhead]);
         }
-        body(items.items[k]);
+        body(chunk->items[k]);
       }
-      const uint32_t next = items.next;
-      pool.Free(chunk);
-      chunk = next;
+      pool.Free(std::exchange(chunk, chunk->next));
     }
   }
 
  private:
-  uint32_t head_ = ChunkPool::kNone;
-  uint32_t tail_ = ChunkPool::kNone;
+  ChunkPool::Chunk* head_ = nullptr;
+  ChunkPool::Chunk* tail_ = nullptr;
   size_t size_ = 0;
 };
 
-// One list a level.
+// One list a level and axis.
 class BucketQueue {
  public:
-  void Add(int32_t level, uint32_t item, ChunkPool& pool) {
+  using Lists = std::array<ChunkList, 3>;
+
+  void Add(int32_t level, uint32_t axis, uint32_t item, ChunkPool& pool) {
     if (size_t(level) >= levels_.size()) {
-      levels_.resize(size_t(level) + size_t(level) / 2 + 16);
+      Grow(level);
     }
-    levels_[level].Add(item, pool);
+    levels_[level][axis].Add(item, pool);
     lowest_ = std::min(lowest_, level);
     highest_ = std::max(highest_, level);
     ++size_;
@@ -113,7 +111,7 @@ class BucketQueue {
   // The least and greatest levels that may hold items; of an empty queue
   // Lowest() > Highest().
   int32_t Lowest() {
-    while (lowest_ <= highest_ && levels_[lowest_].Empty()) {
+    while (lowest_ <= highest_ && SizeOf(levels_[lowest_]) == 0) {
       ++lowest_;
     }
     if (lowest_ > highest_) {
@@ -123,15 +121,37 @@ class BucketQueue {
     return lowest_;
   }
   int32_t Highest() const { return highest_; }
-  // Moves a level's list out.
-  ChunkList Take(int32_t level) {
-    size_ -= levels_[level].Size();
-    return std::exchange(levels_[level], {});
+
+  // Takes all items that are at a level now, prefetch(axis, item) some items
+  // ahead of body(axis, item); axis is a std::integral_constant.
+  template <typename Prefetch, typename Body>
+  void Consume(int32_t level,
+               ChunkPool& pool,
+               Prefetch&& prefetch,
+               Body&& body) {
+    Lists lists = std::exchange(levels_[level], {});
+    size_ -= SizeOf(lists);
+    const auto consume = [&](auto axis) {
+      lists[axis].Consume(
+          pool,
+          [&](uint32_t item) { prefetch(axis, item); },
+          [&](uint32_t item) { body(axis, item); });
+    };
+    consume(std::integral_constant<int, 0>());
+    consume(std::integral_constant<int, 1>());
+    consume(std::integral_constant<int, 2>());
   }
 
  private:
   static constexpr int32_t kNoLevel = 0x7fffffff;
-  std::vector<ChunkList> levels_;
+  static size_t SizeOf(const Lists& lists) {
+    return lists[0].Size() + lists[1].Size() + lists[2].Size();
+  }
+  void Grow(int32_t level) {
+    levels_.resize(size_t(level) + size_t(level) / 2 + 16);
+  }
+
+  std::vector<Lists> levels_;
   int32_t lowest_ = kNoLevel;
   int32_t highest_ = -1;
   size_t size_ = 0;

@@ -38,7 +38,7 @@ FlowState::FlowState(const OctahedralCutProblem& problem,
       capacity[region] += int64_t{NumSinkEdges(ties)} * flows_[i].weight;
       for (uint32_t axis = 0; axis < 3; ++axis) {
         const bool is_node = ((ties >> (2 * axis)) & 0x41) == 0;
-        search_[i].word[axis] = is_node ? 0 : kNoNode;
+        search_[i].word[axis] = is_node ? kFreeNode : kNoNode;
         num_nodes[region] += is_node;
         if (is_node && with_evidence) {
           const float low = problem.evidence[Low({place, axis}).index];
@@ -94,22 +94,21 @@ void FlowState::InitVoxel(const OctahedralCutProblem& problem,
 
 int64_t FlowState::FlowValue(const Context& context) const {
   std::vector<int64_t> deficits(NumChunks(walk_.NumBricks(), kCutBrickGrain));
-  ParallelChunks(context,
-                 walk_.NumBricks(),
-                 kCutBrickGrain,
-                 [&](size_t chunk, size_t begin, size_t end) {
-                   int64_t sum = 0;
-                   walk_.ForEach(begin, end, [&](const VoxelPlace& place) {
-                     for (uint32_t axis = 0; axis < 3; ++axis) {
-                       if (search_[place.index].word[axis] != kNoNode) {
-                         const FaceNode node{place, axis};
-                         sum +=
-                             std::min<int64_t>(0, Imbalance(node, Low(node)));
-                       }
-                     }
-                   });
-                   deficits[chunk] = sum;
-                 });
+  ParallelChunks(
+      context,
+      walk_.NumBricks(),
+      kCutBrickGrain,
+      [&](size_t chunk, size_t begin, size_t end) {
+        int64_t sum = 0;
+        walk_.ForEach(begin, end, [&](const VoxelPlace& place) {
+          for (uint32_t axis = 0; axis < 3; ++axis) {
+            if (search_[place.index].word[axis] != kNoNode) {
+              sum += std::min<int64_t>(0, Imbalance(FaceNode{place, axis}));
+            }
+          }
+        });
+        deficits[chunk] = sum;
+      });
   return std::accumulate(deficits.begin(), deficits.end(), sink_capacity_);
 }
 

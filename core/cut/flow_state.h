@@ -37,17 +37,22 @@ struct FaceNode {
   uint32_t axis;
 };
 
-// A node's voxels in the order of kNodeArcHolder; where one is missing its
-// index must not be used, and no residual arc leads there.
-struct NodeVoxels {
-  uint32_t index[6];
+// The same with its axis known when compiled, and the voxel below the face.
+template <int kAxis>
+struct AxisNode {
+  VoxelPlace place;
+  VoxelPlace low;
 };
 
-// A node in 32 bits: brick (24 bits), position in it (6), axis (2).
+// Words of the nodes around a node, by code of the arc to them.
+using WordsAround = std::array<int32_t, kNumNodeArcs>;
+
+// A voxel of a list of nodes of one axis, in 32 bits: brick (26 bits),
+// position in it (6).
 using NodeId = uint32_t;
-inline constexpr size_t kMaxCutBricks = size_t{1} << 24;
-inline NodeId IdOf(const FaceNode& node) {
-  return node.place.brick << 8 | node.place.bit << 2 | node.axis;
+inline constexpr size_t kMaxCutBricks = size_t{1} << 26;
+inline NodeId IdOf(const VoxelPlace& place) {
+  return place.brick << 6 | place.bit;
 }
 
 class FlowState {
@@ -62,10 +67,12 @@ class FlowState {
     int32_t flow[kNumOctahedronEdges];  // > 0 along the edge
   };
 
-  // The word of a face that is no node.
+  // The words of a node of no forest, and of a face that is no node.
+  static constexpr int32_t kFreeNode = 8;
   static constexpr int32_t kNoNode = 15;
 
-  // All tied arcs saturated, every node's word 0. Region r holds the bricks
+  // All tied arcs saturated, every node's word
+  // kFreeNode. Region r holds the bricks
   // from region_ends[r - 1], or 0, to region_ends[r].
   FlowState(const OctahedralCutProblem& problem,
             const VoxelWalk& walk,
@@ -79,31 +86,35 @@ class FlowState {
   const VoxelWalk& Walk() const { return walk_; }
   size_t NumNodes() const { return num_nodes_; }
 
-  FaceNode Node(NodeId id) const {
-    return {walk_.At(id >> 8, (id >> 2) & 63), id & 3};
+  template <int kAxis>
+  AxisNode<kAxis> Node(NodeId id) const {
+    return NodeAt<kAxis>(walk_.At(id >> 6, id & 63));
+  }
+  template <int kAxis>
+  AxisNode<kAxis> NodeAt(const VoxelPlace& place) const {
+    return {place, walk_.Step(place, 2 * kAxis)};
   }
   // The voxel on the low side of a node.
   VoxelPlace Low(const FaceNode& node) const {
     return walk_.Step(node.place, int(2 * node.axis));
   }
-  NodeVoxels VoxelsAround(const FaceNode& node) const {
-    const int next = node.axis == 2 ? 1 : int(2 * node.axis + 3);
-    const int last = node.axis == 0 ? 5 : int(2 * node.axis - 1);
-    const VoxelPlace low = Low(node);
-    return {{node.place.index,
-             low.index,
-             walk_.Step(node.place, next).index,
-             walk_.Step(node.place, last).index,
-             walk_.Step(low, next).index,
-             walk_.Step(low, last).index}};
+  // The node at the other end of an arc.
+  template <int kAxis>
+  FaceNode Across(const AxisNode<kAxis>& node, int code) const {
+    const NodeArc& arc = kNodeArcs[kAxis][code];
+    return {walk_.Step(arc.side ? node.low : node.place, arc.step), arc.axis};
   }
-  // The word of the node at the other end of a node's arc.
-  int32_t& WordAcross(const NodeVoxels& voxels, uint32_t axis, int code) {
-    return search_[voxels.index[kNodeArcHolder[code]]]
-        .word[kNodeArcAxis[4 * axis + uint32_t(code & 3) / 2]];
-  }
+  // Words at the other ends of `arcs`, bit c for code c, all of them inside
+  // the region; the others mean nothing.
+  template <int kAxis>
+  WordsAround Around(const AxisNode<kAxis>& node, uint32_t arcs) const;
+
   int32_t& Word(const FaceNode& node) {
     return search_[node.place.index].word[node.axis];
+  }
+  template <int kAxis>
+  int32_t& Word(const AxisNode<kAxis>& node) {
+    return search_[node.place.index].word[kAxis];
   }
   // Another region may change arcs of its own in a mask that both look at.
   uint32_t Residual(uint32_t voxel) const {
@@ -115,15 +126,15 @@ class FlowState {
   }
 
   // Bit c: the arc of code c leaves / enters the node with a residual.
-  uint32_t ResidualOut(const FaceNode& node, uint32_t low) const {
-    const int face = int(2 * node.axis);
-    return ArcsOut(Residual(node.place.index), face) |
-           ArcsOut(Residual(low), face + 1) << 4;
+  template <int kAxis>
+  uint32_t ResidualOut(const AxisNode<kAxis>& node) const {
+    return ArcsOut(Residual(node.place.index), 2 * kAxis) |
+           ArcsOut(Residual(node.low.index), 2 * kAxis + 1) << 4;
   }
-  uint32_t ResidualIn(const FaceNode& node, uint32_t low) const {
-    const int face = int(2 * node.axis);
-    return ArcsIn(Residual(node.place.index), face) |
-           ArcsIn(Residual(low), face + 1) << 4;
+  template <int kAxis>
+  uint32_t ResidualIn(const AxisNode<kAxis>& node) const {
+    return ArcsIn(Residual(node.place.index), 2 * kAxis) |
+           ArcsIn(Residual(node.low.index), 2 * kAxis + 1) << 4;
   }
 
   int32_t Capacity(uint32_t voxel, uint32_t arc) const {
@@ -156,17 +167,29 @@ class FlowState {
   }
 
   // Excess (> 0) or deficit (< 0) of a node.
-  int64_t Imbalance(const FaceNode& node, const VoxelPlace& low) const;
-
-  void PrefetchSearch(NodeId id) const {
-    const FaceNode node = Node(id);
-    __builtin_prefetch(&search_[node.place.index], 1);
-    __builtin_prefetch(&search_[Low(node).index], 1);
+  template <int kAxis>
+  int64_t Imbalance(const AxisNode<kAxis>& node) const;
+  int64_t Imbalance(const FaceNode& node) const {
+    switch (node.axis) {
+      case 0:
+        return Imbalance(NodeAt<0>(node.place));
+      case 1:
+        return Imbalance(NodeAt<1>(node.place));
+      default:
+        return Imbalance(NodeAt<2>(node.place));
+    }
   }
+
+  template <int kAxis>
+  void PrefetchSearch(NodeId id) const {
+    const AxisNode node = Node<kAxis>(id);
+    __builtin_prefetch(&search_[node.place.index], 1);
+    __builtin_prefetch(&search_[node.low.index], 1);
+  }
+  template <int kAxis>
   void PrefetchFlows(NodeId id) const {
-    const FaceNode node = Node(id);
-    const uint32_t low = Low(node).index;
-    for (const uint32_t voxel : {node.place.index, low}) {
+    const AxisNode node = Node<kAxis>(id);
+    for (const uint32_t voxel : {node.place.index, node.low.index}) {
       __builtin_prefetch(&search_[voxel], 1);
       __builtin_prefetch(&flows_[voxel], 1);
       __builtin_prefetch(&flows_[voxel].flow[11], 1);
@@ -225,29 +248,40 @@ inline int64_t Outflow(const int32_t* flow) {
 
 }  // namespace internal
 
-inline int64_t FlowState::Imbalance(const FaceNode& node,
-                                    const VoxelPlace& low) const {
-  const int32_t* upper_flow = flows_[node.place.index].flow;
-  const int32_t* lower_flow = flows_[low.index].flow;
-  int64_t inflow = 0;
-  switch (node.axis) {
-    case 0:
-      inflow =
-          -internal::Outflow<0>(upper_flow) - internal::Outflow<1>(lower_flow);
-      break;
-    case 1:
-      inflow =
-          -internal::Outflow<2>(upper_flow) - internal::Outflow<3>(lower_flow);
-      break;
-    default:
-      inflow =
-          -internal::Outflow<4>(upper_flow) - internal::Outflow<5>(lower_flow);
-      break;
-  }
+template <int kAxis>
+inline int64_t FlowState::Imbalance(const AxisNode<kAxis>& node) const {
+  int64_t inflow =
+      -internal::Outflow<2 * kAxis>(flows_[node.place.index].flow) -
+      internal::Outflow<2 * kAxis + 1>(flows_[node.low.index].flow);
   if (!evidence_.empty()) {
-    inflow -= int64_t{evidence_[node.place.index]} + evidence_[low.index];
+    inflow -= int64_t{evidence_[node.place.index]} + evidence_[node.low.index];
   }
   return inflow;
+}
+
+template <int kAxis>
+inline WordsAround FlowState::Around(const AxisNode<kAxis>& node,
+                                     uint32_t arcs) const {
+  constexpr int kNext = 2 * ((kAxis + 1) % 3) + 1;
+  constexpr int kLast = 2 * ((kAxis + 2) % 3) + 1;
+  // Elsewhere there may be no voxel, or one that another thread works on.
+  const auto reach = [&](uint32_t codes, const VoxelPlace& from, int face) {
+    const uint32_t index = walk_.Step(from, face).index;
+    return (arcs & codes) ? index : node.place.index;
+  };
+  const uint32_t holders[6] = {
+      node.place.index,
+      (arcs & 0x50) ? node.low.index : node.place.index,
+      reach(0x02, node.place, kNext),
+      reach(0x08, node.place, kLast),
+      reach(0x20, node.low, kNext),
+      reach(0x80, node.low, kLast)};
+  WordsAround words;
+  for (int code = 0; code < kNumNodeArcs; ++code) {
+    words[code] = search_[holders[kNodeArcHolder[code]]]
+                      .word[kNodeArcs[kAxis][code].axis];
+  }
+  return words;
 }
 
 template <typename Opened>

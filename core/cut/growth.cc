@@ -27,7 +27,7 @@ void SearchForest::PlantRoots() {
       if (word == FlowState::kNoNode) {
         continue;
       }
-      const int64_t imbalance = state_.Imbalance(node, state_.Low(node));
+      const int64_t imbalance = state_.Imbalance(node);
       if (imbalance > 0) {
         word = MakeWord<Forest::kSource>(1, kRoot);
         Activate<Forest::kSource>(node);
@@ -65,11 +65,12 @@ void SearchForest::Grow() {
     throw InvariantError("cut: the search is deeper than any path can be");
   }
   Depth(F) = std::max(Depth(F), label + 1);
-  Active(F).Take(label).Consume(
+  Active(F).Consume(
+      label,
       pool_,
-      [&](NodeId id) { state_.PrefetchSearch(id); },
-      [&](NodeId id) {
-        const FaceNode node = state_.Node(id);
+      [&](auto axis, NodeId id) { state_.PrefetchSearch<axis()>(id); },
+      [&](auto axis, NodeId id) {
+        const AxisNode node = state_.Node<axis()>(id);
         int32_t& word = state_.Word(node);
         if ((word & kActive) == 0 || Label<F>(word) < label) {
           return;  // a stale entry
@@ -77,35 +78,34 @@ void SearchForest::Grow() {
         word &= ~kActive;
         if (Label<F>(word) > label || Parent(word) == kOrphan ||
             !ScanNode<F>(node, label)) {
-          Activate<F>(node);
+          Activate<F>(Untyped(node));
         }
       });
   Settle();
 }
 
 // Returns false when the node may touch the other forest still.
-template <Forest F>
-bool SearchForest::ScanNode(const FaceNode& node, int32_t label) {
-  const NodeVoxels voxels = state_.VoxelsAround(node);
+template <Forest F, int kAxis>
+bool SearchForest::ScanNode(const AxisNode<kAxis>& node, int32_t label) {
+  uint32_t arcs = ArcsAway<F>(node);
+  const WordsAround words = state_.Around(node, arcs);
+  uint32_t joined = 0;
+  for (int code = kNumNodeArcs - 1; code >= 0; --code) {
+    joined += joined + (Rank<F>(words[code]) < kNoRank);
+  }
   bool done = true;
-  for (uint32_t arcs = ArcsAway<F>(node, voxels.index[1]); arcs != 0;
-       arcs &= arcs - 1) {
+  for (arcs &= ~joined; arcs != 0; arcs &= arcs - 1) {
     const int code = std::countr_zero(arcs);
-    int32_t& other_word = state_.WordAcross(voxels, node.axis, code);
-    const int32_t other_label = Label<F>(other_word);
-    if (other_label > 0) {
-      continue;
-    }
-    const NodeArc& arc = ArcOf(node, code);
-    const FaceNode other = Follow(node, state_.Low(node), arc);
-    if (other_label == 0) {
-      other_word = MakeWord<F>(label + 1, arc.back);
+    const NodeArc& arc = kNodeArcs[kAxis][code];
+    const FaceNode other = state_.Across(node, code);
+    if (Label<F>(words[code]) == 0) {
+      state_.Word(other) = MakeWord<F>(label + 1, arc.back);
       Activate<F>(other);
       continue;
     }
-    const uint32_t voxel = voxels.index[arc.side];
-    done &= F == Forest::kSource ? Augment(node, other, voxel, arc.out)
-                                 : Augment(other, node, voxel, arc.in);
+    const uint32_t voxel = VoxelOf(node, code);
+    done &= F == Forest::kSource ? Augment(Untyped(node), other, voxel, arc.out)
+                                 : Augment(other, Untyped(node), voxel, arc.in);
   }
   return done;
 }
@@ -115,7 +115,7 @@ void SearchForest::Activate(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   if ((word & kActive) == 0) {
     word |= kActive;
-    Active(F).Add(Label<F>(word), IdOf(node), pool_);
+    Active(F).Add(Label<F>(word), node.axis, IdOf(node.place), pool_);
   }
 }
 template void SearchForest::Activate<Forest::kSource>(const FaceNode&);
@@ -129,10 +129,13 @@ void SearchForest::Absorb(SearchForest& next) {
     BucketQueue& active = next.active_[forest];
     while (!active.Empty()) {
       const int32_t label = active.Lowest();
-      active.Take(label).Consume(
+      active.Consume(
+          label,
           next.pool_,
-          [](NodeId) {},
-          [&](NodeId id) { active_[forest].Add(label, id, pool_); });
+          [](auto, NodeId) {},
+          [&](auto axis, NodeId id) {
+            active_[forest].Add(label, axis, id, pool_);
+          });
     }
   }
   next.pool_ = ChunkPool();

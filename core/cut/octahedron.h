@@ -67,29 +67,33 @@ struct NodeArc {
   uint8_t back;  // code of the same arc at the other node
   uint8_t out;   // number of the arc that leaves the node
   uint8_t in;    // number of the arc that enters it
+  uint8_t edge;  // of both
+  int8_t sign;   // +1: leaves the node along the edge, -1: against
 };
 
-inline constexpr std::array<NodeArc, 3 * kNumNodeArcs> MakeNodeArcs() {
-  std::array<NodeArc, 3 * kNumNodeArcs> arcs = {};
+inline constexpr std::array<std::array<NodeArc, kNumNodeArcs>, 3>
+MakeNodeArcs() {
+  std::array<std::array<NodeArc, kNumNodeArcs>, 3> arcs = {};
   for (int axis = 0; axis < 3; ++axis) {
     for (int code = 0; code < kNumNodeArcs; ++code) {
       const int side = code / 4;
       const int out = 4 * (2 * axis + side) + code % 4;
       const int other = kOctahedron.head[out];
       const int in = kOctahedron.reverse[out];
-      arcs[axis * kNumNodeArcs + code] = {
-          uint8_t(side),
-          uint8_t((other & 1) ? other : kNumFaces),
-          uint8_t(other / 2),
-          uint8_t(4 * (other & 1) + in % 4),
-          uint8_t(out),
-          uint8_t(in)};
+      arcs[axis][code] = {uint8_t(side),
+                          uint8_t((other & 1) ? other : kNumFaces),
+                          uint8_t(other / 2),
+                          uint8_t(4 * (other & 1) + in % 4),
+                          uint8_t(out),
+                          uint8_t(in),
+                          kOctahedron.edge[out],
+                          kOctahedron.sign[out]};
     }
   }
   return arcs;
 }
-// By 8 axis + code.
-inline constexpr std::array<NodeArc, 3 * kNumNodeArcs> kNodeArcs =
+// By axis and code.
+inline constexpr std::array<std::array<NodeArc, kNumNodeArcs>, 3> kNodeArcs =
     MakeNodeArcs();
 
 // The six voxels that hold a node's arcs and the nodes at their other ends:
@@ -98,8 +102,6 @@ inline constexpr std::array<NodeArc, 3 * kNumNodeArcs> kNodeArcs =
 // other node, by code of the arc:
 inline constexpr uint8_t kNodeArcHolder[kNumNodeArcs] = {
     0, 2, 0, 3, 1, 4, 1, 5};
-// and that node's axis, by 4 axis + j / 2:
-inline constexpr uint8_t kNodeArcAxis[12] = {1, 2, 0, 0, 2, 0, 0, 0, 0, 1};
 
 // Of a voxel's residual arcs, the four that leave a face; bit j is the arc to
 // its j-th face.

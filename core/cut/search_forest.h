@@ -93,33 +93,48 @@ class SearchForest {
   static int32_t WithParent(int32_t word, int32_t parent) {
     return (word & ~kParentMask) | parent;
   }
+  // Words of forest F in the order of their labels: those of label l lie in
+  // [RankOf(l), RankOf(l + 1)), and those of other nodes from kNoRank on.
+  static constexpr uint32_t kNoRank = 1u << 31;
+  template <Forest F>
+  static uint32_t Rank(int32_t word) {
+    return F == Forest::kSource ? uint32_t(word) - (kFlagMask + 1)
+                                : ~uint32_t(word);
+  }
+  static uint32_t RankOf(int32_t label) {
+    return uint32_t(label - 1) << kLabelShift;
+  }
+  static int32_t LabelOfRank(uint32_t rank) {
+    return int32_t(rank >> kLabelShift) + 1;
+  }
 
-  // The other end of a node's arc; `low` is the voxel below the node.
-  FaceNode Follow(const FaceNode& node,
-                  const VoxelPlace& low,
-                  const NodeArc& arc) const {
-    const VoxelPlace& place = arc.side ? low : node.place;
-    return {state_.Walk().Step(place, arc.step), arc.axis};
-  }
-  static const NodeArc& ArcOf(const FaceNode& node, int code) {
-    return kNodeArcs[node.axis * kNumNodeArcs + code];
-  }
-  static uint32_t VoxelOf(const FaceNode& node,
-                          const VoxelPlace& low,
-                          const NodeArc& arc) {
-    return arc.side ? low.index : node.place.index;
+  // Whether a node of forest F hangs from the arc with this code; that of a
+  // node of no forest is none.
+  template <Forest F>
+  static bool IsChild(int32_t word, int32_t code) {
+    constexpr int32_t kSign = std::numeric_limits<int32_t>::min();
+    return (word & (kSign | kParentMask)) ==
+           (code | (F == Forest::kSource ? 0 : kSign));
   }
 
   // Codes of the arcs along which forest F may grow from a node, and those
   // by which the node may hang from a parent.
-  template <Forest F>
-  uint32_t ArcsAway(const FaceNode& node, uint32_t low) const {
-    return F == Forest::kSource ? state_.ResidualOut(node, low)
-                                : state_.ResidualIn(node, low);
+  template <Forest F, int kAxis>
+  uint32_t ArcsAway(const AxisNode<kAxis>& node) const {
+    return F == Forest::kSource ? state_.ResidualOut(node)
+                                : state_.ResidualIn(node);
   }
-  template <Forest F>
-  uint32_t ArcsToParents(const FaceNode& node, uint32_t low) const {
-    return ArcsAway<Other(F)>(node, low);
+  template <Forest F, int kAxis>
+  uint32_t ArcsToParents(const AxisNode<kAxis>& node) const {
+    return ArcsAway<Other(F)>(node);
+  }
+  template <int kAxis>
+  static uint32_t VoxelOf(const AxisNode<kAxis>& node, int code) {
+    return code >= 4 ? node.low.index : node.place.index;
+  }
+  template <int kAxis>
+  static FaceNode Untyped(const AxisNode<kAxis>& node) {
+    return {node.place, uint32_t(kAxis)};
   }
 
   int32_t& Depth(Forest forest) { return depth_[int(forest)]; }
@@ -129,8 +144,8 @@ class SearchForest {
   void PlantRoots();
   template <Forest F>
   void Grow();
-  template <Forest F>
-  bool ScanNode(const FaceNode& node, int32_t label);
+  template <Forest F, int kAxis>
+  bool ScanNode(const AxisNode<kAxis>& node, int32_t label);
   template <Forest F>
   void Activate(const FaceNode& node);
   void WakeEnds(const VoxelPlace& place, uint32_t arc);
@@ -144,12 +159,10 @@ class SearchForest {
                uint32_t arc);
   int64_t TraceSupply(FaceNode node);
   void Drain();
-  void DrainNode(const FaceNode& node);
-  void SendExcess(const FaceNode& node, const VoxelPlace& low, int64_t excess);
-  int FindLowerParent(const FaceNode& node,
-                      const NodeVoxels& voxels,
-                      int32_t label,
-                      uint32_t& candidates);
+  template <int kAxis>
+  void DrainNode(const AxisNode<kAxis>& node);
+  template <int kAxis>
+  void SendExcess(const AxisNode<kAxis>& node, int64_t excess);
   void QueueDrain(const FaceNode& node);
 
   // adoption.cc
@@ -157,12 +170,13 @@ class SearchForest {
   void MakeOrphan(const FaceNode& node);
   template <Forest F>
   void Adopt();
-  template <Forest F>
-  void AdoptNode(NodeId id, int32_t label);
-  template <Forest F>
-  void OrphanChildren(const FaceNode& node,
-                      const NodeVoxels& voxels,
-                      int32_t label);
+  template <Forest F, int kAxis>
+  void AdoptNode(const AxisNode<kAxis>& node, int32_t label);
+  template <Forest F, int kAxis>
+  void Lift(const AxisNode<kAxis>& node,
+            const WordsAround& words,
+            uint32_t arcs,
+            uint32_t to_parents);
   template <Forest F>
   void Leave(const FaceNode& node);
   // Adopts and drains until neither orphan nor excess is left.

@@ -52,19 +52,21 @@ TEST(Octahedron, NodeArcsLeadBack) {
     for (int axis = 0; axis < 3; ++axis) {
       for (int code = 0; code < kNumNodeArcs; ++code) {
         const auto follow = [&](const VoxelPlace& from, int from_axis, int c) {
-          const NodeArc& arc = kNodeArcs[from_axis * kNumNodeArcs + c];
+          const NodeArc& arc = kNodeArcs[from_axis][c];
           const VoxelPlace holder =
               arc.side ? walk.Step(from, 2 * from_axis) : from;
           return walk.Step(holder, arc.step);
         };
-        const NodeArc& arc = kNodeArcs[axis * kNumNodeArcs + code];
+        const NodeArc& arc = kNodeArcs[axis][code];
         const VoxelPlace other = follow(place, axis, code);
-        const NodeArc& back = kNodeArcs[arc.axis * kNumNodeArcs + arc.back];
+        const NodeArc& back = kNodeArcs[arc.axis][arc.back];
         EXPECT_EQ(follow(other, arc.axis, arc.back).index, place.index);
         EXPECT_EQ(back.axis, axis);
         EXPECT_EQ(back.back, code);
         EXPECT_EQ(back.out, arc.in);
         EXPECT_EQ(back.in, arc.out);
+        EXPECT_EQ(kOctahedron.edge[arc.out], arc.edge);
+        EXPECT_EQ(kOctahedron.sign[arc.out], arc.sign);
       }
     }
   });
@@ -101,26 +103,29 @@ TEST(BucketQueue, KeepsOrderAndReusesChunks) {
   EXPECT_TRUE(queue.Empty());
   for (int round = 0; round < 50; ++round) {
     for (uint32_t item = 0; item < 1000; ++item) {
-      queue.Add(int32_t(3 + item % 7), item, pool);
+      queue.Add(int32_t(3 + item % 7), item % 3, item, pool);
     }
     EXPECT_EQ(queue.Lowest(), 3);
     EXPECT_EQ(queue.Highest(), 9);
     uint32_t taken = 0;
     for (int32_t level = 3; level <= 9; ++level) {
-      uint32_t expected = uint32_t(level - 3);
-      queue.Take(level).Consume(
+      std::array<uint32_t, 3> previous = {0, 0, 0};
+      queue.Consume(
+          level,
           pool,
-          [](uint32_t) {},
-          [&](uint32_t item) {
-            EXPECT_EQ(item, expected);
-            expected += 7;
+          [](auto, uint32_t) {},
+          [&](auto axis, uint32_t item) {
+            EXPECT_EQ(int32_t(3 + item % 7), level);
+            EXPECT_EQ(int(item % 3), axis());
+            EXPECT_GE(item, previous[axis]);
+            previous[axis] = item;
             ++taken;
           });
     }
     EXPECT_EQ(taken, 1000u);
     EXPECT_TRUE(queue.Empty());
   }
-  EXPECT_LE(pool.MemoryBytes(), size_t(256 * 256));
+  EXPECT_LE(pool.MemoryBytes(), size_t(2 * 256 * 256));
 }
 
 }  // namespace

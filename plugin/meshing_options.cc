@@ -51,6 +51,9 @@ void DeclareConsistencyOptions(OptionManager& options,
   options.Add("OctahedralMeshing.patch_radius",
               &meshing->consistency.patch_radius,
               "Of the patch of (2 r + 1)^2 samples, voxels");
+  options.Add("OctahedralMeshing.min_patch_pixels",
+              &meshing->consistency.min_patch_pixels,
+              "Pixels that a patch spans at least: its radius grows to 4");
   options.Add("OctahedralMeshing.neutral",
               &meshing->consistency.neutral,
               "Photo-consistency of what fewer than two views see");

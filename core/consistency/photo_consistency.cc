@@ -104,6 +104,31 @@ float Measure(Patch* patch, const ConsistencyOptions& options) {
   throw InvariantError("unknown photo-consistency measure");
 }
 
+// Distance and number of the samples of a patch.
+struct PatchScale {
+  float spacing;  // unit coordinates
+  int radius;     // samples
+};
+
+// A voxel between samples, but at least a pixel of the average view at the
+// cube's centre, and never a smaller patch than min_patch_pixels.
+PatchScale ScaleOfPatches(const ViewSet& views,
+                          float voxel,
+                          const ConsistencyOptions& options) {
+  double pixels_per_voxel = 0;
+  for (const PreparedView& view : views) {
+    const float depth =
+        view.projection.Homogeneous(Eigen::Vector3f::Constant(0.5f)).z();
+    pixels_per_voxel +=
+        view.projection.Footprint(voxel, std::max(depth, voxel));
+  }
+  pixels_per_voxel /= double(views.size());
+  const double pixels = std::max(1.0, pixels_per_voxel);
+  const int radius = int(std::ceil(options.min_patch_pixels / (2 * pixels)));
+  return {float(pixels / pixels_per_voxel) * voxel,
+          std::clamp(radius, options.patch_radius, Patch::kMaxRadius)};
+}
+
 struct ChunkSummary {
   size_t num_unseen = 0;
   double sum = 0;
@@ -116,6 +141,10 @@ void ConsistencyOptions::Check() const {
               "patch_radius",
               patch_radius,
               "must be in 1 .. 4");
+  CheckOption(min_patch_pixels >= 0 && min_patch_pixels <= 64,
+              "min_patch_pixels",
+              min_patch_pixels,
+              "must be in 0 .. 64");
   CheckOption(
       neutral >= 0 && neutral <= 1, "neutral", neutral, "must be in 0 .. 1");
   CheckOption(pixel_noise > 0 && pixel_noise <= 64,
@@ -148,7 +177,9 @@ PhotoConsistency EstimateConsistency(
               voxels.Size());
   PhotoConsistency result;
   result.phi.resize(voxels.Size());
-  const float spacing = 1.0f / float(voxels.Resolution());
+  result.is_seen.resize(voxels.Size());
+  const PatchScale patches =
+      ScaleOfPatches(views, 1.0f / float(voxels.Resolution()), options);
   std::vector<ChunkSummary> summaries(
       NumChunks(voxels.Bricks().size(), kBrickGrain));
   ParallelChunks(
@@ -168,13 +199,14 @@ PhotoConsistency EstimateConsistency(
                            visibility.Select(center, normals[index]),
                            center,
                            normals[index],
-                           spacing,
-                           options.patch_radius);
+                           patches.spacing,
+                           patches.radius);
               if (patch.NumViews() < 2) {
                 result.phi[index] = float(options.neutral);
                 ++summary.num_unseen;
                 return;
               }
+              result.is_seen[index] = 1;
               result.phi[index] =
                   std::clamp(Measure(&patch, options), 0.0f, 1.0f);
               summary.sum += result.phi[index];

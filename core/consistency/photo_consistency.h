@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "core/base/context.h"
@@ -19,9 +20,12 @@ enum class ConsistencyMeasure {
 
 struct ConsistencyOptions {
   ConsistencyMeasure measure = ConsistencyMeasure::kNormalizedVariance;
-  // Samples are (2 r + 1)^2 points, a voxel apart, on the tangent plane
-  // through the voxel's centre; r in 1 .. 4.
+  // Samples are (2 r + 1)^2 points on the tangent plane through the voxel's
+  // centre, a voxel apart or, where that is more, a pixel; r in 1 .. 4.
   int patch_radius = 2;
+  // Where voxels are as small as pixels, r grows (up to 4) until the patch
+  // spans this many pixels of the average view: fewer hold too little texture.
+  double min_patch_pixels = 5;
   // Value of voxels that fewer than two views see, and of plain patches, so
   // that the surface closes there by minimal area; 0 .. 1.
   double neutral = 0.5;
@@ -41,7 +45,8 @@ struct ConsistencySummary {
 };
 
 struct PhotoConsistency {
-  std::vector<float> phi;  // one a voxel, 0 (consistent) .. 1
+  std::vector<float> phi;        // one a voxel, 0 (consistent) .. 1
+  std::vector<uint8_t> is_seen;  // one a voxel: by at least two views
   ConsistencySummary summary;
 };
 

@@ -20,6 +20,9 @@ constexpr float kMatterTo = 3.5f;
 // Views of one kind that count at most, so that many views of one side do not
 // drown the others.
 constexpr float kMaxVotes = 4;
+// A single view that sees through a voxel may have a wrong depth: it would
+// drill a tunnel. Only further ones count.
+constexpr float kSingleView = 1;
 
 // Removes the depths that fewer than `min_agreeing` neighbours confirm.
 std::vector<SweptDepthMap> KeepAgreeing(
@@ -103,7 +106,8 @@ float EvidenceAt(const ViewSet& views,
   // Beside a surface that some view has found, photo-consistency decides.
   return (near_surface ? 0 : float(options.ballooning)) +
          float(options.matter_weight) * std::min(matter, kMaxVotes) -
-         float(options.free_space_weight) * std::min(free_space, 2 * kMaxVotes);
+         float(options.free_space_weight) *
+             std::clamp(free_space - kSingleView, 0.0f, 2 * kMaxVotes);
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct InsideEvidenceOptions {
   // word is worth.
   double ballooning = 0.25;
   double matter_weight = 0.5;  // a view with its surface just before the voxel
-  double free_space_weight = 1;  // a view that sees through the voxel
+  // A view after the first one that sees through the voxel.
+  double free_space_weight = 0.5;
   void Check() const;
 };
 

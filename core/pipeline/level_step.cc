@@ -104,7 +104,7 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
   for (int round = 0;; ++round) {
     ExtendTerms(views, visibility, crust, options, context, &terms, summary);
     OctahedralCut cut =
-        CutCrust(crust, terms.phi, terms.silhouette, options, context, summary);
+        CutCrust(crust, terms.phi, terms.evidence, options, context, summary);
     stopwatch.Lap();
     Crust grown = GrowCrust(hierarchy,
                             crust,

@@ -38,7 +38,7 @@ void ExtendTerms(const ViewSet& views,
       normals[num_new++] = normals[index];
     } else {
       extended.phi[index] = terms->phi[before];
-      extended.silhouette[index] = terms->silhouette[before];
+      extended.evidence[index] = terms->evidence[before];
     }
   });
   normals.resize(num_new);
@@ -49,11 +49,17 @@ void ExtendTerms(const ViewSet& views,
   summary->consistency.Add(consistency.summary);
   const std::vector<float> silhouette = SilhouetteEvidence(
       views, added, options.energy.silhouette_weight, context);
+  const float ballooning =
+      float(std::ldexp(options.evidence.ballooning,
+                       options.hull.hull_level - int(crust.voxels.Level())));
   size_t next = 0;
   for (size_t i = 0; i < is_new.size(); ++i) {
     if (is_new[i]) {
       extended.phi[i] = consistency.phi[next];
-      extended.silhouette[i] = silhouette[next++];
+      extended.evidence[i] = silhouette[next] < 0        ? silhouette[next]
+                             : consistency.is_seen[next] ? 0.0f
+                                                         : ballooning;
+      ++next;
     }
   }
   *terms = std::move(extended);

@@ -15,8 +15,10 @@ namespace octacut {
 
 struct VoxelTerms {
   VoxelGrid voxels;
-  std::vector<float> phi;         // photo-consistency, 0 .. 1
-  std::vector<float> silhouette;  // evidence: < 0 where a view shows background
+  std::vector<float> phi;  // photo-consistency, 0 .. 1
+  // Evidence for inside (> 0: what fewer than two views see keeps the hull) or
+  // outside (< 0: a view shows background), in units of the weights.
+  std::vector<float> evidence;
 };
 
 // Brings `terms` up to `crust`, which is at least as large: voxels that have

@@ -156,6 +156,7 @@ TEST(PhotoConsistency, IsEquationOne) {
   for (const int radius : {1, 2, 3}) {
     ConsistencyOptions options;
     options.patch_radius = radius;
+    options.min_patch_pixels = 0;
     options.neutral = 0.4;
     options.measure = ConsistencyMeasure::kNormalizedVariance;
     const std::vector<float> normalized = sphere.Estimate(options).phi;

@@ -242,5 +242,31 @@ TEST(ConsistencyOptions, AreRejectedWithFieldAndConstraint) {
               HasSubstr("pixel_noise"));
 }
 
+// A voxel covers some 1.5 pixels here.
+TEST(PhotoConsistency, PatchesGrowUntilTheySpanEnoughPixels) {
+  const SphereScene sphere = MakeSphereScene(testing::SphereSpec());
+  const float voxel = 1.0f / (1 << SphereScene::kLevel);
+  double pixels = 0;
+  for (const PreparedView& view : sphere.test.views) {
+    const float depth =
+        view.projection.Homogeneous(Eigen::Vector3f::Constant(0.5f)).z();
+    pixels += view.projection.Footprint(voxel, depth) /
+              double(sphere.test.views.size());
+  }
+  ASSERT_GT(pixels, 1.0);
+  ConsistencyOptions small;
+  small.patch_radius = 1;
+  small.min_patch_pixels = 0;
+  ConsistencyOptions large = small;
+  large.patch_radius = 3;
+  ConsistencyOptions grown = small;
+  grown.min_patch_pixels = 5.5 * pixels;
+  const std::vector<float> phi = sphere.Estimate(grown).phi;
+  EXPECT_EQ(phi, sphere.Estimate(large).phi);
+  EXPECT_NE(phi, sphere.Estimate(small).phi);
+  grown.min_patch_pixels = 1.9 * pixels;
+  EXPECT_EQ(sphere.Estimate(grown).phi, sphere.Estimate(small).phi);
+}
+
 }  // namespace
 }  // namespace octacut

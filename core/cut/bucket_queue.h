@@ -24,15 +24,10 @@ class ChunkPool {
   };
 
   Chunk* Allocate() {
-    Chunk* chunk = free_;
-    if (chunk != nullptr) {
-      free_ = chunk->next;
-    } else {
-      if (num_chunks_ % kBlock == 0) {
-        blocks_.push_back(std::make_unique_for_overwrite<Chunk[]>(kBlock));
-      }
-      chunk = &blocks_.back()[num_chunks_++ % kBlock];
+    if (free_ == nullptr) {
+      AddBlock();
     }
+    Chunk* chunk = std::exchange(free_, free_->next);
     chunk->next = nullptr;
     chunk->size = 0;
     return chunk;
@@ -42,11 +37,31 @@ class ChunkPool {
     free_ = chunk;
   }
   size_t MemoryBytes() const { return blocks_.size() * kBlock * sizeof(Chunk); }
+  // Takes over another pool's chunks, those in use and those that are not.
+  void Absorb(ChunkPool& other) {
+    std::move(other.blocks_.begin(),
+              other.blocks_.end(),
+              std::back_inserter(blocks_));
+    if (other.free_ != nullptr) {
+      Chunk* last = other.free_;
+      while (last->next != nullptr) {
+        last = last->next;
+      }
+      last->next = std::exchange(free_, other.free_);
+    }
+    other = ChunkPool();
+  }
 
  private:
   static constexpr size_t kBlock = 16;
+  void AddBlock() {
+    blocks_.push_back(std::make_unique_for_overwrite<Chunk[]>(kBlock));
+    for (size_t k = 0; k < kBlock; ++k) {
+      Free(&blocks_.back()[k]);
+    }
+  }
+
   std::vector<std::unique_ptr<Chunk[]>> blocks_;
-  size_t num_chunks_ = 0;
   Chunk* free_ = nullptr;
 };
 
@@ -65,6 +80,17 @@ class ChunkList {
     }
     chunk->items[chunk->size++] = item;
     ++size_;
+  }
+
+  // Moves all items of a list of the same pool to the end of this one.
+  void Append(ChunkList&& other) {
+    if (other.Empty()) {
+      return;
+    }
+    (tail_ == nullptr ? head_ : tail_->next) = other.head_;
+    tail_ = other.tail_;
+    size_ += other.size_;
+    other = ChunkList();
   }
 
   // Takes all items that are in the list now: prefetch(item) some items ahead
@@ -121,6 +147,22 @@ class BucketQueue {
     return lowest_;
   }
   int32_t Highest() const { return highest_; }
+
+  // Moves all items of a queue of the same pool to the ends of the lists.
+  void Append(BucketQueue&& other) {
+    if (other.levels_.size() > levels_.size()) {
+      levels_.resize(other.levels_.size());
+    }
+    for (int32_t level = other.Lowest(); level <= other.Highest(); ++level) {
+      for (size_t axis = 0; axis < 3; ++axis) {
+        levels_[level][axis].Append(std::move(other.levels_[level][axis]));
+      }
+    }
+    lowest_ = std::min(lowest_, other.lowest_);
+    highest_ = std::max(highest_, other.highest_);
+    size_ += other.size_;
+    other = BucketQueue();
+  }
 
   // Takes all items that are at a level now, prefetch(axis, item) some items
   // ahead of body(axis, item); axis is a std::integral_constant.

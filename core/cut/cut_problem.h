@@ -3,11 +3,14 @@
 // is always that of the problem's crust.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/cut/octahedral_cut.h"
+#include "core/cut/octahedron.h"
 #include "core/cut/voxel_walk.h"
 
 namespace octacut {
@@ -38,12 +41,16 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
                       std::span<const FaceLabels> labels,
                       const Context& context);
 
-// Number of cut edges of a voxel: pairs of faces that are not opposite and
-// differ; with n inside faces n (6 - n) pairs less the opposite ones.
-inline int NumCutEdges(FaceLabels labels) {
-  const int inside = __builtin_popcount(labels);
-  const int opposite = __builtin_popcount((labels ^ (labels >> 1)) & 0x15);
-  return inside * (6 - inside) - opposite;
+// Number of cut edges of a voxel with these labels: pairs of faces that are
+// not opposite and differ.
+inline constexpr std::array<uint8_t, 64> MakeNumCutEdges() {
+  std::array<uint8_t, 64> number = {};
+  for (int labels = 0; labels < 64; ++labels) {
+    number[labels] = uint8_t(std::popcount(kLeavingArcs[labels]));
+  }
+  return number;
 }
+inline constexpr std::array<uint8_t, 64> kNumCutEdges = MakeNumCutEdges();
+inline int NumCutEdges(FaceLabels labels) { return kNumCutEdges[labels]; }
 
 }  // namespace octacut

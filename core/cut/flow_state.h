@@ -180,6 +180,14 @@ class FlowState {
     }
   }
 
+  // Whether a node has no imbalance before the search: it is beside neither a
+  // tied face nor evidence. May say no where it is so.
+  bool StartsBalanced(const FaceNode& node) const {
+    return evidence_.empty() &&
+           ((Residual(node.place.index) | Residual(Low(node).index)) >>
+            kNumOctahedronArcs) == 0;
+  }
+
   template <int kAxis>
   void PrefetchSearch(NodeId id) const {
     const AxisNode node = Node<kAxis>(id);

@@ -24,7 +24,7 @@ void SearchForest::PlantRoots() {
     for (uint32_t axis = 0; axis < 3; ++axis) {
       const FaceNode node{place, axis};
       int32_t& word = state_.Word(node);
-      if (word == FlowState::kNoNode) {
+      if (word == FlowState::kNoNode || state_.StartsBalanced(node)) {
         continue;
       }
       const int64_t imbalance = state_.Imbalance(node);
@@ -126,19 +126,9 @@ void SearchForest::Absorb(SearchForest& next) {
   end_ = next.end_;
   for (int forest = 0; forest < 2; ++forest) {
     depth_[forest] = std::max(depth_[forest], next.depth_[forest]);
-    BucketQueue& active = next.active_[forest];
-    while (!active.Empty()) {
-      const int32_t label = active.Lowest();
-      active.Consume(
-          label,
-          next.pool_,
-          [](auto, NodeId) {},
-          [&](auto axis, NodeId id) {
-            active_[forest].Add(label, axis, id, pool_);
-          });
-    }
+    active_[forest].Append(std::move(next.active_[forest]));
   }
-  next.pool_ = ChunkPool();
+  pool_.Absorb(next.pool_);
   // Only bricks of the lower range look across: high faces lead upwards.
   for (uint32_t brick = begin_; brick < middle; ++brick) {
     const auto crosses = [&](int face) {

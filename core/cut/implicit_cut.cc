@@ -119,12 +119,18 @@ void Search(FlowState& state,
     return;
   }
   std::unique_ptr<SearchForest> forest;
+  const auto search = [&] {
+    forest = SearchRegions(state, ends, 0, ends.size(), source_share, context);
+  };
+  if (context.NumThreads() == 1) {
+    search();
+    forest->Finish();
+    return;
+  }
   // More threads than cores would gain nothing, and oneTBB would complain.
   tbb::task_arena arena(
       std::min(context.NumThreads(), tbb::this_task_arena::max_concurrency()));
-  arena.execute([&] {
-    forest = SearchRegions(state, ends, 0, ends.size(), source_share, context);
-  });
+  arena.execute(search);
   forest->Finish();
 }
 
@@ -134,18 +140,17 @@ SearchPlan PlanSearch(const OctahedralCutProblem& problem,
                       std::span<const FaceTies> merged_ties) {
   // Low faces that are tied: some three for every two columns through the
   // crust, so that their share tells how thick it is.
-  constexpr int kLowFaces = 0x15;
   size_t num_tied = 0;
   for (const FaceTies ties : merged_ties) {
-    num_tied +=
-        size_t(std::popcount(unsigned((ties | ties >> kNumFaces) & kLowFaces)));
+    const int tied = ties | ties >> kNumFaces;
+    num_tied += (tied & 1) + ((tied >> 2) & 1) + ((tied >> 4) & 1);
   }
   const double thickness =
       1.5 * double(merged_ties.size()) / double(std::max<size_t>(1, num_tied));
   constexpr double kThick = 12;
   SearchPlan plan;
   if (thickness > kThick || !problem.evidence.empty()) {
-    plan.region_voxels = 1 << 20;
+    plan.region_voxels = 1 << 16;
     plan.source_share = 0;
   } else {
     // Some eight thicknesses wide.
@@ -158,7 +163,7 @@ SearchPlan PlanSearch(const OctahedralCutProblem& problem,
 
 OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
                               const VoxelWalk& walk,
-                              std::vector<FaceTies> merged_ties,
+                              std::vector<FaceTies>& merged_ties,
                               const SearchPlan& plan,
                               const Context& context) {
   if (walk.NumBricks() > kMaxCutBricks) {
@@ -172,8 +177,8 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
   cut.num_nodes = state.NumNodes();
   cut.cost_fixed_point = state.FlowValue(context);
   state.ReleaseFlows();
-  cut.labels =
-      EmitLabels(state, MergeFaceTies(problem, walk, context), context);
+  merged_ties = MergeFaceTies(problem, walk, context);
+  cut.labels = EmitLabels(state, merged_ties, context);
   return cut;
 }
 

@@ -23,14 +23,14 @@ struct SearchPlan {
 SearchPlan PlanSearch(const OctahedralCutProblem& problem,
                       std::span<const FaceTies> merged_ties);
 
-// Solves a problem whose values are checked (cut_problem.h); move its merged
-// ties in, they are freed as soon as they are used. Fills labels,
+// Solves a problem whose values are checked (cut_problem.h). Its merged ties
+// are freed during the search and made again after it. Fills labels,
 // cost_fixed_point (the flow) and num_nodes of the result, which depend
 // neither on the plan nor on the number of threads. Throws InvariantError
 // when a residual arc leaves the source side.
 OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
                               const VoxelWalk& walk,
-                              std::vector<FaceTies> merged_ties,
+                              std::vector<FaceTies>& merged_ties,
                               const SearchPlan& plan,
                               const Context& context);
 

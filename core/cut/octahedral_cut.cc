@@ -19,10 +19,8 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
   const VoxelWalk walk(*problem.crust);
   std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
   const SearchPlan plan = PlanSearch(problem, ties);
-  OctahedralCut cut =
-      SolveImplicitly(problem, walk, std::move(ties), plan, context);
+  OctahedralCut cut = SolveImplicitly(problem, walk, ties, plan, context);
   // A cut that costs what flows is a minimum cut, and the flow a maximum.
-  ties = MergeFaceTies(problem, walk, context);
   const int64_t cost = LabellingCost(problem, walk, ties, cut.labels, context);
   if (cost != cut.cost_fixed_point) {
     throw InvariantError(fmt::format(

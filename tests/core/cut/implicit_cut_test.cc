@@ -20,8 +20,10 @@ void ExpectEqualsReference(const OctahedralCutProblem& problem) {
   const SearchPlan plans[] = {
       {1u << 20, 1}, {1u << 20, 0}, {1, 1}, {100, 0}, {100, 1e9}};
   for (const SearchPlan& plan : plans) {
+    std::vector<FaceTies> own_ties = ties;
     const OctahedralCut actual =
-        SolveImplicitly(problem, walk, ties, plan, context);
+        SolveImplicitly(problem, walk, own_ties, plan, context);
+    ASSERT_EQ(own_ties, ties);
     ASSERT_EQ(actual.cost_fixed_point, expected.cost_fixed_point);
     ASSERT_EQ(actual.labels, expected.labels);
     ASSERT_EQ(actual.num_nodes, expected.num_nodes);
@@ -180,7 +182,7 @@ TEST(ImplicitCut, SameForAnyNumberOfThreadsAndRegions) {
   SetRandomEvidence(0.05f, random, problem);
   const OctahedralCutProblem view = problem.View();
   const VoxelWalk walk(problem.crust);
-  const std::vector<FaceTies> ties = MergeFaceTies(view, walk, Context(1));
+  std::vector<FaceTies> ties = MergeFaceTies(view, walk, Context(1));
   const OctahedralCut expected =
       SolveImplicitly(view, walk, ties, {}, Context(1));
   for (const int num_threads : {1, 2, 4}) {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/compare/compare_meshes.h"
-#include "core/compare/self_intersections.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/self_intersections.h"
 
 namespace octacut {
 

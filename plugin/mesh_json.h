@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/compare/compare_meshes.h"
-#include "core/compare/self_intersections.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/self_intersections.h"
 #include "plugin/option_value.h"
 
 namespace octacut {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "tests/core/compare/test_shapes.h"
+#include "tests/core/mesh/test_shapes.h"
 
 namespace octacut {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "tests/core/compare/test_shapes.h"
+#include "tests/core/mesh/test_shapes.h"
 
 namespace octacut {
 namespace {

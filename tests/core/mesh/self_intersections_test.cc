@@ -1,4 +1,4 @@
-#include "core/compare/self_intersections.h"
+#include "core/mesh/self_intersections.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "core/compare/triangle_intersection.h"
-#include "tests/core/compare/test_shapes.h"
+#include "core/mesh/triangle_intersection.h"
+#include "tests/core/mesh/test_shapes.h"
 
 namespace octacut {
 namespace {

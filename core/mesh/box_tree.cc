@@ -1,4 +1,4 @@
-#include "core/compare/box_tree.h"
+#include "core/mesh/box_tree.h"
 
 #include <algorithm>
 #include <cmath>

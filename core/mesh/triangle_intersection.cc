@@ -1,10 +1,10 @@
-#include "core/compare/triangle_intersection.h"
+#include "core/mesh/triangle_intersection.h"
 
 #include <cmath>
 #include <Eigen/Geometry>
 #include <utility>
 
-#include "core/compare/exact_predicates.h"
+#include "core/mesh/exact_predicates.h"
 
 namespace octacut {
 namespace {

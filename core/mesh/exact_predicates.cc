@@ -1,4 +1,4 @@
-#include "core/compare/exact_predicates.h"
+#include "core/mesh/exact_predicates.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/compare/triangle_intersection.h"
+#include "core/mesh/triangle_intersection.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/compare/self_intersections.h"
+#include "core/mesh/self_intersections.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/compare/box_tree.h"
-#include "core/compare/triangle_intersection.h"
+#include "core/mesh/box_tree.h"
+#include "core/mesh/triangle_intersection.h"
 
 namespace octacut {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "plugin/commands/example_creator.h"
 #include "plugin/commands/mesh_comparer.h"
+#include "plugin/commands/mesh_refiner.h"
 #include "plugin/commands/octahedral_mesher.h"
 #include "plugin/commands/version.h"
 #include "plugin/commands/visual_hull_mesher.h"
@@ -18,6 +19,9 @@ std::span<const RegistryEntry> CommandRegistry() {
       {"mesh_comparer",
        "Measure meshes against a reference: topology, distances, scores",
        &MakeMeshComparer},
+      {"mesh_refiner",
+       "Move a mesh to where the photographs agree best, below pixel size",
+       &MakeMeshRefiner},
       {"octahedral_mesher",
        "Reconstruct a closed mesh from a sparse model and masks",
        &MakeOctahedralMesher},

@@ -8,6 +8,7 @@ packages=(
   g++ cmake make ninja-build
   libeigen3-dev libfmt-dev libspdlog-dev libtbb-dev nlohmann-json3-dev
   libopencv-dev libopenmesh-dev libembree-dev libboost-dev
+  libceres-dev
   libgtest-dev libgmock-dev
   colmap jq
 )

@@ -17,21 +17,6 @@ constexpr size_t kGrain = 1 << 14;
 
 using Positions = std::vector<Eigen::Vector3d>;
 
-// Neighbours of every vertex. In a closed, oriented mesh each one follows the
-// vertex in exactly one triangle, so the corners turn into neighbours.
-VertexCorners FindNeighbors(const IndexedMesh& mesh, const Context& context) {
-  VertexCorners result =
-      FindVertexCorners(mesh.positions.size(), mesh.triangles);
-  ParallelFor(
-      context, result.corners.size(), kGrain, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          const uint32_t corner = result.corners[i];
-          result.corners[i] = mesh.triangles[corner / 3][(corner + 1) % 3];
-        }
-      });
-  return result;
-}
-
 // One step of HK06 step 9, V <- V + weight * Laplacian(V), within the bound.
 void Step(const VertexCorners& neighbors,
           const Positions& anchors,
@@ -112,7 +97,8 @@ SmoothedSurface SmoothSurface(IndexedMesh mesh,
   const Positions anchors = positions;
   const double bound = options.max_displacement * voxel_size;
   {
-    const VertexCorners neighbors = FindNeighbors(result.mesh, context);
+    const VertexCorners neighbors =
+        FindVertexNeighbors(positions.size(), result.mesh.triangles);
     Positions buffer(positions.size());
     const auto step = [&](double weight) {
       Step(neighbors, anchors, weight, bound, context, positions, buffer);

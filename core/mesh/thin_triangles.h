@@ -1,5 +1,4 @@
-// Keeps moved vertices from squeezing triangles to nothing. For core/mesh
-// alone.
+// Keeps moved vertices from squeezing triangles to nothing.
 #pragma once
 
 #include <array>

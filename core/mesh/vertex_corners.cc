@@ -35,4 +35,14 @@ VertexCorners FindVertexCorners(
   return result;
 }
 
+VertexCorners FindVertexNeighbors(
+    size_t num_vertices, std::span<const std::array<uint32_t, 3>> triangles) {
+  VertexCorners result = FindVertexCorners(num_vertices, triangles);
+  // Each neighbour follows the vertex in exactly one triangle.
+  for (uint32_t& corner : result.corners) {
+    corner = triangles[corner / 3][(corner + 1) % 3];
+  }
+  return result;
+}
+
 }  // namespace octacut

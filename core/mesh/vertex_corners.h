@@ -25,4 +25,9 @@ struct VertexCorners {
 VertexCorners FindVertexCorners(
     size_t num_vertices, std::span<const std::array<uint32_t, 3>> triangles);
 
+// The same of a closed, oriented mesh with the neighbours of each vertex, each
+// of them once, in place of the corners.
+VertexCorners FindVertexNeighbors(
+    size_t num_vertices, std::span<const std::array<uint32_t, 3>> triangles);
+
 }  // namespace octacut

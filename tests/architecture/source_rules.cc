@@ -33,8 +33,8 @@ struct Confined {
 };
 const std::vector<Confined>& ConfinedHeaders() {
   static const std::vector<Confined> kConfined = {
-      {"OpenMesh/", {"core/mesh/", "core/refinement/", "tests/"}},
-      {"ceres/", {"core/refinement/", "tests/"}},
+      {"OpenMesh/", {"core/mesh/", "core/refine/", "tests/"}},
+      {"ceres/", {"core/refine/", "tests/"}},
       {"embree3/", {"core/raycast/"}},
   };
   return kConfined;

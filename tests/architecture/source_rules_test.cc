@@ -48,7 +48,7 @@ class PlantedTree : public ::testing::Test {
                                "cut",
                                "mesh",
                                "raycast",
-                               "refinement",
+                               "refine",
                                "visibility",
                                "pipeline",
                                "compare",
@@ -141,13 +141,13 @@ TEST_F(PlantedTree, CoreKnowsNoFiles) {
 TEST_F(PlantedTree, LibrariesStayInTheirFolders) {
   const std::string open_mesh = "<OpenMesh/Core/Mesh/Traits.hh>";
   EXPECT_THAT(WithInclude("core/mesh/x.cc", open_mesh), IsEmpty());
-  EXPECT_THAT(WithInclude("core/refinement/x.cc", open_mesh), IsEmpty());
+  EXPECT_THAT(WithInclude("core/refine/x.cc", open_mesh), IsEmpty());
   EXPECT_THAT(WithInclude("core/pipeline/x.cc", open_mesh),
               ElementsAre(HasSubstr("belongs into core/mesh/")));
   EXPECT_THAT(WithInclude("colmap_io/mesh/x.cc", open_mesh),
               ElementsAre(HasSubstr("belongs into core/mesh/")));
   EXPECT_THAT(WithInclude("core/mesh/x.cc", "<ceres/ceres.h>"),
-              ElementsAre(HasSubstr("belongs into core/refinement/")));
+              ElementsAre(HasSubstr("belongs into core/refine/")));
   EXPECT_THAT(WithInclude("core/raycast/x.cc", "<embree3/rtcore.h>"),
               IsEmpty());
   EXPECT_THAT(WithInclude("core/visibility/x.cc", "<embree3/rtcore.h>"),

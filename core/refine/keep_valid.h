@@ -1,0 +1,31 @@
+// Takes back what moved vertices must not do: leave the hull, squeeze
+// triangles to nothing, run through each other.
+#pragma once
+
+#include <cstddef>
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// Moves vertices of `mesh` back towards `start` (a half, a quarter, none of
+// their way left)
+// - that are more than `tolerance` pixels out of a mask in which they were not
+//   at `start`;
+// - of triangles that are thinner than a hundredth of `pixel`, unless they
+//   were at `start`;
+// - of triangles that intersect others, until none do but those that did at
+//   `start`.
+// Unit coordinates. Returns how many vertices.
+size_t KeepValid(const ViewSet& views,
+                 const std::vector<Eigen::Vector3d>& start,
+                 double tolerance,
+                 double pixel,
+                 const Context& context,
+                 IndexedMesh* mesh);
+
+}  // namespace octacut

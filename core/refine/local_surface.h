@@ -1,0 +1,42 @@
+// The surface around a vertex as a quadric over its tangent plane: smooth
+// where the mesh still has the steps of its voxels, yet curved, so that a patch
+// of samples on it looks alike from all sides (a plane would not where the
+// object is round).
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/mesh/vertex_corners.h"
+
+namespace octacut {
+
+// Points center + x * tangent_u + y * tangent_v + Height(x, y) * normal.
+struct LocalSurface {
+  Eigen::Vector3f center;  // the point of the quadric next to the vertex
+  Eigen::Vector3f normal;  // there; of unit length, outward
+  Eigen::Vector3f tangent_u;
+  float uu = 0;
+  float uv = 0;
+  float vv = 0;
+  // Of the center above the vertex, along the normal.
+  float height = 0;
+
+  Eigen::Vector3f TangentV() const { return normal.cross(tangent_u); }
+  float Height(float x, float y) const {
+    return uu * x * x + uv * x * y + vv * y * y;
+  }
+};
+
+// One a vertex of `mesh`, which has normals, by weighted least squares over
+// the vertices that are within `radius` and connected with it there.
+// `neighbors` are those of FindVertexNeighbors. A vertex with too few
+// neighbours gets its tangent plane.
+std::vector<LocalSurface> FitLocalSurfaces(const IndexedMesh& mesh,
+                                           const VertexCorners& neighbors,
+                                           double radius,
+                                           const Context& context);
+
+}  // namespace octacut

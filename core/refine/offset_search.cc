@@ -1,0 +1,101 @@
+#include "core/refine/offset_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/parallel.h"
+#include "core/refine/surface_patch.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kGrain = 256;
+// A second peak as high as this share of the best one makes it ambiguous.
+constexpr float kMaxSecondPeak = 0.93f;
+// Keeps the weight of perfect agreement finite.
+constexpr float kScoreSlack = 0.05f;
+constexpr float kMaxWeight = 12;
+constexpr float kPrecision = 19;
+
+// Whether a maximum other than scores[best] is nearly as high.
+bool IsAmbiguous(const std::vector<float>& scores, size_t best) {
+  for (size_t k = 1; k + 1 < scores.size(); ++k) {
+    if (k != best && scores[k] >= scores[k - 1] && scores[k] >= scores[k + 1] &&
+        scores[k] > kMaxSecondPeak * scores[best]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The top of the parabola through the best score and its neighbours.
+OffsetMeasurement FindPeak(const std::vector<float>& scores,
+                           const OffsetSearch& search,
+                           float pixel) {
+  const size_t middle = scores.size() / 2;
+  OffsetMeasurement measurement;
+  measurement.score_before = scores[middle];
+  const size_t best =
+      size_t(std::max_element(scores.begin(), scores.end()) - scores.begin());
+  measurement.score = scores[best];
+  if (best == 0 || best + 1 == scores.size() ||
+      scores[best] < float(search.min_score) || IsAmbiguous(scores, best)) {
+    return measurement;
+  }
+  const float before = scores[best - 1];
+  const float after = scores[best + 1];
+  const float bend = 2 * scores[best] - before - after;
+  if (!(bend > 0)) {
+    return measurement;
+  }
+  const float step = float(search.step);
+  const float peak = 0.5f * (after - before) / bend;
+  measurement.score += 0.25f * (after - before) * peak;
+  measurement.offset = (float(best) - float(middle) + peak) * step * pixel;
+  // What a sharp peak of a high score is worth, as measured: the error falls
+  // with the bend of the score over what is missing from 1.
+  const float sharpness = bend / (2 * step * step);
+  measurement.weight =
+      std::min(kMaxWeight,
+               kPrecision * sharpness /
+                   (std::max(0.0f, 1 - measurement.score) + kScoreSlack));
+  return measurement;
+}
+
+}  // namespace
+
+std::vector<OffsetMeasurement> SearchOffsets(
+    const ViewSet& views,
+    const std::vector<LocalSurface>& surfaces,
+    const std::vector<ChosenViews>& choices,
+    const std::vector<uint32_t>& vertices,
+    const OffsetSearch& search,
+    const Context& context,
+    Phase* phase) {
+  std::vector<OffsetMeasurement> measurements(vertices.size());
+  const int half = int(std::lround(search.range / search.step));
+  ParallelFor(context, vertices.size(), kGrain, [&](size_t begin, size_t end) {
+    SurfacePatch patch(views, search.patch_radius, float(search.pixel_noise));
+    std::vector<float> scores(2 * size_t(half) + 1);
+    for (size_t i = begin; i < end; ++i) {
+      const LocalSurface& surface = surfaces[vertices[i]];
+      const ChosenViews& chosen = choices[vertices[i]];
+      if (chosen.count < 2) {
+        continue;
+      }
+      patch.Place(surface, chosen, float(search.spacing) * chosen.pixel);
+      if (patch.NumViews() < 2) {
+        continue;
+      }
+      for (int k = -half; k <= half; ++k) {
+        scores[size_t(k + half)] =
+            patch.Score(float(k) * float(search.step) * chosen.pixel);
+      }
+      measurements[i] = FindPeak(scores, search, chosen.pixel);
+    }
+    phase->Advance(end - begin);
+  });
+  return measurements;
+}
+
+}  // namespace octacut

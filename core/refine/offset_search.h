@@ -1,0 +1,43 @@
+// How far along its normal each piece of the surface has to move for the views
+// to agree best.
+#pragma once
+
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/refine/local_surface.h"
+#include "core/refine/view_choice.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// Lengths in pixels: the mean size at the vertex of those of its views.
+struct OffsetSearch {
+  double range = 2;    // offsets in -range .. range
+  double step = 0.5;   // between tried offsets
+  double spacing = 1;  // between the samples of a patch
+  int patch_radius = 3;
+  double pixel_noise = 3;  // standard deviation, grey levels
+  double min_score = 0.3;  // of an accepted peak
+};
+
+struct OffsetMeasurement {
+  float offset = 0;  // from the local surface, unit coordinates
+  float weight = 0;  // 1 / standard deviation, roughly, in pixels; 0: none
+  float score = 0;   // of the peak
+  float score_before = 0;  // at offset 0
+};
+
+// One for each of `vertices`, which choose from `surfaces` and `choices`. There
+// is no offset where fewer than two views see, where the best score is too low
+// or at the end of the range, or where a second peak is nearly as high.
+std::vector<OffsetMeasurement> SearchOffsets(
+    const ViewSet& views,
+    const std::vector<LocalSurface>& surfaces,
+    const std::vector<ChosenViews>& choices,
+    const std::vector<uint32_t>& vertices,
+    const OffsetSearch& search,
+    const Context& context,
+    Phase* phase);
+
+}  // namespace octacut

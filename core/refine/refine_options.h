@@ -1,0 +1,43 @@
+// Options of photometric refinement. Lengths are in pixels of the views at the
+// surface.
+#pragma once
+
+#include "core/refine/view_choice.h"
+
+namespace octacut {
+
+struct RefineOptions {
+  ViewChoiceOptions views;
+  // Rounds at the scale of the views, the first within `range`, each later one
+  // within half of that; 1 .. 8.
+  int fine_rounds = 2;
+  // Rounds before, each at half the resolution of the next; 0 .. 4.
+  int coarse_rounds = 2;
+  double range = 2;
+  double step = 0.5;  // between tried offsets
+  // Patches have (2 r + 1)^2 samples a pixel apart; 1 .. 4.
+  int patch_radius = 4;
+  // Between the places where offsets are measured.
+  double measure_spacing = 2;
+  // Of the pieces of the surface that are taken for smooth.
+  double fit_radius = 9;
+  double min_score = 0.3;  // of an accepted offset
+  // Standard deviation of the images' noise, grey levels: contrast below it
+  // counts as plain.
+  double pixel_noise = 1;
+  // Weight of the surface's bend, against an offset that is known to a pixel.
+  double smoothness = 30;
+  // Share of the bend of the smooth pieces that is kept: 0 flattens what no
+  // view can tell, 1 keeps its shape.
+  double keep_bend = 1;
+  // Offsets that are wrong by more than this many standard deviations weigh
+  // like outliers.
+  double outlier_scale = 2;
+  // Weight of the masks' borders, like that of an offset; 0: none.
+  double silhouette_weight = 1;
+  // Pixels by which vertices may leave a silhouette.
+  double hull_tolerance = 1.5;
+  void Check() const;
+};
+
+}  // namespace octacut

@@ -1,0 +1,55 @@
+// One round of refinement: fit, measure, solve, move.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/mesh/vertex_corners.h"
+#include "core/refine/refine_options.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+struct RoundSummary {
+  double scale = 0;         // size of the round's pixels in those of the views
+  double range = 0;         // of the search, pixels of the views
+  size_t num_seen = 0;      // vertices that at least two views see
+  size_t num_tried = 0;     // places where an offset was looked for
+  size_t num_measured = 0;  // of them, where one was found
+  size_t num_rim_targets = 0;    // from silhouettes
+  double mean_displacement = 0;  // of the vertices that may move, pixels
+  double fit_seconds = 0;
+  double view_seconds = 0;
+  double search_seconds = 0;
+  double silhouette_seconds = 0;
+  double solve_seconds = 0;
+};
+
+struct RoundPlan {
+  double scale;  // of the round's pixels, in pixels of the views
+  double range;  // of the search, in the round's pixels
+};
+
+// Moves the vertices of `mesh` (unit coordinates) and leaves the normals that
+// belong to the positions before. `pixel` is the size of a pixel of the views
+// at the surface; `neighbors` are those of FindVertexNeighbors.
+RoundSummary RefineOnce(const ViewSet& views,
+                        const VertexCorners& neighbors,
+                        double pixel,
+                        const RoundPlan& plan,
+                        const RefineOptions& options,
+                        const Context& context,
+                        IndexedMesh* mesh);
+
+// Mean agreement (-1 .. 1) of the views about the surface as it is, at the
+// scale of the views.
+double MeanAgreement(const ViewSet& views,
+                     const VertexCorners& neighbors,
+                     double pixel,
+                     const RefineOptions& options,
+                     const Context& context,
+                     IndexedMesh* mesh);
+
+}  // namespace octacut

@@ -1,0 +1,124 @@
+#include "core/refine/refine_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/stopwatch.h"
+#include "core/mesh/normals.h"
+#include "core/refine/keep_valid.h"
+
+namespace octacut {
+namespace {
+
+std::vector<RoundPlan> PlanRounds(const RefineOptions& options) {
+  std::vector<RoundPlan> plan;
+  for (int i = options.coarse_rounds; i > 0; --i) {
+    plan.push_back({double(1 << i), options.range});
+  }
+  double range = options.range;
+  for (int i = 0; i < options.fine_rounds; ++i) {
+    plan.push_back({1, range});
+    // A peak needs a neighbour on both sides.
+    range = std::max(range / 2, 2 * options.step);
+  }
+  return plan;
+}
+
+void CheckInput(const IndexedMesh& mesh, const ViewSet& views) {
+  if (mesh.triangles.empty()) {
+    throw InputError("refinement: the mesh has no triangles");
+  }
+  if (views.size() < 2) {
+    throw InputError("refinement: at least 2 views are needed");
+  }
+  for (const PreparedView& view : views) {
+    if (view.pyramid.NumLevels() == 0) {
+      throw InputError("refinement: a view has no image");
+    }
+  }
+}
+
+// Of a pixel at the mesh's centre, mean over the views.
+double MeanPixel(const ViewSet& views, const IndexedMesh& mesh) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    sum += position;
+  }
+  const Eigen::Vector3f middle =
+      (sum / double(mesh.positions.size())).cast<float>();
+  double pixels = 0;
+  for (const PreparedView& view : views) {
+    pixels +=
+        view.projection.Homogeneous(middle).z() / view.projection.focal_length;
+  }
+  return pixels / double(views.size());
+}
+
+void SummarizeMoves(const std::vector<Eigen::Vector3d>& start,
+                    const IndexedMesh& mesh,
+                    double pixel,
+                    RefineSummary* summary) {
+  summary->num_vertices = start.size();
+  for (size_t v = 0; v < start.size(); ++v) {
+    if (mesh.positions[v] != start[v]) {
+      const double displacement = (mesh.positions[v] - start[v]).norm() / pixel;
+      ++summary->num_moved;
+      summary->mean_displacement += displacement;
+      summary->max_displacement =
+          std::max(summary->max_displacement, displacement);
+    }
+  }
+  summary->mean_displacement /= double(std::max<size_t>(summary->num_moved, 1));
+}
+
+}  // namespace
+
+RefinedSurface RefineSurface(IndexedMesh mesh,
+                             const ViewSet& views,
+                             const BoundingCube& cube,
+                             const RefineOptions& options,
+                             const Context& context) {
+  options.Check();
+  CheckInput(mesh, views);
+  Stopwatch whole;
+  RefinedSurface result;
+  RefineSummary& summary = result.summary;
+  IndexedMesh unit;
+  unit.triangles = mesh.triangles;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    unit.positions.push_back((position - cube.min_corner) / cube.edge);
+  }
+  const std::vector<Eigen::Vector3d> start = unit.positions;
+  const VertexCorners neighbors =
+      FindVertexNeighbors(start.size(), unit.triangles);
+  const double pixel = MeanPixel(views, unit);
+  summary.pixel_size = pixel * cube.edge;
+  Stopwatch stopwatch;
+  summary.agreement_before =
+      MeanAgreement(views, neighbors, pixel, options, context, &unit);
+  for (const RoundPlan& plan : PlanRounds(options)) {
+    summary.rounds.push_back(
+        RefineOnce(views, neighbors, pixel, plan, options, context, &unit));
+  }
+  stopwatch.Lap();
+  summary.num_withdrawn =
+      KeepValid(views, start, options.hull_tolerance, pixel, context, &unit);
+  summary.validity_seconds = stopwatch.Lap();
+  summary.agreement_after =
+      MeanAgreement(views, neighbors, pixel, options, context, &unit);
+  SummarizeMoves(start, unit, pixel, &summary);
+  summary.num_seen = summary.rounds.back().num_seen;
+  for (size_t v = 0; v < start.size(); ++v) {
+    if (unit.positions[v] != start[v]) {
+      mesh.positions[v] = cube.min_corner + cube.edge * unit.positions[v];
+    }
+  }
+  mesh.normals = ComputeVertexNormals(mesh, context);
+  result.mesh = std::move(mesh);
+  summary.seconds = whole.Lap();
+  return result;
+}
+
+}  // namespace octacut

@@ -1,0 +1,51 @@
+// Photometric refinement: vertices move along their normals to where the views
+// agree best, below the size of a voxel.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/refine/refine_options.h"
+#include "core/refine/refine_round.h"
+#include "core/scene/scene.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+struct RefineSummary {
+  double pixel_size = 0;  // of the views at the surface, world units
+  size_t num_vertices = 0;
+  size_t num_seen = 0;  // by at least two views
+  size_t num_moved = 0;
+  double mean_displacement = 0;  // of the moved ones, pixels
+  double max_displacement = 0;
+  // Mean agreement of the views where at least two see the surface.
+  double agreement_before = 0;
+  double agreement_after = 0;
+  // Vertices that were moved back: into the hull, or for the sake of
+  // triangles that were too thin or intersected others.
+  size_t num_withdrawn = 0;
+  std::vector<RoundSummary> rounds;
+  double validity_seconds = 0;
+  double seconds = 0;
+};
+
+struct RefinedSurface {
+  IndexedMesh mesh;  // with normals; colours as they were
+  RefineSummary summary;
+};
+
+// `mesh` is closed and oriented, in world coordinates; `views` are those of
+// PrepareViews for `cube`, with images. Topology stays. Vertices that no two
+// views see, and are not close to such that do, keep their positions exactly.
+// No two triangles intersect that did not before, and none becomes degenerate.
+// Throws InputError when a view has no image or the mesh has no triangle.
+RefinedSurface RefineSurface(IndexedMesh mesh,
+                             const ViewSet& views,
+                             const BoundingCube& cube,
+                             const RefineOptions& options,
+                             const Context& context);
+
+}  // namespace octacut

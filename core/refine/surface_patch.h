@@ -1,0 +1,61 @@
+// A patch of samples on a local surface, seen by several views, moved along
+// its normal: how well do the views agree where?
+#pragma once
+
+#include <array>
+
+#include "core/refine/local_surface.h"
+#include "core/refine/view_choice.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+class SurfacePatch {
+ public:
+  static constexpr int kMaxRadius = 4;
+  static constexpr int kMaxSamples =
+      (2 * kMaxRadius + 1) * (2 * kMaxRadius + 1);
+
+  // Samples lie `spacing` apart (unit coordinates) in a square of
+  // (2 radius + 1)^2 and weigh less towards its border. `pixel_noise` (grey
+  // levels) is what contrast is measured against.
+  SurfacePatch(const ViewSet& views, int radius, float pixel_noise);
+
+  // Puts the patch onto `surface`. Views in which more than a third of it is
+  // background are left out.
+  void Place(const LocalSurface& surface,
+             const ChosenViews& chosen,
+             float spacing);
+  int NumViews() const { return num_views_; }
+
+  // Agreement of the views about the patch moved by `offset` along the normal:
+  // mean over pairs of views of the covariance of their colours, each less its
+  // mean and over its contrast at offset 0. At most about 1.
+  float Score(float offset);
+
+ private:
+  // Homogeneous pixel coordinates of the samples at offset 0, and what a unit
+  // of offset adds.
+  struct Projected {
+    const PyramidLevel* level;
+    Eigen::Vector3f step;
+    float gain;
+    alignas(16) std::array<float, kMaxSamples> x, y, z;
+  };
+
+  bool IsBackground(const Projected& projected) const;
+  // Squared norm.
+  float SampleView(const Projected& projected, float offset);
+
+  const ViewSet& views_;
+  int radius_;
+  int num_samples_;
+  float noise_;
+  std::array<float, kMaxSamples> weights_;  // sum to 1
+  std::array<float, kMaxSamples> root_weights_;
+  int num_views_ = 0;
+  std::array<Projected, ChosenViews::kMaxViews> projected_;
+  std::array<Float4, kMaxSamples> colors_;
+};
+
+}  // namespace octacut

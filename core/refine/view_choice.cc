@@ -1,0 +1,139 @@
+#include "core/refine/view_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/base/check_option.h"
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kGrain = 1024;
+constexpr float kObjectCoverage = 127.5f;
+
+float CosineOfDegrees(double degrees) {
+  return float(std::cos(degrees * std::numbers::pi / 180));
+}
+
+struct Candidate {
+  uint16_t view;
+  float cosine;  // to the normal
+  float pixel;
+  Eigen::Vector3f direction;  // to the camera
+};
+
+// Views before which the point faces up, is in the frame and on the object;
+// most frontal first.
+void FindCandidates(const ViewSet& views,
+                    const LocalSurface& surface,
+                    float min_cosine,
+                    std::vector<Candidate>* candidates) {
+  candidates->clear();
+  for (size_t i = 0; i < views.size(); ++i) {
+    const ViewProjection& projection = views[i].projection;
+    const Eigen::Vector3f direction =
+        (projection.center - surface.center).normalized();
+    const float cosine = direction.dot(surface.normal);
+    if (cosine < min_cosine) {
+      continue;
+    }
+    const Eigen::Vector3f h = projection.Homogeneous(surface.center);
+    if (!(h.z() > 0)) {
+      continue;
+    }
+    const float u = h.x() / h.z();
+    const float v = h.y() / h.z();
+    if (projection.InFrame(u, v) &&
+        views[i].silhouette.Coverage(u, v) >= kObjectCoverage) {
+      candidates->push_back(
+          {uint16_t(i), cosine, h.z() / projection.focal_length, direction});
+    }
+  }
+  std::sort(candidates->begin(),
+            candidates->end(),
+            [](const Candidate& a, const Candidate& b) {
+              return a.cosine != b.cosine ? a.cosine > b.cosine
+                                          : a.view < b.view;
+            });
+}
+
+ChosenViews Choose(const RayScene& rays,
+                   const LocalSurface& surface,
+                   const std::vector<Candidate>& candidates,
+                   double clearance,
+                   int max_views,
+                   float max_similarity) {
+  ChosenViews chosen;
+  std::array<Eigen::Vector3f, ChosenViews::kMaxViews> directions;
+  for (const Candidate& candidate : candidates) {
+    const bool is_double = std::any_of(
+        directions.begin(),
+        directions.begin() + chosen.count,
+        [&](const Eigen::Vector3f& direction) {
+          return direction.dot(candidate.direction) > max_similarity;
+        });
+    if (is_double ||
+        rays.IsOccluded(surface.center.cast<double>() +
+                            clearance * surface.normal.cast<double>(),
+                        candidate.direction.cast<double>(),
+                        0,
+                        std::numeric_limits<double>::infinity())) {
+      continue;
+    }
+    directions[chosen.count] = candidate.direction;
+    chosen.views[chosen.count++] = candidate.view;
+    chosen.pixel += candidate.pixel;
+    if (chosen.count == max_views) {
+      break;
+    }
+  }
+  if (chosen.count > 0) {
+    chosen.pixel /= float(chosen.count);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+void ViewChoiceOptions::Check() const {
+  CheckOption(max_angle > 0 && max_angle < 90,
+              "max_angle",
+              max_angle,
+              "must lie between 0 and 90 degrees");
+  CheckOption(max_views >= 2 && max_views <= ChosenViews::kMaxViews,
+              "max_views",
+              max_views,
+              "must be in 2 .. 24");
+  CheckOption(min_separation >= 0 && min_separation < 45,
+              "min_separation",
+              min_separation,
+              "must be at least 0 and below 45 degrees");
+}
+
+std::vector<ChosenViews> ChooseViews(const ViewSet& views,
+                                     const RayScene& rays,
+                                     const std::vector<LocalSurface>& surfaces,
+                                     double clearance,
+                                     const ViewChoiceOptions& options,
+                                     const Context& context) {
+  const float min_cosine = CosineOfDegrees(options.max_angle);
+  const float max_similarity = CosineOfDegrees(options.min_separation);
+  std::vector<ChosenViews> choices(surfaces.size());
+  ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
+    std::vector<Candidate> candidates;
+    for (size_t v = begin; v < end; ++v) {
+      FindCandidates(views, surfaces[v], min_cosine, &candidates);
+      choices[v] = Choose(rays,
+                          surfaces[v],
+                          candidates,
+                          clearance,
+                          options.max_views,
+                          max_similarity);
+    }
+  });
+  return choices;
+}
+
+}  // namespace octacut

@@ -1,0 +1,44 @@
+// Which views see each vertex of a mesh, by rays.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/raycast/ray_scene.h"
+#include "core/refine/local_surface.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+struct ViewChoiceOptions {
+  // Views at more than this angle (degrees) to the normal do not count.
+  double max_angle = 65;
+  // At most this many views a vertex, those most nearly frontal; 2 .. 24.
+  int max_views = 16;
+  // Between the directions of any two of them, degrees: nearly equal views
+  // tell nothing about depth.
+  double min_separation = 4;
+  void Check() const;
+};
+
+struct ChosenViews {
+  static constexpr int kMaxViews = 24;
+  std::array<uint16_t, kMaxViews> views;  // most frontal first
+  uint8_t count = 0;
+  float pixel = 0;  // mean size of their pixels at the vertex
+};
+
+// One choice a vertex. A view counts when the vertex is within its frame, on
+// its silhouette's object and not hidden: no ray from `clearance` before the
+// surface to the camera meets `rays`. Coordinates are unit coordinates
+// throughout, those of `rays` too.
+std::vector<ChosenViews> ChooseViews(const ViewSet& views,
+                                     const RayScene& rays,
+                                     const std::vector<LocalSurface>& surfaces,
+                                     double clearance,
+                                     const ViewChoiceOptions& options,
+                                     const Context& context);
+
+}  // namespace octacut

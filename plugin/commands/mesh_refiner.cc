@@ -1,0 +1,92 @@
+#include "plugin/commands/mesh_refiner.h"
+
+#include <fmt/format.h>
+
+#include "colmap_io/mesh/mesh_io.h"
+#include "core/base/error.h"
+#include "core/mesh/audit.h"
+#include "plugin/mesh_json.h"
+#include "plugin/refinement_options.h"
+#include "plugin/report.h"
+#include "plugin/workspace_options.h"
+
+namespace octacut {
+namespace {
+
+class MeshRefiner : public Command {
+ public:
+  void DeclareOptions(OptionManager& options) override;
+  void Run(const CommandEnvironment& environment) override;
+
+ private:
+  IndexedMesh ReadClosedMesh(const Context& context) const;
+
+  WorkspaceArguments workspace_;
+  std::filesystem::path mesh_path_;
+  int target_level_ = 9;
+  RefineOptions refinement_;
+};
+
+void MeshRefiner::DeclareOptions(OptionManager& options) {
+  workspace_.Declare(options);
+  options.Add("mesh_path",
+              &mesh_path_,
+              "Closed mesh to refine, in the frame of the sparse model; "
+              "default: meshed-octahedral.ply in the workspace");
+  options.Add("OctahedralMeshing.target_level",
+              &target_level_,
+              "Images are held as fine as voxels of 2^-level of the region "
+              "need");
+  DeclareRefinementOptions(options, &refinement_);
+}
+
+IndexedMesh MeshRefiner::ReadClosedMesh(const Context& context) const {
+  IndexedMesh mesh = ReadMesh(mesh_path_).mesh;
+  const std::string failure = AuditMesh(mesh, context).DescribeFailure();
+  if (!failure.empty()) {
+    throw InputError(fmt::format("{}: {}", mesh_path_.string(), failure));
+  }
+  return mesh;
+}
+
+void MeshRefiner::Run(const CommandEnvironment& environment) {
+  const Context& context = environment.context;
+  refinement_.Check();
+  workspace_.Complete("meshed-refined.ply");
+  if (mesh_path_.empty()) {
+    mesh_path_ = workspace_.workspace_path / "meshed-octahedral.ply";
+  }
+  IndexedMesh mesh = ReadClosedMesh(context);
+  const LoadedScene loaded = LoadScene(
+      workspace_.workspace_path, workspace_.loading, target_level_, context);
+  const ViewSet views = PrepareViews(loaded.scene, loaded.region.cube, context);
+  const RefinedSurface refined = RefineSurface(
+      std::move(mesh), views, loaded.region.cube, refinement_, context);
+  const MeshAudit audit = AuditMesh(refined.mesh, context);
+  CheckAudit(audit);
+  WriteMesh(workspace_.output_path, refined.mesh);
+
+  Json report = MakeReport(environment);
+  report["mesh_path"] = workspace_.output_path.string();
+  report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
+  report["refinement"] = RefinementToJson(refined.summary);
+  report["audit"] = AuditToJson(audit);
+  WriteReport(workspace_.report_path, report);
+  environment.out << fmt::format(
+      "{}: {} of {} vertices moved, by {:.2f} pixels in the mean; agreement of "
+      "the views {:.3f}, was {:.3f}\n",
+      workspace_.output_path.string(),
+      refined.summary.num_moved,
+      refined.summary.num_vertices,
+      refined.summary.mean_displacement,
+      refined.summary.agreement_after,
+      refined.summary.agreement_before);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> MakeMeshRefiner() {
+  return std::make_unique<MeshRefiner>();
+}
+
+}  // namespace octacut

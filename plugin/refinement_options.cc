@@ -1,0 +1,90 @@
+#include "plugin/refinement_options.h"
+
+namespace octacut {
+namespace {
+
+Json RoundToJson(const RoundSummary& round) {
+  return {{"scale", round.scale},
+          {"range", round.range},
+          {"seen_vertices", round.num_seen},
+          {"tried", round.num_tried},
+          {"measured", round.num_measured},
+          {"silhouette_targets", round.num_rim_targets},
+          {"mean_displacement", round.mean_displacement},
+          {"fit_seconds", round.fit_seconds},
+          {"view_seconds", round.view_seconds},
+          {"search_seconds", round.search_seconds},
+          {"silhouette_seconds", round.silhouette_seconds},
+          {"solve_seconds", round.solve_seconds}};
+}
+
+}  // namespace
+
+void DeclareRefinementOptions(OptionManager& options,
+                              RefineOptions* refinement) {
+  options.Add("Refinement.fine_rounds",
+              &refinement->fine_rounds,
+              "Rounds at the scale of the images");
+  options.Add("Refinement.coarse_rounds",
+              &refinement->coarse_rounds,
+              "Rounds before, each at half the resolution of the next");
+  options.Add("Refinement.range",
+              &refinement->range,
+              "Search along the normal in the first round of a scale, pixels "
+              "of that scale");
+  options.Add("Refinement.step", &refinement->step, "Of the search, pixels");
+  options.Add("Refinement.patch_radius",
+              &refinement->patch_radius,
+              "Of the patch of (2 r + 1)^2 samples, pixels");
+  options.Add("Refinement.measure_spacing",
+              &refinement->measure_spacing,
+              "Between the places that are measured, pixels");
+  options.Add("Refinement.fit_radius",
+              &refinement->fit_radius,
+              "Of the pieces of the surface that count as smooth, pixels");
+  options.Add("Refinement.smoothness",
+              &refinement->smoothness,
+              "Weight of the surface's bend");
+  options.Add("Refinement.silhouette_weight",
+              &refinement->silhouette_weight,
+              "Weight of the masks' borders; 0: none");
+  options.Add("Refinement.hull_tolerance",
+              &refinement->hull_tolerance,
+              "Pixels by which the surface may leave a silhouette");
+  options.Add("Refinement.pixel_noise",
+              &refinement->pixel_noise,
+              "Standard deviation of the images' noise, grey levels");
+  options.Add("Refinement.min_score",
+              &refinement->min_score,
+              "Least agreement of the views about an offset");
+  options.Add("Refinement.max_views",
+              &refinement->views.max_views,
+              "Views of a vertex at most");
+  options.Add("Refinement.max_angle",
+              &refinement->views.max_angle,
+              "Of a view to the normal, degrees");
+  options.Add("Refinement.min_separation",
+              &refinement->views.min_separation,
+              "Between the directions of two views of a vertex, degrees");
+}
+
+Json RefinementToJson(const RefineSummary& summary) {
+  Json rounds = Json::array();
+  for (const RoundSummary& round : summary.rounds) {
+    rounds.push_back(RoundToJson(round));
+  }
+  return {{"pixel_size", summary.pixel_size},
+          {"vertices", summary.num_vertices},
+          {"seen_vertices", summary.num_seen},
+          {"moved_vertices", summary.num_moved},
+          {"withdrawn_vertices", summary.num_withdrawn},
+          {"mean_displacement", summary.mean_displacement},
+          {"max_displacement", summary.max_displacement},
+          {"agreement_before", summary.agreement_before},
+          {"agreement_after", summary.agreement_after},
+          {"rounds", rounds},
+          {"validity_seconds", summary.validity_seconds},
+          {"seconds", summary.seconds}};
+}
+
+}  // namespace octacut

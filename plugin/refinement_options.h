@@ -1,0 +1,15 @@
+// Options of photometric refinement on the command line, and its summary in
+// the report.
+#pragma once
+
+#include "core/refine/refine_surface.h"
+#include "plugin/option_manager.h"
+
+namespace octacut {
+
+void DeclareRefinementOptions(OptionManager& options,
+                              RefineOptions* refinement);
+
+Json RefinementToJson(const RefineSummary& summary);
+
+}  // namespace octacut

@@ -8,33 +8,23 @@
 
 namespace octacut {
 
-template <Forest F>
 void SearchForest::MakeOrphan(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   word = WithParent(word, kOrphan);
-  orphans_[int(F)].Add(Label<F>(word), node.axis, IdOf(node.place), pool_);
+  orphans_.Add(Label(word), node.axis, IdOf(node.place), pool_);
 }
-template void SearchForest::MakeOrphan<Forest::kSource>(const FaceNode&);
-template void SearchForest::MakeOrphan<Forest::kSink>(const FaceNode&);
 
 void SearchForest::Settle() {
-  if (!unsettled_) {
-    return;
-  }
-  unsettled_ = false;
-  Adopt<Forest::kSource>();
   while (!draining_.Empty()) {
     Drain();
-    Adopt<Forest::kSink>();
+    Adopt();
   }
 }
 
-template <Forest F>
 void SearchForest::Adopt() {
-  BucketQueue& orphans = orphans_[int(F)];
-  while (!orphans.Empty()) {
-    const int32_t label = orphans.Lowest();
-    orphans.Consume(
+  while (!orphans_.Empty()) {
+    const int32_t label = orphans_.Lowest();
+    orphans_.Consume(
         label,
         pool_,
         [&](auto axis, NodeId id) { state_.PrefetchSearch<axis()>(id); },
@@ -42,8 +32,8 @@ void SearchForest::Adopt() {
           const AxisNode node = state_.Node<axis()>(id);
           const int32_t word = state_.Word(node);
           // Else listed twice, or adopted meanwhile.
-          if (Label<F>(word) == label && Parent(word) == kOrphan) {
-            AdoptNode<F>(node, label);
+          if (Label(word) == label && Parent(word) == kOrphan) {
+            AdoptNode(node, label);
           }
         });
   }
@@ -51,32 +41,33 @@ void SearchForest::Adopt() {
 
 // A node with a lower label is attached for good when this is asked, since
 // all orphans with lower labels have been handled.
-template <Forest F, int kAxis>
+template <int kAxis>
 void SearchForest::AdoptNode(const AxisNode<kAxis>& node, int32_t label) {
-  const uint32_t to_parents = ArcsToParents<F>(node);
-  const uint32_t arcs = to_parents | ArcsAway<F>(node);
+  const uint32_t to_parents = state_.ResidualOut(node);
+  const uint32_t arcs = to_parents | state_.ResidualIn(node);
   const WordsAround words = state_.Around(node, arcs);
   uint32_t lower = 0;
   for (int code = kNumNodeArcs - 1; code >= 0; --code) {
-    lower += lower + (Rank<F>(words[code]) < RankOf(label));
+    lower += lower + (Rank(words[code]) < RankOf(label));
   }
   lower &= to_parents;
   if (lower == 0) {
-    Lift<F>(node, words, arcs, to_parents);
+    Lift(node, words, arcs, to_parents);
     return;
   }
   int32_t& word = state_.Word(node);
   word = WithParent(word, std::countr_zero(lower));
-  if (label == Depth(F)) {
-    Activate<F>(Untyped(node));
+  if (label == depth_) {
+    Activate(Untyped(node));
   }
   if (word & kExcess) {
     QueueDrain(Untyped(node));
   }
 }
 
-// Gives an orphan that has no lower neighbour a greater label.
-template <Forest F, int kAxis>
+// Gives an orphan that has no lower neighbour a greater label. If that is
+// beyond the depth it leaves the forest, as a source node if it has an excess.
+template <int kAxis>
 void SearchForest::Lift(const AxisNode<kAxis>& node,
                         const WordsAround& words,
                         uint32_t arcs,
@@ -84,31 +75,21 @@ void SearchForest::Lift(const AxisNode<kAxis>& node,
   uint32_t children = 0;
   uint32_t least = kNoRank;
   for (int code = kNumNodeArcs - 1; code >= 0; --code) {
-    children += children + IsChild<F>(words[code], kNodeArcs[kAxis][code].back);
-    least = std::min(least,
-                     Rank<F>(words[code]) | (((to_parents >> code) & 1) - 1));
+    children += children + IsChild(words[code], kNodeArcs[kAxis][code].back);
+    least =
+        std::min(least, Rank(words[code]) | (((to_parents >> code) & 1) - 1));
   }
   for (children &= arcs; children != 0; children &= children - 1) {
-    MakeOrphan<F>(state_.Across(node, std::countr_zero(children)));
+    MakeOrphan(state_.Across(node, std::countr_zero(children)));
   }
-  if (least < RankOf(Depth(F))) {
-    int32_t& word = state_.Word(node);
-    const int32_t label = LabelOfRank(least) + 1;
-    word = MakeWord<F>(label, word & kFlagMask);
-    orphans_[int(F)].Add(label, kAxis, IdOf(node.place), pool_);
-  } else {
-    Leave<F>(Untyped(node));
-  }
-}
-
-// A node without a parent below the frontier leaves the forest. An excess
-// that the sink forest cannot take starts a tree of the source forest.
-template <Forest F>
-void SearchForest::Leave(const FaceNode& node) {
   int32_t& word = state_.Word(node);
-  if (word & kExcess) {
-    word = MakeWord<Forest::kSource>(Depth(Forest::kSource), kRoot);
-    Activate<Forest::kSource>(node);
+  if (least < RankOf(depth_)) {
+    const int32_t label = LabelOfRank(least) + 1;
+    word = MakeWord(label, word & kFlagMask);
+    orphans_.Add(label, kAxis, IdOf(node.place), pool_);
+  } else if (word & kExcess) {
+    word = kSourceNode;
+    ++num_sources_;
   } else {
     word = FlowState::kFreeNode;
   }

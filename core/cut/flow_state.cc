@@ -102,8 +102,8 @@ int64_t FlowState::FlowValue(const Context& context) const {
         int64_t sum = 0;
         walk_.ForEach(begin, end, [&](const VoxelPlace& place) {
           for (uint32_t axis = 0; axis < 3; ++axis) {
-            // Only nodes of the sink forest have one.
-            if (search_[place.index].word[axis] < 0) {
+            // Free nodes and those that are none have none.
+            if (search_[place.index].word[axis] > kNoNode) {
               sum += std::min<int64_t>(0, Imbalance(FaceNode{place, axis}));
             }
           }

@@ -78,25 +78,20 @@ std::unique_ptr<SearchForest> SearchRegions(FlowState& state,
                                             std::span<const uint32_t> ends,
                                             size_t begin,
                                             size_t end,
-                                            double source_share,
                                             const Context& context) {
   if (end - begin == 1) {
-    auto forest =
-        std::make_unique<SearchForest>(state,
-                                       begin == 0 ? 0 : ends[begin - 1],
-                                       ends[begin],
-                                       source_share,
-                                       context);
+    auto forest = std::make_unique<SearchForest>(
+        state, begin == 0 ? 0 : ends[begin - 1], ends[begin], context);
     forest->Run();
     return forest;
   }
   const size_t middle = (begin + end) / 2;
   std::unique_ptr<SearchForest> low, high;
   const auto search_low = [&] {
-    low = SearchRegions(state, ends, begin, middle, source_share, context);
+    low = SearchRegions(state, ends, begin, middle, context);
   };
   const auto search_high = [&] {
-    high = SearchRegions(state, ends, middle, end, source_share, context);
+    high = SearchRegions(state, ends, middle, end, context);
   };
   if (context.NumThreads() == 1) {
     search_low();
@@ -113,14 +108,13 @@ std::unique_ptr<SearchForest> SearchRegions(FlowState& state,
 // Leaves the side of every node in its word.
 void Search(FlowState& state,
             std::span<const uint32_t> ends,
-            double source_share,
             const Context& context) {
   if (ends.empty()) {
     return;
   }
   std::unique_ptr<SearchForest> forest;
   const auto search = [&] {
-    forest = SearchRegions(state, ends, 0, ends.size(), source_share, context);
+    forest = SearchRegions(state, ends, 0, ends.size(), context);
   };
   if (context.NumThreads() == 1) {
     search();
@@ -136,8 +130,7 @@ void Search(FlowState& state,
 
 }  // namespace
 
-SearchPlan PlanSearch(const OctahedralCutProblem& problem,
-                      std::span<const FaceTies> merged_ties) {
+SearchPlan PlanSearch(std::span<const FaceTies> merged_ties) {
   // Low faces that are tied: some three for every two columns through the
   // crust, so that their share tells how thick it is.
   size_t num_tied = 0;
@@ -147,17 +140,10 @@ SearchPlan PlanSearch(const OctahedralCutProblem& problem,
   }
   const double thickness =
       1.5 * double(merged_ties.size()) / double(std::max<size_t>(1, num_tied));
-  constexpr double kThick = 12;
+  // Some eight thicknesses wide, and not too large for a core's cache.
   SearchPlan plan;
-  if (thickness > kThick || !problem.evidence.empty()) {
-    plan.region_voxels = 1 << 16;
-    plan.source_share = 0;
-  } else {
-    // Some eight thicknesses wide.
-    plan.region_voxels = uint32_t(
-        std::clamp(64 * thickness * thickness * thickness, 8192.0, 65536.0));
-    plan.source_share = 0.9;
-  }
+  plan.region_voxels = uint32_t(
+      std::clamp(64 * thickness * thickness * thickness, 16384.0, 32768.0));
   return plan;
 }
 
@@ -172,7 +158,7 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
   const std::vector<uint32_t> ends = RegionEnds(walk, plan.region_voxels);
   FlowState state(problem, walk, merged_ties, ends, context);
   std::vector<FaceTies>().swap(merged_ties);
-  Search(state, ends, plan.source_share, context);
+  Search(state, ends, context);
   OctahedralCut cut;
   cut.num_nodes = state.NumNodes();
   cut.cost_fixed_point = state.FlowValue(context);

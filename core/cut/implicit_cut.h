@@ -13,15 +13,11 @@ namespace octacut {
 // How to search; changes the time, never the result.
 struct SearchPlan {
   // Regions of about so many voxels are searched alone, then joined pairwise.
-  uint32_t region_voxels = 1 << 13;
-  // A pass grows the source forest if its active nodes are at most so many
-  // times those of the sink forest; 0: only when the sink forest is complete.
-  double source_share = 0.9;
+  uint32_t region_voxels = 1 << 15;
 };
 
 // The plan that measurements speak for (docs/cut_engine.md).
-SearchPlan PlanSearch(const OctahedralCutProblem& problem,
-                      std::span<const FaceTies> merged_ties);
+SearchPlan PlanSearch(std::span<const FaceTies> merged_ties);
 
 // Solves a problem whose values are checked (cut_problem.h). Its merged ties
 // are freed during the search and made again after it. Fills labels,

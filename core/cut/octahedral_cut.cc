@@ -18,7 +18,7 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
   CheckCutValues(problem, context);
   const VoxelWalk walk(*problem.crust);
   std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
-  const SearchPlan plan = PlanSearch(problem, ties);
+  const SearchPlan plan = PlanSearch(ties);
   OctahedralCut cut = SolveImplicitly(problem, walk, ties, plan, context);
   // A cut that costs what flows is a minimum cut, and the flow a maximum.
   const int64_t cost = LabellingCost(problem, walk, ties, cut.labels, context);

@@ -1,0 +1,111 @@
+// Taking excess from source nodes and draining it to the roots.
+#include <algorithm>
+#include <bit>
+
+#include "core/cut/search_forest.h"
+
+namespace octacut {
+
+template <int kAxis>
+bool SearchForest::TakeExcess(const FaceNode& source,
+                              const AxisNode<kAxis>& node,
+                              int code) {
+  const uint32_t voxel = VoxelOf(node, code);
+  const uint32_t arc = kNodeArcs[kAxis][code].in;
+  const int64_t excess = state_.Imbalance(source);
+  const int32_t amount =
+      int32_t(std::min<int64_t>(excess, state_.Capacity(voxel, arc)));
+  const bool saturated = state_.Push(voxel, arc, amount);
+  QueueDrain(Untyped(node));
+  if (amount < excess) {
+    return false;
+  }
+  state_.Word(source) = FlowState::kFreeNode;
+  --num_sources_;
+  return !saturated;
+}
+template bool SearchForest::TakeExcess(const FaceNode&,
+                                       const AxisNode<0>&,
+                                       int);
+template bool SearchForest::TakeExcess(const FaceNode&,
+                                       const AxisNode<1>&,
+                                       int);
+template bool SearchForest::TakeExcess(const FaceNode&,
+                                       const AxisNode<2>&,
+                                       int);
+
+void SearchForest::QueueDrain(const FaceNode& node) {
+  int32_t& word = state_.Word(node);
+  if ((word & kDraining) == 0) {
+    word |= kDraining;
+    draining_.Add(Label(word), node.axis, IdOf(node.place), pool_);
+  }
+}
+
+// Moves every excess of the forest down as far as it goes.
+void SearchForest::Drain() {
+  for (int32_t level = draining_.Highest(); level >= 1; --level) {
+    draining_.Consume(
+        level,
+        pool_,
+        [&](auto axis, NodeId id) { state_.PrefetchFlows<axis()>(id); },
+        [&](auto axis, NodeId id) { DrainNode(state_.Node<axis()>(id)); });
+  }
+  draining_.Lowest();
+}
+
+template <int kAxis>
+void SearchForest::DrainNode(const AxisNode<kAxis>& node) {
+  int32_t& word = state_.Word(node);
+  word &= ~(kDraining | kExcess);
+  const int64_t excess = state_.Imbalance(node);
+  if (Parent(word) == kRoot) {
+    if (excess < 0) {
+      return;
+    }
+    MakeOrphan(Untyped(node));  // its deficit is filled
+  }
+  if (excess > 0) {
+    SendExcess(node, excess);
+  }
+}
+
+// Pushes to the parent, then to other parents with a lower label, until the
+// excess is gone or there is no parent left.
+template <int kAxis>
+void SearchForest::SendExcess(const AxisNode<kAxis>& node, int64_t excess) {
+  int32_t& word = state_.Word(node);
+  const auto push = [&](int code) {
+    const uint32_t arc = kNodeArcs[kAxis][code].out;
+    const uint32_t voxel = VoxelOf(node, code);
+    const int32_t amount =
+        int32_t(std::min<int64_t>(excess, state_.Capacity(voxel, arc)));
+    const bool saturated = state_.Push(voxel, arc, amount);
+    QueueDrain(state_.Across(node, code));
+    excess -= amount;
+    return saturated;
+  };
+  if (Parent(word) < kRoot) {
+    if (!push(Parent(word))) {
+      return;
+    }
+    MakeOrphan(Untyped(node));
+  }
+  if (excess > 0) {
+    uint32_t arcs = state_.ResidualOut(node);
+    const WordsAround words = state_.Around(node, arcs);
+    const uint32_t below = RankOf(Label(word));
+    // Nothing may be pushed along an arc once nothing is left.
+    for (; arcs != 0 && excess > 0; arcs &= arcs - 1) {
+      const int code = std::countr_zero(arcs);
+      if (Rank(words[code]) < below && Parent(words[code]) != kOrphan &&
+          !push(code)) {
+        word = WithParent(word, code);
+        return;
+      }
+    }
+    word |= excess > 0 ? kExcess : 0;
+  }
+}
+
+}  // namespace octacut

@@ -1,0 +1,86 @@
+#include "core/refine/keep_valid.h"
+
+#include <gtest/gtest.h>
+
+#include "core/mesh/audit.h"
+#include "core/mesh/self_intersections.h"
+#include "tests/core/refine/refine_scene.h"
+
+namespace octacut {
+namespace {
+
+constexpr double kPixel = 0.01;
+
+TEST(KeepValid, LeavesAlonePlainMoves) {
+  const IndexedMesh start = Sphere(12, 0.4);
+  IndexedMesh mesh = Sphere(12, 0.41);
+  const std::vector<Eigen::Vector3d> moved = mesh.positions;
+  EXPECT_EQ(KeepValid({}, start.positions, 1, kPixel, Context(2), &mesh), 0u);
+  EXPECT_EQ(mesh.positions, moved);
+}
+
+TEST(KeepValid, TakesBackWhatIntersects) {
+  const IndexedMesh start = Sphere(12, 0.4);
+  IndexedMesh mesh = start;
+  // Spikes through the other side.
+  for (const size_t vertex : {size_t{3}, size_t{200}, size_t{500}}) {
+    mesh.positions[vertex] *= -1.5;
+  }
+  ASSERT_GT(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
+  EXPECT_GT(KeepValid({}, start.positions, 1, kPixel, Context(2), &mesh), 0u);
+  EXPECT_EQ(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
+  EXPECT_TRUE(AuditMesh(mesh).IsPrintable());
+}
+
+TEST(KeepValid, LeavesIntersectionsThatWereThere) {
+  // Two spheres that run through each other from the first.
+  IndexedMesh start =
+      Joined(Sphere(8, 0.3), Moved(Sphere(8, 0.3), {0.2, 0.05, 0.01}));
+  const size_t num_pairs = FindSelfIntersections(start, Context(2)).num_pairs;
+  ASSERT_GT(num_pairs, 0u);
+  IndexedMesh mesh = start;
+  for (Eigen::Vector3d& position : mesh.positions) {
+    position *= 1.001;
+    position.x() += 0.001 * std::sin(30 * position.y());
+  }
+  KeepValid({}, start.positions, 1, kPixel, Context(2), &mesh);
+  EXPECT_LE(FindSelfIntersections(mesh, Context(2)).num_pairs, num_pairs);
+}
+
+TEST(KeepValid, TakesBackWhatSqueezesTriangles) {
+  const IndexedMesh start = Sphere(12, 0.4);
+  IndexedMesh mesh = start;
+  const auto& [a, b, c] = mesh.triangles[77];
+  mesh.positions[a] =
+      (0.5 + 1e-9) * mesh.positions[b] + (0.5 - 1e-9) * mesh.positions[c];
+  EXPECT_GT(KeepValid({}, start.positions, 1, kPixel, Context(2), &mesh), 0u);
+  const MeshAudit audit = AuditMesh(mesh);
+  EXPECT_EQ(audit.num_degenerate_triangles, 0u);
+}
+
+TEST(KeepValid, KeepsVerticesInTheHull) {
+  const testing::RefineScene scene = testing::MakeRefineScene();
+  const auto larger = [&](double pixels) {
+    return scene.ToUnitMesh(testing::RefineScene::Mesh(
+        24, [&](const auto&) { return pixels * scene.Pixel(); }));
+  };
+  const IndexedMesh start = larger(-1);
+  IndexedMesh mesh = larger(7);
+  const double pixel = scene.Pixel() / scene.test.region.cube.edge;
+  EXPECT_GT(
+      KeepValid(
+          scene.test.views, start.positions, 1.5, pixel, Context(2), &mesh),
+      mesh.positions.size() / 2);
+  double largest = 0;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    largest =
+        std::max(largest,
+                 testing::ToWorld(scene.test.region.cube, position).norm() -
+                     testing::RefineScene::kRadius);
+  }
+  // No view has its border everywhere, so a little more than the tolerance.
+  EXPECT_LT(largest, 4.5 * scene.Pixel());
+}
+
+}  // namespace
+}  // namespace octacut

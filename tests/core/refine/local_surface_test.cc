@@ -1,0 +1,69 @@
+#include "core/refine/local_surface.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/refine/refine_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::Random;
+
+IndexedMesh WithNormals(IndexedMesh mesh) {
+  mesh.normals = ComputeVertexNormals(mesh, Context(1));
+  return mesh;
+}
+
+TEST(LocalSurface, FindsCurvatureAndNormalOfASphere) {
+  const double radius = 0.4;
+  const IndexedMesh mesh = WithNormals(Sphere(40, radius));
+  const std::vector<LocalSurface> surfaces = FitLocalSurfaces(
+      mesh, testing::RefineScene::Neighbors(mesh), 0.06, Context(2));
+  ASSERT_EQ(surfaces.size(), mesh.positions.size());
+  for (size_t v = 0; v < surfaces.size(); ++v) {
+    const LocalSurface& surface = surfaces[v];
+    const Eigen::Vector3f outward = mesh.positions[v].cast<float>() / radius;
+    EXPECT_GT(surface.normal.dot(outward), 0.9999);
+    EXPECT_NEAR(surface.normal.dot(surface.tangent_u), 0, 1e-5);
+    EXPECT_NEAR(surface.uu, -0.5 / radius, 0.1);
+    EXPECT_NEAR(surface.vv, -0.5 / radius, 0.1);
+    EXPECT_NEAR(surface.uv, 0, 0.1);
+    EXPECT_NEAR(surface.height, 0, 2e-4);
+  }
+}
+
+TEST(LocalSurface, LooksThroughNoise) {
+  Random random(1);
+  const double noise = 0.004;
+  const IndexedMesh mesh =
+      WithNormals(Sphere(40, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
+        return (0.4 + random.Uniform(-noise, noise)) * p;
+      }));
+  const std::vector<LocalSurface> surfaces = FitLocalSurfaces(
+      mesh, testing::RefineScene::Neighbors(mesh), 0.08, Context(2));
+  double before = 0, after = 0;
+  for (size_t v = 0; v < surfaces.size(); ++v) {
+    before += std::abs(mesh.positions[v].norm() - 0.4);
+    after += std::abs(double(surfaces[v].center.norm()) - 0.4);
+    // The center is where the height says, next to the vertex.
+    EXPECT_NEAR((surfaces[v].center - mesh.positions[v].cast<float>())
+                    .dot(surfaces[v].normal),
+                surfaces[v].height,
+                1e-6);
+  }
+  EXPECT_LT(after, before / 3);
+}
+
+TEST(LocalSurface, IsThePlaneOfAVertexWithFewNeighbors) {
+  const IndexedMesh mesh = WithNormals(Cube(1));
+  const std::vector<LocalSurface> surfaces = FitLocalSurfaces(
+      mesh, testing::RefineScene::Neighbors(mesh), 0.1, Context(1));
+  for (size_t v = 0; v < surfaces.size(); ++v) {
+    EXPECT_EQ(surfaces[v].center, mesh.positions[v].cast<float>());
+    EXPECT_LT((surfaces[v].normal - mesh.normals[v]).norm(), 1e-6);
+    EXPECT_EQ(surfaces[v].Height(1, 1), 0);
+  }
+}
+
+}  // namespace
+}  // namespace octacut

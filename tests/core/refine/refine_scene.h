@@ -1,0 +1,68 @@
+// A textured sphere, photographs of it, and meshes near it, for the tests of
+// this folder.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "core/mesh/normals.h"
+#include "core/mesh/vertex_corners.h"
+#include "core/synthetic/noise.h"
+#include "tests/core/mesh/test_shapes.h"
+#include "tests/core/views/test_scene.h"
+
+namespace octacut::testing {
+
+struct RefineScene {
+  static constexpr double kRadius = 0.8;  // world units, around the origin
+  TestScene test;
+
+  double Pixel() const { return test.PixelSize(); }
+  // A sphere of 6 n^2 squares whose vertices are moved outward by
+  // height(direction), world units.
+  template <typename Height>
+  static IndexedMesh Mesh(uint32_t n, const Height& height) {
+    return Sphere(n, [&](const Eigen::Vector3d& direction) -> Eigen::Vector3d {
+      return (kRadius + height(direction)) * direction;
+    });
+  }
+  // The same as steps within unit coordinates want it, with normals.
+  IndexedMesh ToUnitMesh(IndexedMesh mesh) const {
+    for (Eigen::Vector3d& position : mesh.positions) {
+      position = ToUnit(test.region.cube, position);
+    }
+    mesh.normals = ComputeVertexNormals(mesh, Context(2));
+    return mesh;
+  }
+  static VertexCorners Neighbors(const IndexedMesh& mesh) {
+    return FindVertexNeighbors(mesh.positions.size(), mesh.triangles);
+  }
+  static double MeanError(const IndexedMesh& mesh) {
+    double sum = 0;
+    for (const Eigen::Vector3d& position : mesh.positions) {
+      sum += std::abs(position.norm() - kRadius);
+    }
+    return sum / double(mesh.positions.size());
+  }
+};
+
+// `min_elevation` of the cameras, degrees: from 10 on nobody sees the bottom.
+inline RefineScene MakeRefineScene(double min_elevation = -60) {
+  SceneSpec spec = TestSpec("sphere", 240, 180, 28);
+  spec.rig.min_elevation = min_elevation;
+  spec.texture.kind = TextureKind::kSpeckle;
+  spec.texture.scale = 0.18;
+  spec.reference.resolution = 64;
+  return {MakeTestScene(spec)};
+}
+
+// Bumps of up to `amplitude` some 0.16 units wide, as a mesh of voxels has
+// them after smoothing.
+inline auto Bumps(double amplitude) {
+  return [amplitude](const Eigen::Vector3d& direction) {
+    return amplitude *
+           ValueNoise(5 * RefineScene::kRadius * direction.cast<float>(), 3);
+  };
+}
+
+}  // namespace octacut::testing

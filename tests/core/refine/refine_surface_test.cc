@@ -1,0 +1,178 @@
+#include "core/refine/refine_surface.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <string>
+
+#include "core/base/error.h"
+#include "core/mesh/audit.h"
+#include "core/mesh/self_intersections.h"
+#include "tests/core/refine/refine_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::Bumps;
+using ::testing::HasSubstr;
+using testing::RefineScene;
+
+// A mesh with edges of about one and a half pixels that is up to two pixels
+// off.
+IndexedMesh BumpyMesh(const RefineScene& scene) {
+  return RefineScene::Mesh(40, Bumps(2 * scene.Pixel()));
+}
+
+RefinedSurface Refine(const RefineScene& scene,
+                      const Context& context = Context(2)) {
+  RefineOptions options;
+  options.coarse_rounds = 1;
+  return RefineSurface(BumpyMesh(scene),
+                       scene.test.views,
+                       scene.test.region.cube,
+                       options,
+                       context);
+}
+
+TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
+  const RefineScene scene = testing::MakeRefineScene();
+  const IndexedMesh before = BumpyMesh(scene);
+  const RefinedSurface refined = Refine(scene);
+  ASSERT_GT(RefineScene::MeanError(before), 0.4 * scene.Pixel());
+  EXPECT_LT(RefineScene::MeanError(refined.mesh),
+            RefineScene::MeanError(before) / 5);
+  EXPECT_EQ(refined.mesh.triangles, before.triangles);
+  EXPECT_EQ(refined.mesh.normals.size(), before.positions.size());
+  EXPECT_TRUE(AuditMesh(refined.mesh).IsPrintable());
+  EXPECT_EQ(FindSelfIntersections(refined.mesh, Context(2)).num_pairs, 0u);
+  const RefineSummary& summary = refined.summary;
+  EXPECT_EQ(summary.num_vertices, before.positions.size());
+  EXPECT_EQ(summary.num_seen, summary.num_vertices);
+  EXPECT_GT(summary.num_moved, summary.num_vertices / 2);
+  EXPECT_NEAR(summary.pixel_size, scene.Pixel(), 0.1 * scene.Pixel());
+  EXPECT_GT(summary.agreement_after, summary.agreement_before);
+  EXPECT_GT(summary.mean_displacement, 0.3);
+  EXPECT_GE(summary.max_displacement, summary.mean_displacement);
+  ASSERT_EQ(summary.rounds.size(), 3u);
+  EXPECT_EQ(summary.rounds[0].scale, 2);
+  EXPECT_EQ(summary.rounds[1].scale, 1);
+  EXPECT_GT(summary.rounds[1].num_measured, summary.rounds[1].num_tried / 2);
+}
+
+TEST(RefineSurface, LeavesWhatNobodySees) {
+  const RefineScene scene = testing::MakeRefineScene(10);
+  const IndexedMesh before = BumpyMesh(scene);
+  const RefinedSurface refined = Refine(scene);
+  EXPECT_LT(refined.summary.num_seen, refined.summary.num_vertices);
+  size_t num_bottom = 0;
+  double top_before = 0, top_after = 0;
+  for (size_t v = 0; v < before.positions.size(); ++v) {
+    const double height = before.positions[v].normalized().z();
+    if (height < -0.98) {
+      ++num_bottom;
+      EXPECT_EQ(refined.mesh.positions[v], before.positions[v]);
+    } else if (height > 0) {
+      top_before += std::abs(before.positions[v].norm() - RefineScene::kRadius);
+      top_after +=
+          std::abs(refined.mesh.positions[v].norm() - RefineScene::kRadius);
+    }
+  }
+  EXPECT_GT(num_bottom, 10u);
+  EXPECT_LT(top_after, top_before / 4);
+}
+
+TEST(RefineSurface, GivesTheSameBytesForAnyNumberOfThreads) {
+  const RefineScene scene = testing::MakeRefineScene();
+  const RefinedSurface one = Refine(scene, Context(1));
+  const RefinedSurface two = Refine(scene, Context(2));
+  EXPECT_EQ(one.mesh.positions, two.mesh.positions);
+  EXPECT_EQ(one.mesh.normals, two.mesh.normals);
+  EXPECT_EQ(one.summary.agreement_after, two.summary.agreement_after);
+}
+
+class Stopper : public ProgressSink {
+ public:
+  Stopper(int stop_at, std::atomic<bool>* stop)
+      : stop_at_(stop_at), stop_(stop) {}
+  void BeginPhase(std::string_view, size_t) override {
+    if (num_phases++ == stop_at_) {
+      stop_->store(true);
+    }
+  }
+  void Advance(size_t) override {}
+  void EndPhase() override {}
+  void Info(std::string_view) override {}
+  void Warn(std::string_view) override {}
+
+  int num_phases = 0;
+
+ private:
+  int stop_at_;
+  std::atomic<bool>* stop_;
+};
+
+TEST(RefineSurface, CanBeCancelledInEveryPhase) {
+  const RefineScene scene = testing::MakeRefineScene();
+  std::atomic<bool> stop{false};
+  Stopper counter(-1, &stop);
+  Refine(scene, Context(2, &counter, &stop));
+  EXPECT_GE(counter.num_phases, 5);
+  for (int phase = 0; phase < counter.num_phases; ++phase) {
+    stop = false;
+    Stopper stopper(phase, &stop);
+    EXPECT_THROW(Refine(scene, Context(2, &stopper, &stop)), CancelledError);
+    EXPECT_EQ(stopper.num_phases, phase + 1) << "it went on";
+  }
+}
+
+TEST(RefineSurface, RefusesWhatItCannotUse) {
+  RefineScene scene = testing::MakeRefineScene();
+  const auto refine = [&](IndexedMesh mesh) {
+    RefineSurface(std::move(mesh),
+                  scene.test.views,
+                  scene.test.region.cube,
+                  RefineOptions(),
+                  Context(2));
+  };
+  const auto message = [&](IndexedMesh mesh) -> std::string {
+    try {
+      refine(std::move(mesh));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(message({}), HasSubstr("no triangles"));
+  scene.test.views[3].pyramid = ImagePyramid();
+  EXPECT_THAT(message(Sphere(4, 0.5)), HasSubstr("no image"));
+  scene.test.views.resize(1);
+  EXPECT_THAT(message(Sphere(4, 0.5)), HasSubstr("at least 2 views"));
+}
+
+TEST(RefineOptions, AreChecked) {
+  EXPECT_NO_THROW(RefineOptions().Check());
+  const auto refused = [](auto change) {
+    RefineOptions options;
+    change(options);
+    EXPECT_THROW(options.Check(), OptionError);
+  };
+  refused([](RefineOptions& o) { o.views.max_views = 1; });
+  refused([](RefineOptions& o) { o.fine_rounds = 0; });
+  refused([](RefineOptions& o) { o.coarse_rounds = 5; });
+  refused([](RefineOptions& o) { o.step = 0; });
+  refused([](RefineOptions& o) { o.range = 1.5 * o.step; });
+  refused([](RefineOptions& o) { o.patch_radius = 5; });
+  refused([](RefineOptions& o) { o.measure_spacing = -1; });
+  refused([](RefineOptions& o) { o.fit_radius = 0; });
+  refused([](RefineOptions& o) { o.min_score = 1; });
+  refused([](RefineOptions& o) { o.pixel_noise = 0; });
+  refused([](RefineOptions& o) { o.smoothness = 0; });
+  refused([](RefineOptions& o) { o.keep_bend = 1.1; });
+  refused([](RefineOptions& o) { o.outlier_scale = 0; });
+  refused([](RefineOptions& o) { o.silhouette_weight = -1; });
+  refused([](RefineOptions& o) { o.hull_tolerance = -1; });
+}
+
+}  // namespace
+}  // namespace octacut

@@ -1,0 +1,69 @@
+#include "core/refine/rim_targets.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/refine/refine_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::RefineScene;
+
+class RimTargets : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scene_ = new RefineScene(testing::MakeRefineScene());
+  }
+  static void TearDownTestSuite() { delete scene_; }
+
+  std::vector<EdgeTarget> Find(const IndexedMesh& mesh,
+                               const RayScene& rays) const {
+    const VertexCorners neighbors = RefineScene::Neighbors(mesh);
+    return FindRimTargets(scene_->test.views,
+                          rays,
+                          FitLocalSurfaces(mesh, neighbors, 0.05, Context(2)),
+                          neighbors,
+                          4,
+                          Context(2));
+  }
+  IndexedMesh Larger(double pixels) const {
+    return scene_->ToUnitMesh(RefineScene::Mesh(
+        32, [&](const auto&) { return pixels * scene_->Pixel(); }));
+  }
+
+  static RefineScene* scene_;
+};
+RefineScene* RimTargets::scene_ = nullptr;
+
+TEST_F(RimTargets, LeadToTheBordersOfTheMasks) {
+  for (const double pixels : {-1.5, 0.0, 1.0}) {
+    const IndexedMesh mesh = Larger(pixels);
+    const std::vector<EdgeTarget> targets = Find(mesh, RayScene(mesh));
+    // Every view has a rim that crosses some hundred edges.
+    EXPECT_GT(targets.size(), 100 * scene_->test.views.size());
+    double sum = 0;
+    for (const EdgeTarget& target : targets) {
+      EXPECT_GE(target.fraction, 0);
+      EXPECT_LE(target.fraction, 1);
+      sum += target.target;
+    }
+    EXPECT_NEAR(sum / double(targets.size()) * scene_->test.region.cube.edge /
+                    scene_->Pixel(),
+                -pixels,
+                0.2);
+  }
+}
+
+TEST_F(RimTargets, OnlyWhereTheMeshEnds) {
+  // Before a larger sphere the small one has rims, but no view shows them.
+  const IndexedMesh mesh = Larger(0);
+  EXPECT_TRUE(Find(mesh, RayScene(Larger(5))).empty());
+}
+
+TEST_F(RimTargets, OnlyWithinTheRange) {
+  const IndexedMesh mesh = Larger(-8);
+  EXPECT_TRUE(Find(mesh, RayScene(mesh)).empty());
+}
+
+}  // namespace
+}  // namespace octacut

@@ -1,0 +1,115 @@
+#include "core/refine/view_choice.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "tests/core/refine/refine_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::RefineScene;
+
+class ViewChoice : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    scene_ = new RefineScene(testing::MakeRefineScene());
+  }
+  static void TearDownTestSuite() { delete scene_; }
+
+  std::vector<LocalSurface> Fit(const IndexedMesh& mesh) const {
+    return FitLocalSurfaces(
+        mesh, RefineScene::Neighbors(mesh), 0.03, Context(2));
+  }
+  const ViewSet& Views() const { return scene_->test.views; }
+
+  static RefineScene* scene_;
+};
+RefineScene* ViewChoice::scene_ = nullptr;
+
+TEST_F(ViewChoice, TakesTheMostFrontalViewsThatSee) {
+  const IndexedMesh mesh =
+      scene_->ToUnitMesh(RefineScene::Mesh(20, [](const auto&) { return 0; }));
+  const std::vector<LocalSurface> surfaces = Fit(mesh);
+  ViewChoiceOptions options;
+  options.max_views = 5;
+  options.max_angle = 60;
+  const std::vector<ChosenViews> choices =
+      ChooseViews(Views(), RayScene(mesh), surfaces, 0.02, options, Context(2));
+  for (size_t v = 0; v < choices.size(); ++v) {
+    const auto cosine = [&](size_t view) {
+      return (Views()[view].projection.center - surfaces[v].center)
+          .normalized()
+          .dot(surfaces[v].normal);
+    };
+    ASSERT_LE(choices[v].count, 5);
+    float last = 1;
+    for (int i = 0; i < choices[v].count; ++i) {
+      EXPECT_LE(cosine(choices[v].views[i]), last);
+      last = cosine(choices[v].views[i]);
+      EXPECT_GE(last, 0.5f - 1e-6f);
+    }
+    // No view that would be better was left out.
+    for (size_t view = 0; view < Views().size(); ++view) {
+      const auto* const end = choices[v].views.begin() + choices[v].count;
+      if (choices[v].count == 5 && cosine(view) > last + 1e-6f) {
+        EXPECT_NE(std::find(choices[v].views.begin(), end, view), end);
+      }
+    }
+    if (choices[v].count > 0) {
+      EXPECT_NEAR(choices[v].pixel * scene_->test.region.cube.edge,
+                  scene_->Pixel(),
+                  0.4 * scene_->Pixel());
+    }
+  }
+}
+
+TEST_F(ViewChoice, KeepsViewsApart) {
+  const IndexedMesh mesh =
+      scene_->ToUnitMesh(RefineScene::Mesh(8, [](const auto&) { return 0; }));
+  const std::vector<LocalSurface> surfaces = Fit(mesh);
+  ViewChoiceOptions options;
+  options.min_separation = 35;
+  const std::vector<ChosenViews> choices =
+      ChooseViews(Views(), RayScene(mesh), surfaces, 0.02, options, Context(2));
+  for (size_t v = 0; v < choices.size(); ++v) {
+    for (int i = 0; i < choices[v].count; ++i) {
+      for (int j = 0; j < i; ++j) {
+        const auto direction = [&](int n) {
+          return Eigen::Vector3f(
+              (Views()[choices[v].views[n]].projection.center -
+               surfaces[v].center)
+                  .normalized());
+        };
+        EXPECT_LE(direction(i).dot(direction(j)), 0.8192f);  // cos 35 degrees
+      }
+    }
+  }
+}
+
+TEST_F(ViewChoice, LeavesOutViewsBehindAnObstacle) {
+  const IndexedMesh mesh =
+      scene_->ToUnitMesh(RefineScene::Mesh(8, [](const auto&) { return 0; }));
+  // A hood around everything: nothing is seen any more.
+  const IndexedMesh hood =
+      scene_->ToUnitMesh(RefineScene::Mesh(8, [](const auto&) { return 0.2; }));
+  for (const ChosenViews& chosen : ChooseViews(Views(),
+                                               RayScene(Joined(mesh, hood)),
+                                               Fit(mesh),
+                                               0.02,
+                                               ViewChoiceOptions(),
+                                               Context(2))) {
+    EXPECT_EQ(chosen.count, 0);
+  }
+}
+
+TEST(ViewChoiceOptions, AreChecked) {
+  EXPECT_NO_THROW(ViewChoiceOptions().Check());
+  EXPECT_THROW(ViewChoiceOptions{.max_angle = 90}.Check(), OptionError);
+  EXPECT_THROW(ViewChoiceOptions{.max_views = 1}.Check(), OptionError);
+  EXPECT_THROW(ViewChoiceOptions{.max_views = 25}.Check(), OptionError);
+  EXPECT_THROW(ViewChoiceOptions{.min_separation = -1}.Check(), OptionError);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -40,6 +40,9 @@ void SearchForest::Run() {
     context_.ThrowIfCancelled();
     Grow();
   }
+  if (active_.Empty()) {
+    pool_ = ChunkPool();  // all regions together would keep a good deal
+  }
 }
 
 void SearchForest::Grow() {

@@ -73,60 +73,70 @@ std::vector<uint32_t> RegionEnds(const VoxelWalk& walk,
   return ends;
 }
 
-// Searches regions [begin, end) alone and joins them pairwise, bottom up.
-std::unique_ptr<SearchForest> SearchRegions(FlowState& state,
-                                            std::span<const uint32_t> ends,
-                                            size_t begin,
-                                            size_t end,
-                                            const Context& context) {
-  if (end - begin == 1) {
-    auto forest = std::make_unique<SearchForest>(
-        state, begin == 0 ? 0 : ends[begin - 1], ends[begin], context);
-    forest->Run();
-    return forest;
-  }
-  const size_t middle = (begin + end) / 2;
-  std::unique_ptr<SearchForest> low, high;
-  const auto search_low = [&] {
-    low = SearchRegions(state, ends, begin, middle, context);
-  };
-  const auto search_high = [&] {
-    high = SearchRegions(state, ends, middle, end, context);
-  };
-  if (context.NumThreads() == 1) {
-    search_low();
-    search_high();
-  } else {
-    tbb::parallel_invoke(search_low, search_high);
-  }
-  low->Absorb(*high);
-  high.reset();
-  low->Run();
-  return low;
-}
+// Searches regions and joins them pairwise, bottom up.
+class RegionSearch {
+ public:
+  RegionSearch(FlowState& state,
+               std::span<const uint32_t> ends,
+               const SearchObserver& observer,
+               const Context& context)
+      : state_(state), ends_(ends), observer_(observer), context_(context) {}
 
-// Leaves the side of every node in its word.
-void Search(FlowState& state,
-            std::span<const uint32_t> ends,
-            const Context& context) {
-  if (ends.empty()) {
-    return;
-  }
-  std::unique_ptr<SearchForest> forest;
-  const auto search = [&] {
-    forest = SearchRegions(state, ends, 0, ends.size(), context);
-  };
-  if (context.NumThreads() == 1) {
-    search();
+  // Leaves the side of every node in its word.
+  void Run() {
+    if (ends_.empty()) {
+      return;
+    }
+    if (context_.NumThreads() == 1) {
+      Search(0, ends_.size())->Finish();
+      return;
+    }
+    // More threads than cores would gain nothing, and oneTBB would complain.
+    tbb::task_arena arena(std::min(context_.NumThreads(),
+                                   tbb::this_task_arena::max_concurrency()));
+    std::unique_ptr<SearchForest> forest;
+    arena.execute([&] { forest = Search(0, ends_.size()); });
     forest->Finish();
-    return;
   }
-  // More threads than cores would gain nothing, and oneTBB would complain.
-  tbb::task_arena arena(
-      std::min(context.NumThreads(), tbb::this_task_arena::max_concurrency()));
-  arena.execute(search);
-  forest->Finish();
-}
+
+ private:
+  void Observe(size_t begin, size_t end, bool begins) const {
+    if (observer_) {
+      observer_(begin, end, begins);
+    }
+  }
+
+  std::unique_ptr<SearchForest> Search(size_t begin, size_t end) {
+    std::unique_ptr<SearchForest> low, high;
+    const size_t middle = (begin + end) / 2;
+    if (end - begin > 1) {
+      const auto search_low = [&] { low = Search(begin, middle); };
+      const auto search_high = [&] { high = Search(middle, end); };
+      if (context_.NumThreads() == 1) {
+        search_low();
+        search_high();
+      } else {
+        tbb::parallel_invoke(search_low, search_high);
+      }
+    }
+    Observe(begin, end, true);
+    if (high != nullptr) {
+      low->Absorb(*high);
+      high.reset();
+    } else {
+      low = std::make_unique<SearchForest>(
+          state_, begin == 0 ? 0 : ends_[begin - 1], ends_[begin], context_);
+    }
+    low->Run();
+    Observe(begin, end, false);
+    return low;
+  }
+
+  FlowState& state_;
+  std::span<const uint32_t> ends_;
+  const SearchObserver& observer_;
+  const Context& context_;
+};
 
 }  // namespace
 
@@ -158,7 +168,7 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
   const std::vector<uint32_t> ends = RegionEnds(walk, plan.region_voxels);
   FlowState state(problem, walk, merged_ties, ends, context);
   std::vector<FaceTies>().swap(merged_ties);
-  Search(state, ends, context);
+  RegionSearch(state, ends, plan.observer, context).Run();
   OctahedralCut cut;
   cut.num_nodes = state.NumNodes();
   cut.cost_fixed_point = state.FlowValue(context);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -10,10 +11,16 @@
 
 namespace octacut {
 
+// Told by the thread that does it when work on regions [begin, end) begins and
+// ends: one region alone, or the search after two halves were joined.
+using SearchObserver =
+    std::function<void(size_t begin, size_t end, bool begins)>;
+
 // How to search; changes the time, never the result.
 struct SearchPlan {
   // Regions of about so many voxels are searched alone, then joined pairwise.
   uint32_t region_voxels = 1 << 15;
+  SearchObserver observer = nullptr;
 };
 
 // The plan that measurements speak for (docs/cut_engine.md).

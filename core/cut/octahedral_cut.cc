@@ -16,6 +16,9 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
                                  const Context& context) {
   options.Check();
   CheckCutValues(problem, context);
+  if (options.observer) {
+    options.observer(problem);
+  }
   const VoxelWalk walk(*problem.crust);
   std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
   const SearchPlan plan = PlanSearch(ties);

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,9 @@ struct OctahedralCut {
 };
 
 struct OctahedralCutOptions {
+  // Called with every problem before it is solved; to store it, for example.
+  std::function<void(const OctahedralCutProblem&)> observer = nullptr;
+
   void Check() const {}
 };
 

@@ -18,6 +18,7 @@
 #include "tests/bench/cut_instance_file.h"
 #include "tests/bench/cut_instances.h"
 #include "tests/bench/opencv_cut.h"
+#include "tests/bench/task_times.h"
 
 namespace octacut {
 namespace {
@@ -105,6 +106,38 @@ nlohmann::json Measure(const std::string& solver,
            (peak + double(instance.crust.MemoryBytes())) / voxels}};
 }
 
+// Times the tasks of a search on one thread, and tells by how much more cores
+// would be faster: the search alone, and all when what is not the search gains
+// nothing.
+nlohmann::json MeasureTasks(const CutInstance& instance) {
+  const OctahedralCutProblem problem = instance.View();
+  const Context context(1);
+  const double cpu_before = CpuSeconds();
+  CheckCutValues(problem, context);
+  const VoxelWalk walk(*problem.crust);
+  std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
+  SearchPlan plan = PlanSearch(ties);
+  TaskTimes tasks;
+  plan.observer = tasks.Observer();
+  const OctahedralCut cut = SolveImplicitly(problem, walk, ties, plan, context);
+  LabellingCost(problem, walk, ties, cut.labels, context);
+  const double total = CpuSeconds() - cpu_before;
+  const double rest = total - tasks.Total();
+  nlohmann::json json = {{"instance", instance.name},
+                         {"solver", "tasks"},
+                         {"voxels", instance.crust.Size()},
+                         {"cpu_seconds", total},
+                         {"search_seconds", tasks.Total()}};
+  for (const int cores : {2, 4, 8, 16}) {
+    const double makespan = tasks.Makespan(cores);
+    json["search_gain"][std::to_string(cores)] = tasks.Total() / makespan;
+    json["gain"][std::to_string(cores)] = total / (rest + makespan);
+    json["gain_if_rest_scales"][std::to_string(cores)] =
+        total / (rest / cores + makespan);
+  }
+  return json;
+}
+
 // A process of its own for each run, so that peaks do not mix.
 void MeasureInChild(const std::string& solver,
                     const CutInstance& instance,
@@ -113,8 +146,16 @@ void MeasureInChild(const std::string& solver,
   std::cout.flush();
   const pid_t child = fork();
   if (child == 0) {
-    std::cout << Measure(solver, instance, num_threads, labels_path).dump()
-              << std::endl;
+    try {
+      const nlohmann::json result =
+          solver == "tasks"
+              ? MeasureTasks(instance)
+              : Measure(solver, instance, num_threads, labels_path);
+      std::cout << result.dump() << std::endl;
+    } catch (const std::exception& error) {
+      std::cerr << error.what() << std::endl;
+      _exit(1);
+    }
     _exit(0);
   }
   int status = 0;
@@ -127,8 +168,9 @@ void MeasureInChild(const std::string& solver,
 constexpr char kUsage[] =
     "octacut_cut_bench [--instance FILE ...] [--kind shell hard level0 "
     "evidence]\n"
-    "  [--resolution 128] [--solvers octacut boost opencv] [--num_threads 1]\n"
-    "  [--repetitions 1] [--labels OUT] [--output_instance OUT]";
+    "  [--resolution 128] [--solvers octacut boost opencv tasks]\n"
+    "  [--num_threads 1] [--repetitions 1] [--labels OUT]\n"
+    "  [--output_instance OUT]";
 
 using Arguments = std::map<std::string, std::vector<std::string>>;
 

@@ -22,7 +22,7 @@ struct InsideEvidenceOptions {
   // hull has for inside unless a view has found a surface right there (so
   // unseen parts keep the hull and thin limbs survive), and what one view's
   // word is worth.
-  double ballooning = 0.25;
+  double ballooning = 0.15;
   double matter_weight = 0.5;  // a view with its surface just before the voxel
   // A view after the first one that sees through the voxel.
   double free_space_weight = 0.5;

@@ -96,13 +96,15 @@ Eigen::Vector3d FromAngles(double azimuth, double sine_of_elevation) {
 double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 std::vector<Eigen::Vector3d> SphereDirections(const RigOptions& options) {
-  const double low = std::sin(Radians(options.min_elevation));
-  const double high = std::sin(Radians(options.max_elevation));
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
   std::vector<Eigen::Vector3d> directions;
   for (int i = 0; i < options.num_views; ++i) {
-    const double sine = low + (high - low) * (i + 0.5) / options.num_views;
-    directions.push_back(FromAngles(golden_angle * i, sine));
+    const double elevation =
+        options.min_elevation +
+        (options.max_elevation - options.min_elevation) * (i + 0.5) /
+            options.num_views;
+    directions.push_back(
+        FromAngles(golden_angle * i, std::sin(Radians(elevation))));
   }
   return directions;
 }

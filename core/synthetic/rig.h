@@ -21,7 +21,7 @@ struct Lens {
 };
 
 enum class RigKind {
-  kSphere,     // evenly spread over a band of elevations (a spiral)
+  kSphere,     // a spiral, even in elevation: hollows open upwards
   kRings,      // four rings from min_elevation to max_elevation
   kTurntable,  // one ring at min_elevation
 };
@@ -31,7 +31,7 @@ struct RigOptions {
   int num_views = 36;
   // Degrees above the object's horizon.
   double min_elevation = -35;
-  double max_elevation = 75;
+  double max_elevation = 82;
   int width = 1024;  // pixels
   int height = 768;
   // In units of the larger side of the image.

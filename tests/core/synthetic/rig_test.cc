@@ -109,7 +109,7 @@ TEST(RigOptions, RefusesBadValues) {
     EXPECT_THROW(options.Check(), OptionError);
   };
   refused([](RigOptions& o) { o.num_views = 0; });
-  refused([](RigOptions& o) { o.min_elevation = 80; });
+  refused([](RigOptions& o) { o.min_elevation = 85; });
   refused([](RigOptions& o) { o.max_elevation = 95; });
   refused([](RigOptions& o) { o.width = 2; });
   refused([](RigOptions& o) { o.height = 0; });

@@ -48,7 +48,7 @@ function(octacut_test name)
     endif()
     target_link_libraries(${target} PRIVATE ${dependency})
   endforeach()
-  target_link_libraries(${target} PRIVATE GTest::gmock GTest::gtest_main)
+  target_link_libraries(${target} PRIVATE octacut_test_main GTest::gmock)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(${target} PRIVATE ${OCTACUT_WARNINGS})
   gtest_discover_tests(${target} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/with_threads.h"
 #include "plugin/common_options.h"
 #include "plugin/help_text.h"
 #include "plugin/log.h"
@@ -82,7 +83,9 @@ void RunLogged(const RegistryEntry& entry,
       entry.name,
       options.ToJson().dump(-1, ' ', false, Json::error_handler_t::replace)));
   try {
-    command.Run({entry.name, options, context, timer, out});
+    WithThreads(context.NumThreads(), [&] {
+      command.Run({entry.name, options, context, timer, out});
+    });
     log.SetStatus("");
   } catch (...) {
     log.ErrorToFile(DescribeCurrentException(options).message);

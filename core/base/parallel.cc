@@ -23,7 +23,8 @@ void ParallelChunks(const Context& context,
     }
     return;
   }
-  // More threads than cores would gain nothing, and oneTBB would complain.
+  // No more threads than cores, or than WithThreads allows: oneTBB would not
+  // give them, and complain.
   tbb::task_arena arena(
       std::min(context.NumThreads(), tbb::this_task_arena::max_concurrency()));
   arena.execute([&] { tbb::parallel_for(size_t{0}, num_chunks, run_chunk); });

@@ -1,6 +1,8 @@
 #include "plugin/workspace_options.h"
 
+#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_io.h"
+#include "core/base/check_option.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -47,9 +49,11 @@ void WorkspaceArguments::Declare(OptionManager& options) {
   options.Add("skip_missing_images",
               &loading.skip_missing_images,
               "1: go on without images whose file is missing");
-  options.Add("skip_missing_masks",
-              &loading.skip_missing_masks,
-              "1: go on without images whose mask is missing");
+  options.Add(
+      "skip_missing_masks",
+      &loading.skip_missing_masks,
+      "1: go on without images whose mask is missing, all background or "
+      "all object");
   options.Add("OctahedralMeshing.bounding_box",
               &bounding_box,
               "x0,y0,z0,x1,y1,z1 of the object; default: from the silhouettes");
@@ -70,6 +74,12 @@ void WorkspaceArguments::Complete(const fs::path& default_output) {
     report_path = Beside(".json");
   }
   CheckMeshPath(output_path);
+  // The report is written last; that it cannot be must not be news then.
+  CheckOption(report_path != output_path,
+              "report_path",
+              report_path.string(),
+              "must be another file than the mesh");
+  CheckFilePath(report_path);
 }
 
 fs::path WorkspaceArguments::Beside(const std::string& ending) const {
@@ -87,6 +97,7 @@ Json LoadSummaryToJson(const LoadSceneSummary& summary, const Region& region) {
           {"views", summary.num_views},
           {"missing_images", summary.num_missing_images},
           {"missing_masks", summary.num_missing_masks},
+          {"masks_without_outline", summary.num_masks_without_outline},
           {"views_elsewhere", summary.num_views_elsewhere},
           {"sparse_points", summary.num_points},
           {"pixel_bytes", summary.scene_bytes},

@@ -7,20 +7,20 @@
 #include <functional>
 #include <map>
 #include <opencv2/core.hpp>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/image_header.h"
+#include "colmap_io/images/mask_content.h"
 #include "colmap_io/images/reduce_mask.h"
 #include "colmap_io/images/scene_points.h"
 #include "colmap_io/images/undistort.h"
 #include "colmap_io/images/view_files.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 
 namespace octacut {
 namespace {
@@ -35,16 +35,9 @@ constexpr size_t kBytesPerPixel = 6;
 struct Candidate {
   ViewFiles files;
   SparseCamera mask_camera;
+  MaskContent mask_content = MaskContent::kOutline;
   bool object_all_around = false;  // the mask's border is all object
 };
-
-// Both of an object that fills the frame and of a mask that is inverted.
-bool BorderIsObject(const cv::Mat& object) {
-  return cv::countNonZero(object.row(0)) == object.cols &&
-         cv::countNonZero(object.row(object.rows - 1)) == object.cols &&
-         cv::countNonZero(object.col(0)) == object.rows &&
-         cv::countNonZero(object.col(object.cols - 1)) == object.rows;
-}
 
 double SecondsSince(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
@@ -95,7 +88,9 @@ class Loader {
  private:
   void FindCandidates();
   void ReadReducedMasks();
+  // Empty for a mask without outline.
   View ReadReducedMask(Candidate* candidate) const;
+  void LeaveOutMasksWithoutOutline();
   void PlanWindows();
   void ReadViews();
   void ReadView(const Candidate& candidate, View* view) const;
@@ -127,14 +122,14 @@ void Loader::FindCandidates() {
   result_.summary.num_missing_images = found.num_missing_images;
   result_.summary.num_missing_masks = found.num_missing_masks;
   for (const ViewFiles& files : found.views) {
-    candidates_.push_back({files, {}, false});
+    candidates_.emplace_back().files = files;
     if (!frames_.contains(files.camera->id)) {
       frames_.emplace(files.camera->id, FrameOfCamera(*files.camera));
     }
   }
 }
 
-void Loader::ForEachCandidate(std::string_view name,
+void Loader::ForEachCandidate(std::string_view phase,
                               const std::function<void(size_t)>& body) const {
   size_t pixels = 1;
   for (const Candidate& candidate : candidates_) {
@@ -142,32 +137,12 @@ void Loader::ForEachCandidate(std::string_view name,
         pixels,
         size_t(candidate.files.camera->width * candidate.files.camera->height));
   }
-  const size_t in_flight =
-      std::clamp(options_.decode_budget / (kBytesPerPixel * pixels),
-                 size_t{1},
-                 size_t(context_.NumThreads()));
-  std::vector<std::optional<std::string>> errors(candidates_.size());
-  Phase phase(context_, name, candidates_.size());
-  const size_t batch = 4 * in_flight;
-  for (size_t first = 0; first < candidates_.size(); first += batch) {
-    const size_t count = std::min(batch, candidates_.size() - first);
-    const size_t grain = (count + in_flight - 1) / in_flight;
-    ParallelFor(context_, count, grain, [&](size_t begin, size_t end) {
-      for (size_t i = first + begin; i < first + end; ++i) {
-        try {
-          body(i);
-        } catch (const InputError& error) {
-          errors[i] = error.what();
-        }
-        phase.Advance();
-      }
-    });
-    for (const auto& error : errors) {
-      if (error) {
-        throw InputError(*error);
-      }
-    }
-  }
+  ForEachFile({.count = candidates_.size(),
+               .bytes_per_file = kBytesPerPixel * pixels,
+               .byte_budget = options_.decode_budget},
+              phase,
+              context_,
+              body);
 }
 
 View Loader::ReadReducedMask(Candidate* candidate) const {
@@ -179,12 +154,9 @@ View Loader::ReadReducedMask(Candidate* candidate) const {
                          {uint64_t(mask.cols), uint64_t(mask.rows)},
                          name);
   const cv::Mat object = mask >= 128;
-  const int count = cv::countNonZero(object);
-  if (count == 0) {
-    throw InputError(fmt::format("{}: the mask is all background", name));
-  }
-  if (size_t(count) == mask.total()) {
-    throw InputError(fmt::format("{}: the mask is all object", name));
+  candidate->mask_content = ContentOfMask(object);
+  if (candidate->mask_content != MaskContent::kOutline) {
+    return {};
   }
   candidate->object_all_around = BorderIsObject(object);
   const bool own =
@@ -208,6 +180,7 @@ void Loader::ReadReducedMasks() {
   ForEachCandidate("reading masks", [&](size_t i) {
     reduced_[i] = ReadReducedMask(&candidates_[i]);
   });
+  LeaveOutMasksWithoutOutline();
   const auto suspects = std::count_if(
       candidates_.begin(), candidates_.end(), [](const Candidate& c) {
         return c.object_all_around;
@@ -219,6 +192,43 @@ void Loader::ReadReducedMasks() {
         suspects,
         candidates_.size()));
   }
+}
+
+void Loader::LeaveOutMasksWithoutOutline() {
+  const auto has_outline = [](const Candidate& candidate) {
+    return candidate.mask_content == MaskContent::kOutline;
+  };
+  const auto first =
+      std::find_if_not(candidates_.begin(), candidates_.end(), has_outline);
+  if (first == candidates_.end()) {
+    return;
+  }
+  const size_t num_masks = candidates_.size();
+  const auto num_outlines = size_t(
+      std::count_if(candidates_.begin(), candidates_.end(), has_outline));
+  const std::string message = fmt::format(
+      "{}: the mask is all {}; {} of {} masks show no outline",
+      first->files.mask_file.string(),
+      first->mask_content == MaskContent::kAllObject ? "object" : "background",
+      num_masks - num_outlines,
+      num_masks);
+  if (!options_.skip_missing_masks) {
+    throw InputError(message +
+                     " (--skip_missing_masks 1 goes on without their images)");
+  }
+  context_.Warn(message + ", whose images are left out");
+  result_.summary.num_masks_without_outline = num_masks - num_outlines;
+  std::vector<Candidate> kept;
+  std::vector<View> kept_views;
+  for (size_t i = 0; i < num_masks; ++i) {
+    if (has_outline(candidates_[i])) {
+      kept.push_back(std::move(candidates_[i]));
+      kept_views.push_back(std::move(reduced_[i]));
+    }
+  }
+  candidates_ = std::move(kept);
+  reduced_ = std::move(kept_views);
+  RequireEnoughViews(workspace_, candidates_.size());
 }
 
 void Loader::PlanWindows() {

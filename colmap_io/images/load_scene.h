@@ -19,8 +19,8 @@ struct LoadSceneOptions {
   // Model of the original photographs, for a dense folder whose masks are in
   // their geometry; empty: looked for in ../sparse and ../../sparse.
   std::filesystem::path original_path;
-  // Go on without the images that have no file or no mask; a warning counts
-  // them.
+  // Go on without the images that have no file or no mask, or a mask that is
+  // all background or all object; warnings count them.
   bool skip_missing_images = false;
   bool skip_missing_masks = false;
   // False: the views get masks only, and images need not exist.
@@ -37,10 +37,11 @@ struct LoadSceneSummary {
   std::filesystem::path image_path;
   std::filesystem::path model_path;
   std::filesystem::path mask_path;
-  size_t num_images = 0;           // registered in the model
-  size_t num_views = 0;            // of the scene
-  size_t num_missing_images = 0;   // skipped
-  size_t num_missing_masks = 0;    // skipped
+  size_t num_images = 0;                 // registered in the model
+  size_t num_views = 0;                  // of the scene
+  size_t num_missing_images = 0;         // skipped
+  size_t num_missing_masks = 0;          // skipped
+  size_t num_masks_without_outline = 0;  // skipped: all of one kind
   size_t num_views_elsewhere = 0;  // left out: they do not show the region
   size_t num_points = 0;           // of the scene
   size_t num_model_points = 0;

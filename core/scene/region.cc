@@ -1,6 +1,7 @@
 #include "core/scene/region.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -254,7 +255,7 @@ void RegionOptions::Check() const {
 Eigen::AlignedBox3d BoundingBoxFromNumbers(const std::vector<double>& numbers) {
   CheckOption(numbers.size() == 6,
               "bounding_box",
-              fmt::format("({} numbers)", numbers.size()),
+              fmt::format("{}", fmt::join(numbers, ",")),
               "must be six numbers x0,y0,z0,x1,y1,z1");
   RegionOptions options;
   options.bounding_box.emplace(

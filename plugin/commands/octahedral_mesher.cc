@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
+#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
 #include "core/pipeline/reconstruct.h"
@@ -43,7 +46,15 @@ LevelObserver OctahedralMesher::LevelWriter() const {
   if (levels_path_.empty()) {
     return nullptr;
   }
-  std::filesystem::create_directories(levels_path_);
+  std::error_code error;
+  std::filesystem::create_directories(levels_path_, error);
+  if (error) {
+    throw InputError(
+        fmt::format("save_levels {}: the folder cannot be made ({})",
+                    levels_path_.string(),
+                    error.message()));
+  }
+  CheckFilePath(levels_path_ / "hull.ply");
   return [folder = levels_path_](int level, const IndexedMesh& mesh) {
     WriteMesh(folder / (level < 0 ? std::string("hull.ply")
                                   : fmt::format("level_{:02d}.ply", level)),

@@ -8,7 +8,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix
                         ${scratch} OUTPUT_QUIET RESULT_VARIABLE installed)
 execute_process(
   COMMAND ${CMAKE_COMMAND} -E env OCTACUT_EXECUTABLE=${scratch}/bin/octacut
-          ${TESTS} --gtest_filter=CommandLine.*:ExampleCreator.*
+          ${TESTS} --gtest_filter=CommandLine.*:ExampleCreator.*:InputErrors.*:OctahedralMesher.*:MeshComparer*
   RESULT_VARIABLE tested)
 file(REMOVE_RECURSE ${scratch})
 if(NOT installed EQUAL 0 OR NOT tested EQUAL 0)

@@ -83,14 +83,14 @@ std::string ScoreTable(std::span<const ComparedMesh> meshes,
                        const CompareMeshesOptions& options) {
   std::vector<std::string> heading = {"score, %"};
   for (const double threshold : options.thresholds) {
-    heading.push_back(fmt::format("at {:g}: precision", 100 * threshold));
+    heading.push_back(fmt::format("at {:g} %: precision", 100 * threshold));
     heading.push_back("recall");
     heading.push_back("F");
   }
   heading.push_back(
-      fmt::format("accuracy {:g}", 100 * options.accuracy_fraction));
+      fmt::format("accuracy of {:g} %", 100 * options.accuracy_fraction));
   heading.push_back(
-      fmt::format("completeness {:g}", 100 * options.completeness_threshold));
+      fmt::format("complete at {:g} %", 100 * options.completeness_threshold));
   TextTable table(std::move(heading));
   for (const ComparedMesh& mesh : meshes) {
     std::vector<std::string> row = {mesh.name};

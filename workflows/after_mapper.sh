@@ -18,17 +18,9 @@ fi
 workspace=${1%/}
 shift
 
-# Where the mesh goes is for the comparison to know.
-mesh=$workspace/meshed-octahedral.ply
-previous=
-for argument in "$@"; do
-  if [[ $previous == --output_path ]]; then
-    mesh=$argument
-  elif [[ $argument == --output_path=* ]]; then
-    mesh=${argument#--output_path=}
-  fi
-  previous=$argument
-done
+# The comparison has to know where the mesh goes.
+mesh=$("$root/workflows/option_value.sh" --output_path \
+  "$workspace/meshed-octahedral.ply" "$@")
 
 octacut=$("$root/workflows/find_octacut.sh")
 "$octacut" octahedral_mesher --workspace_path "$workspace" "$@"

@@ -52,3 +52,6 @@ fi
 octacut=$("$root/workflows/find_octacut.sh")
 "$octacut" mesh_comparer "${inputs[@]}" --reference_path "$mesh" \
   --output_path "$workspace/compare-dense.json" "$@"
+echo
+echo "Distances are to and from octacut's mesh: they say how far the meshes are"
+echo "apart, not which one is right. All figures: $workspace/compare-dense.json"

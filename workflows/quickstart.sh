@@ -56,25 +56,34 @@ if [[ $with_colmap == 1 ]]; then
   echo "== COLMAP finds the cameras"
   result=$workspace/colmap
   "$root/workflows/run_colmap.sh" "$workspace" "$result"
+  # Photographs and masks stay where they are, unless the user says otherwise.
+  for part in image mask; do
+    folder=$("$root/workflows/option_value.sh" "--${part}_path" "" "${options[@]}")
+    if [[ -z $folder ]]; then
+      options+=("--${part}_path" "$workspace/${part}s")
+    fi
+  done
 fi
+mesh=$("$root/workflows/option_value.sh" --output_path \
+  "$result/meshed-octahedral.ply" "${options[@]}")
+report=$("$root/workflows/option_value.sh" --report_path \
+  "${mesh%.*}.json" "${options[@]}")
+comparison=${mesh%.*}-comparison.json
 
 echo
 echo "== octacut octahedral_mesher"
-"$octacut" octahedral_mesher --workspace_path "$result" \
-  --mask_path "$workspace/masks" --image_path "$workspace/images" \
-  "${options[@]}"
+"$octacut" octahedral_mesher --workspace_path "$result" "${options[@]}"
 
 echo
 echo "== Comparison with the reference"
-"$octacut" mesh_comparer --input_path "$result/meshed-octahedral.ply" \
-  --reference_path "$reference" \
-  --output_path "$result/meshed-octahedral-comparison.json"
+"$octacut" mesh_comparer --input_path "$mesh" \
+  --reference_path "$reference" --output_path "$comparison"
 
 echo
-echo "mesh:       $result/meshed-octahedral.ply"
-echo "report:     $result/meshed-octahedral.json"
-for picture in "$result"/meshed-octahedral*.png; do
-  [[ -f $picture ]] && echo "picture:    $picture"
-done
-echo "comparison: $result/meshed-octahedral-comparison.json"
+echo "mesh:       $mesh"
+echo "report:     $report"
+if [[ -f ${mesh%.*}.png ]]; then
+  echo "picture:    ${mesh%.*}.png"
+fi
+echo "comparison: $comparison"
 echo "reference:  $reference"

@@ -62,8 +62,8 @@ TEST_F(MeshComparerTest, TablesAndReport) {
                            "above.off",
                            "ref.off (reference)",
                            "no (4)",
-                           "at 0.01: precision",
-                           "accuracy 90"}) {
+                           "at 0.01 %: precision",
+                           "accuracy of 90 %"}) {
     EXPECT_THAT(result.out, HasSubstr(text));
   }
   EXPECT_THAT(result.out, Not(HasSubstr(half)));

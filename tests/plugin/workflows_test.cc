@@ -82,6 +82,7 @@ TEST(Workflows, AfterMapperMeshesAndComparesAndCanBeRepeated) {
     ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
     EXPECT_THAT(result.out, HasSubstr("meshed-octahedral.ply (reference)"));
     EXPECT_THAT(result.out, HasSubstr("meshed-poisson.ply "));
+    EXPECT_THAT(result.out, HasSubstr("not which one is right"));
     EXPECT_TRUE(fs::is_regular_file(workspace / "meshed-octahedral.ply"));
     EXPECT_NO_THROW(Json::parse(ReadFile(workspace / "compare-dense.json")));
   }
@@ -100,6 +101,18 @@ TEST(Workflows, AfterMapperMeshesAndComparesAndCanBeRepeated) {
                            "dense/1/meshed-poisson.ply"}) {
     EXPECT_THAT(result.out, HasSubstr(name));
   }
+}
+
+TEST(Workflows, OptionValues) {
+  const auto value = [](const std::string& arguments) {
+    return RunWorkflow("option_value.sh", "--name 'by default' " + arguments)
+        .out;
+  };
+  EXPECT_EQ(value(""), "by default\n");
+  EXPECT_EQ(value("--other x --names y"), "by default\n");
+  EXPECT_EQ(value("--other --name 'a b' z"), "a b\n");
+  EXPECT_EQ(value("--name='a b' z"), "a b\n");
+  EXPECT_EQ(value("--name"), "by default\n");
 }
 
 TEST(Workflows, AfterMapperFailsWithTheMesher) {

@@ -5,6 +5,10 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${OCTACUT_BUILD_DIR:-$root/build}
+if [[ ${1:-} == -h || ${1:-} == --help ]]; then
+  sed -n '2,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  exit 0
+fi
 
 "$root/workflows/setup.sh"
 "$root/workflows/build.sh"

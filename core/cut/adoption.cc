@@ -8,28 +8,33 @@
 
 namespace octacut {
 
-void SearchForest::MakeOrphan(const FaceNode& node) {
+template <typename Flow>
+void SearchForest<Flow>::MakeOrphan(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   word = WithParent(word, kOrphan);
   orphans_.Add(Label(word), node.axis, IdOf(node.place), pool_);
 }
 
-void SearchForest::Settle() {
+template <typename Flow>
+void SearchForest<Flow>::Settle() {
   while (!draining_.Empty()) {
     Drain();
     Adopt();
   }
 }
 
-void SearchForest::Adopt() {
+template <typename Flow>
+void SearchForest<Flow>::Adopt() {
   while (!orphans_.Empty()) {
     const int32_t label = orphans_.Lowest();
     orphans_.Consume(
         label,
         pool_,
-        [&](auto axis, NodeId id) { state_.PrefetchSearch<axis()>(id); },
         [&](auto axis, NodeId id) {
-          const AxisNode node = state_.Node<axis()>(id);
+          state_.template PrefetchSearch<axis()>(id);
+        },
+        [&](auto axis, NodeId id) {
+          const AxisNode node = state_.template Node<axis()>(id);
           const int32_t word = state_.Word(node);
           // Else listed twice, or adopted meanwhile.
           if (Label(word) == label && Parent(word) == kOrphan) {
@@ -41,8 +46,9 @@ void SearchForest::Adopt() {
 
 // A node with a lower label is attached for good when this is asked, since
 // all orphans with lower labels have been handled.
+template <typename Flow>
 template <int kAxis>
-void SearchForest::AdoptNode(const AxisNode<kAxis>& node, int32_t label) {
+void SearchForest<Flow>::AdoptNode(const AxisNode<kAxis>& node, int32_t label) {
   const uint32_t to_parents = state_.ResidualOut(node);
   const uint32_t arcs = to_parents | state_.ResidualIn(node);
   const WordsAround words = state_.Around(node, arcs);
@@ -67,11 +73,12 @@ void SearchForest::AdoptNode(const AxisNode<kAxis>& node, int32_t label) {
 
 // Gives an orphan that has no lower neighbour a greater label. If that is
 // beyond the depth it leaves the forest, as a source node if it has an excess.
+template <typename Flow>
 template <int kAxis>
-void SearchForest::Lift(const AxisNode<kAxis>& node,
-                        const WordsAround& words,
-                        uint32_t arcs,
-                        uint32_t to_parents) {
+void SearchForest<Flow>::Lift(const AxisNode<kAxis>& node,
+                              const WordsAround& words,
+                              uint32_t arcs,
+                              uint32_t to_parents) {
   uint32_t children = 0;
   uint32_t least = kNoRank;
   for (int code = kNumNodeArcs - 1; code >= 0; --code) {
@@ -91,8 +98,11 @@ void SearchForest::Lift(const AxisNode<kAxis>& node,
     word = kSourceNode;
     ++num_sources_;
   } else {
-    word = FlowState::kFreeNode;
+    word = kFreeNode;
   }
 }
+
+template class SearchForest<int32_t>;
+template class SearchForest<int16_t>;
 
 }  // namespace octacut

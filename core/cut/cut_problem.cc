@@ -163,6 +163,7 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
                       const VoxelWalk& walk,
                       std::span<const FaceTies> merged_ties,
                       std::span<const FaceLabels> labels,
+                      const CutScale& scale,
                       const Context& context) {
   const VoxelGrid& grid = *problem.crust;
   const bool with_evidence = !problem.evidence.empty();
@@ -174,8 +175,8 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
     if (!with_evidence || ((merged_ties[i] >> face) & 0x41)) {
       return int64_t{0};
     }
-    const int64_t inside = int64_t{FixedFaceEvidence(problem.evidence[i])} +
-                           FixedFaceEvidence(problem.evidence[j]);
+    const int64_t inside = int64_t{scale.FaceEvidence(problem.evidence[i])} +
+                           scale.FaceEvidence(problem.evidence[j]);
     const bool is_inside = (labels[i] >> face) & 1;
     return is_inside ? std::max<int64_t>(0, -inside)
                      : std::max<int64_t>(0, inside);
@@ -195,7 +196,7 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
                 throw InvariantError("cut: a label contradicts its tie");
               }
               cost += int64_t{NumCutEdges(labels[i])} *
-                      FixedWeight(problem.weights[i]);
+                      scale.Weight(problem.weights[i]);
               for (int face = 0; face < kNumFaces; face += 2) {
                 if (neighbors[face] != VoxelGrid::kNone) {
                   cost += face_cost(i, face, neighbors[face]);

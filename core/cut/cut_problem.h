@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/cut/fixed_point.h"
 #include "core/cut/octahedral_cut.h"
 #include "core/cut/octahedron.h"
 #include "core/cut/voxel_walk.h"
@@ -29,8 +30,8 @@ std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
                                     const VoxelWalk& walk,
                                     const Context& context);
 
-// Cost of a labelling in fixed point, from the definition: w for each of a
-// voxel's twelve edges whose faces differ, and for each untied face the
+// Cost of a labelling in units of the scale, from the definition: w for each of
+// a voxel's twelve edges whose faces differ, and for each untied face the
 // evidence it is labelled against; the evidence of a face between two voxels
 // is the signed sum of their shares. `merged_ties` as of MergeFaceTies.
 // Throws InvariantError when two voxels disagree on a face or a label
@@ -39,6 +40,7 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
                       const VoxelWalk& walk,
                       std::span<const FaceTies> merged_ties,
                       std::span<const FaceLabels> labels,
+                      const CutScale& scale,
                       const Context& context);
 
 // Number of cut edges of a voxel with these labels: pairs of faces that are

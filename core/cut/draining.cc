@@ -1,4 +1,4 @@
-// Taking excess from source nodes and draining it to the roots.
+// Draining what the forest has taken to its roots.
 #include <algorithm>
 #include <bit>
 
@@ -6,35 +6,8 @@
 
 namespace octacut {
 
-template <int kAxis>
-bool SearchForest::TakeExcess(const FaceNode& source,
-                              const AxisNode<kAxis>& node,
-                              int code) {
-  const uint32_t voxel = VoxelOf(node, code);
-  const uint32_t arc = kNodeArcs[kAxis][code].in;
-  const int64_t excess = state_.Imbalance(source);
-  const int32_t amount =
-      int32_t(std::min<int64_t>(excess, state_.Capacity(voxel, arc)));
-  const bool saturated = state_.Push(voxel, arc, amount);
-  QueueDrain(Untyped(node));
-  if (amount < excess) {
-    return false;
-  }
-  state_.Word(source) = FlowState::kFreeNode;
-  --num_sources_;
-  return !saturated;
-}
-template bool SearchForest::TakeExcess(const FaceNode&,
-                                       const AxisNode<0>&,
-                                       int);
-template bool SearchForest::TakeExcess(const FaceNode&,
-                                       const AxisNode<1>&,
-                                       int);
-template bool SearchForest::TakeExcess(const FaceNode&,
-                                       const AxisNode<2>&,
-                                       int);
-
-void SearchForest::QueueDrain(const FaceNode& node) {
+template <typename Flow>
+void SearchForest<Flow>::QueueDrain(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   if ((word & kDraining) == 0) {
     word |= kDraining;
@@ -43,19 +16,25 @@ void SearchForest::QueueDrain(const FaceNode& node) {
 }
 
 // Moves every excess of the forest down as far as it goes.
-void SearchForest::Drain() {
+template <typename Flow>
+void SearchForest<Flow>::Drain() {
   for (int32_t level = draining_.Highest(); level >= 1; --level) {
     draining_.Consume(
         level,
         pool_,
-        [&](auto axis, NodeId id) { state_.PrefetchFlows<axis()>(id); },
-        [&](auto axis, NodeId id) { DrainNode(state_.Node<axis()>(id)); });
+        [&](auto axis, NodeId id) {
+          state_.template PrefetchFlows<axis()>(id);
+        },
+        [&](auto axis, NodeId id) {
+          DrainNode(state_.template Node<axis()>(id));
+        });
   }
   draining_.Lowest();
 }
 
+template <typename Flow>
 template <int kAxis>
-void SearchForest::DrainNode(const AxisNode<kAxis>& node) {
+void SearchForest<Flow>::DrainNode(const AxisNode<kAxis>& node) {
   int32_t& word = state_.Word(node);
   word &= ~(kDraining | kExcess);
   const int64_t excess = state_.Imbalance(node);
@@ -72,8 +51,10 @@ void SearchForest::DrainNode(const AxisNode<kAxis>& node) {
 
 // Pushes to the parent, then to other parents with a lower label, until the
 // excess is gone or there is no parent left.
+template <typename Flow>
 template <int kAxis>
-void SearchForest::SendExcess(const AxisNode<kAxis>& node, int64_t excess) {
+void SearchForest<Flow>::SendExcess(const AxisNode<kAxis>& node,
+                                    int64_t excess) {
   int32_t& word = state_.Word(node);
   const auto push = [&](int code) {
     const uint32_t arc = kNodeArcs[kAxis][code].out;
@@ -107,5 +88,8 @@ void SearchForest::SendExcess(const AxisNode<kAxis>& node, int64_t excess) {
     word |= excess > 0 ? kExcess : 0;
   }
 }
+
+template class SearchForest<int32_t>;
+template class SearchForest<int16_t>;
 
 }  // namespace octacut

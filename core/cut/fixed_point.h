@@ -29,6 +29,28 @@ inline int32_t FixedFaceEvidence(float evidence) {
   return int32_t(share + (share < 0 ? -0.5 : 0.5));
 }
 
+// Of lean cuts: weights in units of 2^-14, and the largest that flows of 16
+// bits can hold.
+inline constexpr int kLeanFractionBits = 14;
+inline constexpr int32_t kMaxLeanWeight = (1 << 15) - 1;
+
+// The unit of a cut: 2^(shift - 20). In a coarser one weights and flows fit
+// fewer bits, and the cut is a minimum of what they were rounded to.
+struct CutScale {
+  int shift = 0;
+
+  int32_t Weight(float weight) const {
+    const int32_t fixed = Rounded(FixedWeight(weight));
+    return fixed < 1 ? 1 : fixed;
+  }
+  int32_t FaceEvidence(float evidence) const {
+    return Rounded(FixedFaceEvidence(evidence));
+  }
+  int32_t Rounded(int32_t fixed) const {
+    return int32_t((int64_t{fixed} + (int64_t{1} << shift) / 2) >> shift);
+  }
+};
+
 inline double FromFixed(int64_t value) { return double(value) / kCutScale; }
 
 }  // namespace octacut

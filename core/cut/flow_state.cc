@@ -16,12 +16,15 @@ int NumSinkEdges(FaceTies ties) {
 
 }  // namespace
 
-FlowState::FlowState(const OctahedralCutProblem& problem,
-                     const VoxelWalk& walk,
-                     std::span<const FaceTies> merged_ties,
-                     std::span<const uint32_t> region_ends,
-                     const Context& context)
+template <typename Flow>
+FlowState<Flow>::FlowState(const OctahedralCutProblem& problem,
+                           const VoxelWalk& walk,
+                           std::span<const FaceTies> merged_ties,
+                           std::span<const uint32_t> region_ends,
+                           const CutScale& scale,
+                           const Context& context)
     : walk_(walk),
+      scale_(scale),
       num_voxels_(problem.crust->Size()),
       search_(std::make_unique_for_overwrite<SearchRecord[]>(num_voxels_)),
       flows_(std::make_unique_for_overwrite<FlowRecord[]>(num_voxels_)) {
@@ -44,8 +47,8 @@ FlowState::FlowState(const OctahedralCutProblem& problem,
           const float low = problem.evidence[Low({place, axis}).index];
           capacity[region] +=
               std::max<int64_t>(0,
-                                int64_t{FixedFaceEvidence(low)} +
-                                    FixedFaceEvidence(problem.evidence[i]));
+                                int64_t{scale_.FaceEvidence(low)} +
+                                    scale_.FaceEvidence(problem.evidence[i]));
         }
       }
     });
@@ -55,16 +58,17 @@ FlowState::FlowState(const OctahedralCutProblem& problem,
       std::accumulate(capacity.begin(), capacity.end(), int64_t{0});
 }
 
-void FlowState::InitVoxel(const OctahedralCutProblem& problem,
-                          const VoxelPlace& place,
-                          FaceTies ties,
-                          uint32_t region_end) {
+template <typename Flow>
+void FlowState<Flow>::InitVoxel(const OctahedralCutProblem& problem,
+                                const VoxelPlace& place,
+                                FaceTies ties,
+                                uint32_t region_end) {
   const uint32_t voxel = place.index;
-  const int32_t weight = FixedWeight(problem.weights[voxel]);
+  const int32_t weight = scale_.Weight(problem.weights[voxel]);
   FlowRecord& record = flows_[voxel];
-  record.weight = weight;
+  record.weight = Flow(weight);
   if (!problem.evidence.empty()) {
-    evidence_[voxel] = FixedFaceEvidence(problem.evidence[voxel]);
+    evidence_[voxel] = scale_.FaceEvidence(problem.evidence[voxel]);
   }
   const int outside = ties & kAllFaces;
   const int inside = ties >> kNumFaces;
@@ -75,8 +79,7 @@ void FlowState::InitVoxel(const OctahedralCutProblem& problem,
     const bool foreign = walk_.StepBrick(place, face) >= region_end;
     blocked |= uint32_t{foreign} << face;
   }
-  search_[voxel].residual =
-      internal::kFreeArcs[blocked] | blocked << kNumOctahedronArcs;
+  search_[voxel].residual = kFreeArcs[blocked] | blocked << kNumOctahedronArcs;
   if (tied == 0) {
     std::fill(std::begin(record.flow), std::end(record.flow), 0);
     return;
@@ -87,12 +90,13 @@ void FlowState::InitVoxel(const OctahedralCutProblem& problem,
       const int head = kOctahedron.head[arc];
       const int from = ((outside >> (arc / 4)) & 1) | ((inside >> head) & 1);
       const int to = ((inside >> (arc / 4)) & 1) | ((outside >> head) & 1);
-      record.flow[kOctahedron.edge[arc]] = (from - to) * weight;
+      record.flow[kOctahedron.edge[arc]] = Flow((from - to) * weight);
     }
   }
 }
 
-int64_t FlowState::FlowValue(const Context& context) const {
+template <typename Flow>
+int64_t FlowState<Flow>::FlowValue(const Context& context) const {
   std::vector<int64_t> deficits(NumChunks(walk_.NumBricks(), kCutBrickGrain));
   ParallelChunks(
       context,
@@ -112,5 +116,8 @@ int64_t FlowState::FlowValue(const Context& context) const {
       });
   return std::accumulate(deficits.begin(), deficits.end(), sink_capacity_);
 }
+
+template class FlowState<int32_t>;
+template class FlowState<int16_t>;
 
 }  // namespace octacut

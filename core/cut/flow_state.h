@@ -1,8 +1,9 @@
 // The state of a maximum flow on the voxel grid itself: no graph is built.
 //
 // Per voxel 68 bytes: its weight and the signed flow of its twelve edges
-// (52, read when flow is pushed), and what searching reads (16): a word for
-// each of the nodes on its three low faces, and a mask of residual arcs.
+// (52, or 26 where flows are narrow; read when flow is pushed), and what
+// searching reads (16): a word for each of the nodes on its three low faces,
+// and a mask of residual arcs.
 //
 // Tied faces are no nodes. Their arcs are saturated at the start, so that the
 // flow is a pseudoflow: a node has an excess (> 0: it came from the source) or
@@ -24,6 +25,7 @@
 #include <vector>
 
 #include "core/base/context.h"
+#include "core/cut/face_node.h"
 #include "core/cut/fixed_point.h"
 #include "core/cut/octahedral_cut.h"
 #include "core/cut/octahedron.h"
@@ -31,30 +33,8 @@
 
 namespace octacut {
 
-// The node on the low face of axis `axis` of the voxel at `place`.
-struct FaceNode {
-  VoxelPlace place;
-  uint32_t axis;
-};
-
-// The same with its axis known when compiled, and the voxel below the face.
-template <int kAxis>
-struct AxisNode {
-  VoxelPlace place;
-  VoxelPlace low;
-};
-
-// Words of the nodes around a node, by code of the arc to them.
-using WordsAround = std::array<int32_t, kNumNodeArcs>;
-
-// A voxel of a list of nodes of one axis, in 32 bits: brick (26 bits),
-// position in it (6).
-using NodeId = uint32_t;
-inline constexpr size_t kMaxCutBricks = size_t{1} << 26;
-inline NodeId IdOf(const VoxelPlace& place) {
-  return place.brick << 6 | place.bit;
-}
-
+// `Flow` holds a weight and a flow of its magnitude: int32_t or int16_t.
+template <typename Flow>
 class FlowState {
  public:
   struct SearchRecord {
@@ -63,21 +43,17 @@ class FlowState {
                         // bit 24 + f: face f is blocked (tied or foreign)
   };
   struct FlowRecord {
-    int32_t weight;
-    int32_t flow[kNumOctahedronEdges];  // > 0 along the edge
+    Flow weight;
+    Flow flow[kNumOctahedronEdges];  // > 0 along the edge
   };
 
-  // The words of a node of no forest, and of a face that is no node.
-  static constexpr int32_t kFreeNode = 8;
-  static constexpr int32_t kNoNode = 15;
-
-  // All tied arcs saturated, every node's word
-  // kFreeNode. Region r holds the bricks
-  // from region_ends[r - 1], or 0, to region_ends[r].
+  // All tied arcs saturated, every node's word kFreeNode. Region r holds the
+  // bricks from region_ends[r - 1], or 0, to region_ends[r].
   FlowState(const OctahedralCutProblem& problem,
             const VoxelWalk& walk,
             std::span<const FaceTies> merged_ties,
             std::span<const uint32_t> region_ends,
+            const CutScale& scale,
             const Context& context);
 
   static constexpr size_t kBytesPerVoxel =
@@ -145,8 +121,8 @@ class FlowState {
   // Sends `amount` along an arc; returns whether that saturates it.
   bool Push(uint32_t voxel, uint32_t arc, int32_t amount) {
     FlowRecord& record = flows_[voxel];
-    int32_t& flow = record.flow[kOctahedron.edge[arc]];
-    flow += kOctahedron.sign[arc] * amount;
+    Flow& flow = record.flow[kOctahedron.edge[arc]];
+    flow = Flow(flow + kOctahedron.sign[arc] * amount);
     const bool saturated = kOctahedron.sign[arc] * flow == record.weight;
     const uint32_t residual = Residual(voxel);
     SetResidual(voxel,
@@ -221,6 +197,7 @@ class FlowState {
   }
 
   const VoxelWalk& walk_;
+  const CutScale scale_;
   size_t num_voxels_;
   size_t num_nodes_ = 0;
   int64_t sink_capacity_ = 0;
@@ -231,22 +208,8 @@ class FlowState {
 
 namespace internal {
 
-// Arcs between two faces that are not blocked.
-inline constexpr std::array<uint32_t, 64> MakeFreeArcs() {
-  std::array<uint32_t, 64> free = {};
-  for (int blocked = 0; blocked < 64; ++blocked) {
-    for (int arc = 0; arc < kNumOctahedronArcs; ++arc) {
-      const bool is_free = ((blocked >> (arc / 4)) & 1) == 0 &&
-                           ((blocked >> kOctahedron.head[arc]) & 1) == 0;
-      free[blocked] |= uint32_t(is_free) << arc;
-    }
-  }
-  return free;
-}
-inline constexpr std::array<uint32_t, 64> kFreeArcs = MakeFreeArcs();
-
-template <int kFace>
-inline int64_t Outflow(const int32_t* flow) {
+template <int kFace, typename Flow>
+inline int64_t Outflow(const Flow* flow) {
   constexpr int kArc = 4 * kFace;
   const auto out = [flow](int arc) {
     return int64_t{kOctahedron.sign[arc]} * flow[kOctahedron.edge[arc]];
@@ -256,8 +219,9 @@ inline int64_t Outflow(const int32_t* flow) {
 
 }  // namespace internal
 
+template <typename Flow>
 template <int kAxis>
-inline int64_t FlowState::Imbalance(const AxisNode<kAxis>& node) const {
+inline int64_t FlowState<Flow>::Imbalance(const AxisNode<kAxis>& node) const {
   int64_t inflow =
       -internal::Outflow<2 * kAxis>(flows_[node.place.index].flow) -
       internal::Outflow<2 * kAxis + 1>(flows_[node.low.index].flow);
@@ -267,9 +231,10 @@ inline int64_t FlowState::Imbalance(const AxisNode<kAxis>& node) const {
   return inflow;
 }
 
+template <typename Flow>
 template <int kAxis>
-inline WordsAround FlowState::Around(const AxisNode<kAxis>& node,
-                                     uint32_t arcs) const {
+inline WordsAround FlowState<Flow>::Around(const AxisNode<kAxis>& node,
+                                           uint32_t arcs) const {
   constexpr int kNext = 2 * ((kAxis + 1) % 3) + 1;
   constexpr int kLast = 2 * ((kAxis + 2) % 3) + 1;
   // Elsewhere there may be no voxel, or one that another thread works on.
@@ -292,10 +257,11 @@ inline WordsAround FlowState::Around(const AxisNode<kAxis>& node,
   return words;
 }
 
+template <typename Flow>
 template <typename Opened>
-void FlowState::OpenArcs(const VoxelPlace& place,
-                         uint32_t end,
-                         Opened&& opened) {
+void FlowState<Flow>::OpenArcs(const VoxelPlace& place,
+                               uint32_t end,
+                               Opened&& opened) {
   uint32_t residual = Residual(place.index);
   const uint32_t before = residual >> kNumOctahedronArcs;
   uint32_t blocked = before;
@@ -311,7 +277,7 @@ void FlowState::OpenArcs(const VoxelPlace& place,
   if (blocked == before) {
     return;
   }
-  uint32_t arcs = internal::kFreeArcs[blocked] & ~internal::kFreeArcs[before];
+  uint32_t arcs = kFreeArcs[blocked] & ~kFreeArcs[before];
   residual &= (1u << kNumOctahedronArcs) - 1;
   residual |= blocked << kNumOctahedronArcs;
   for (uint32_t rest = arcs; rest != 0; rest &= rest - 1) {

@@ -7,20 +7,22 @@
 
 namespace octacut {
 
-SearchForest::SearchForest(FlowState& state,
-                           uint32_t begin,
-                           uint32_t end,
-                           const Context& context)
+template <typename Flow>
+SearchForest<Flow>::SearchForest(FlowState<Flow>& state,
+                                 uint32_t begin,
+                                 uint32_t end,
+                                 const Context& context)
     : state_(state), context_(context), begin_(begin), end_(end) {
   PlantRoots();
 }
 
-void SearchForest::PlantRoots() {
+template <typename Flow>
+void SearchForest<Flow>::PlantRoots() {
   state_.Walk().ForEach(begin_, end_, [&](const VoxelPlace& place) {
     for (uint32_t axis = 0; axis < 3; ++axis) {
       const FaceNode node{place, axis};
       int32_t& word = state_.Word(node);
-      if (word == FlowState::kNoNode || state_.StartsBalanced(node)) {
+      if (word == kNoNode || state_.StartsBalanced(node)) {
         continue;
       }
       const int64_t imbalance = state_.Imbalance(node);
@@ -35,7 +37,8 @@ void SearchForest::PlantRoots() {
   });
 }
 
-void SearchForest::Run() {
+template <typename Flow>
+void SearchForest<Flow>::Run() {
   while (num_sources_ > 0 && !active_.Empty()) {
     context_.ThrowIfCancelled();
     Grow();
@@ -45,7 +48,8 @@ void SearchForest::Run() {
   }
 }
 
-void SearchForest::Grow() {
+template <typename Flow>
+void SearchForest<Flow>::Grow() {
   const int32_t label = active_.Lowest();
   if (label >= kMaxLabel) {
     throw InvariantError("cut: the search is deeper than any path can be");
@@ -54,9 +58,9 @@ void SearchForest::Grow() {
   active_.Consume(
       label,
       pool_,
-      [&](auto axis, NodeId id) { state_.PrefetchSearch<axis()>(id); },
+      [&](auto axis, NodeId id) { state_.template PrefetchSearch<axis()>(id); },
       [&](auto axis, NodeId id) {
-        const AxisNode node = state_.Node<axis()>(id);
+        const AxisNode node = state_.template Node<axis()>(id);
         int32_t& word = state_.Word(node);
         if ((word & kActive) == 0 || Label(word) < label) {
           return;  // a stale entry
@@ -71,8 +75,9 @@ void SearchForest::Grow() {
   Settle();
 }
 
+template <typename Flow>
 template <int kAxis>
-void SearchForest::ScanNode(const AxisNode<kAxis>& node, int32_t label) {
+void SearchForest<Flow>::ScanNode(const AxisNode<kAxis>& node, int32_t label) {
   uint32_t arcs = state_.ResidualIn(node);
   const WordsAround words = state_.Around(node, arcs);
   uint32_t joined = 0;
@@ -82,14 +87,34 @@ void SearchForest::ScanNode(const AxisNode<kAxis>& node, int32_t label) {
   for (arcs &= ~joined; arcs != 0; arcs &= arcs - 1) {
     const int code = std::countr_zero(arcs);
     const FaceNode other = state_.Across(node, code);
-    if (!IsSource(words[code]) || TakeExcess(other, node, code)) {
+    if (!IsSourceNode(words[code]) || TakeExcess(other, node, code)) {
       state_.Word(other) = MakeWord(label + 1, kNodeArcs[kAxis][code].back);
       Activate(other);
     }
   }
 }
 
-void SearchForest::Activate(const FaceNode& node) {
+template <typename Flow>
+template <int kAxis>
+bool SearchForest<Flow>::TakeExcess(const FaceNode& source,
+                                    const AxisNode<kAxis>& node,
+                                    int code) {
+  const uint32_t voxel = VoxelOf(node, code);
+  const uint32_t arc = kNodeArcs[kAxis][code].in;
+  const int64_t excess = state_.Imbalance(source);
+  const int32_t amount =
+      int32_t(std::min<int64_t>(excess, state_.Capacity(voxel, arc)));
+  const bool saturated = state_.Push(voxel, arc, amount);
+  QueueDrain(Untyped(node));
+  if (amount < excess) {
+    return false;
+  }
+  state_.Word(source) = kFreeNode;
+  --num_sources_;
+  return !saturated;
+}
+template <typename Flow>
+void SearchForest<Flow>::Activate(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   if ((word & kActive) == 0) {
     word |= kActive;
@@ -97,7 +122,8 @@ void SearchForest::Activate(const FaceNode& node) {
   }
 }
 
-void SearchForest::Absorb(SearchForest& next) {
+template <typename Flow>
+void SearchForest<Flow>::Absorb(SearchForest& next) {
   const uint32_t middle = end_;
   end_ = next.end_;
   depth_ = std::max(depth_, next.depth_);
@@ -126,7 +152,8 @@ void SearchForest::Absorb(SearchForest& next) {
   }
 }
 
-void SearchForest::Finish() {
+template <typename Flow>
+void SearchForest<Flow>::Finish() {
   if (num_sources_ == 0) {
     return;
   }
@@ -136,8 +163,12 @@ void SearchForest::Finish() {
       active_.Consume(
           kLevel,
           pool_,
-          [&](auto axis, NodeId id) { state_.PrefetchSearch<axis()>(id); },
-          [&](auto axis, NodeId id) { FloodNode(state_.Node<axis()>(id)); });
+          [&](auto axis, NodeId id) {
+            state_.template PrefetchSearch<axis()>(id);
+          },
+          [&](auto axis, NodeId id) {
+            FloodNode(state_.template Node<axis()>(id));
+          });
     }
   };
   // A few bricks at a time, so that the queue stays short.
@@ -157,18 +188,22 @@ void SearchForest::Finish() {
 }
 
 // Those that are reached are told apart from those that are to be scanned.
+template <typename Flow>
 template <int kAxis>
-void SearchForest::FloodNode(const AxisNode<kAxis>& node) {
+void SearchForest<Flow>::FloodNode(const AxisNode<kAxis>& node) {
   uint32_t arcs = state_.ResidualOut(node);
   const WordsAround words = state_.Around(node, arcs);
   for (; arcs != 0; arcs &= arcs - 1) {
     const int code = std::countr_zero(arcs);
-    if (words[code] == FlowState::kFreeNode) {
+    if (words[code] == kFreeNode) {
       const FaceNode other = state_.Across(node, code);
       state_.Word(other) = kSourceNode | kActive;
       active_.Add(1, other.axis, IdOf(other.place), pool_);
     }
   }
 }
+
+template class SearchForest<int32_t>;
+template class SearchForest<int16_t>;
 
 }  // namespace octacut

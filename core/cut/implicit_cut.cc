@@ -17,7 +17,8 @@ namespace octacut {
 namespace {
 
 // Labels of a voxel: its ties, and the sides its nodes are on.
-FaceLabels LabelsOf(const FlowState& state,
+template <typename Flow>
+FaceLabels LabelsOf(const FlowState<Flow>& state,
                     const VoxelPlace& place,
                     FaceTies ties) {
   const auto records = state.SearchRecords();
@@ -29,15 +30,15 @@ FaceLabels LabelsOf(const FlowState& state,
     }
     const uint32_t owner =
         state.Walk().Step(place, (face & 1) ? face : kNumFaces).index;
-    const bool is_source =
-        SearchForest::IsSource(records[owner].word[face / 2]);
+    const bool is_source = IsSourceNode(records[owner].word[face / 2]);
     labels |= int(!is_source) << face;
   }
   return FaceLabels(labels);
 }
 
 // Also the closure sweep: no residual arc leaves the source side.
-std::vector<FaceLabels> EmitLabels(const FlowState& state,
+template <typename Flow>
+std::vector<FaceLabels> EmitLabels(const FlowState<Flow>& state,
                                    std::span<const FaceTies> merged_ties,
                                    const Context& context) {
   std::vector<FaceLabels> labels(merged_ties.size());
@@ -74,9 +75,10 @@ std::vector<uint32_t> RegionEnds(const VoxelWalk& walk,
 }
 
 // Searches regions and joins them pairwise, bottom up.
+template <typename Flow>
 class RegionSearch {
  public:
-  RegionSearch(FlowState& state,
+  RegionSearch(FlowState<Flow>& state,
                std::span<const uint32_t> ends,
                const SearchObserver& observer,
                const Context& context)
@@ -94,7 +96,7 @@ class RegionSearch {
     // More threads than cores would gain nothing, and oneTBB would complain.
     tbb::task_arena arena(std::min(context_.NumThreads(),
                                    tbb::this_task_arena::max_concurrency()));
-    std::unique_ptr<SearchForest> forest;
+    std::unique_ptr<SearchForest<Flow>> forest;
     arena.execute([&] { forest = Search(0, ends_.size()); });
     forest->Finish();
   }
@@ -106,8 +108,8 @@ class RegionSearch {
     }
   }
 
-  std::unique_ptr<SearchForest> Search(size_t begin, size_t end) {
-    std::unique_ptr<SearchForest> low, high;
+  std::unique_ptr<SearchForest<Flow>> Search(size_t begin, size_t end) {
+    std::unique_ptr<SearchForest<Flow>> low, high;
     const size_t middle = (begin + end) / 2;
     if (end - begin > 1) {
       const auto search_low = [&] { low = Search(begin, middle); };
@@ -124,7 +126,7 @@ class RegionSearch {
       low->Absorb(*high);
       high.reset();
     } else {
-      low = std::make_unique<SearchForest>(
+      low = std::make_unique<SearchForest<Flow>>(
           state_, begin == 0 ? 0 : ends_[begin - 1], ends_[begin], context_);
     }
     low->Run();
@@ -132,11 +134,30 @@ class RegionSearch {
     return low;
   }
 
-  FlowState& state_;
+  FlowState<Flow>& state_;
   std::span<const uint32_t> ends_;
   const SearchObserver& observer_;
   const Context& context_;
 };
+
+template <typename Flow>
+OctahedralCut Solve(const OctahedralCutProblem& problem,
+                    const VoxelWalk& walk,
+                    std::vector<FaceTies>& merged_ties,
+                    const SearchPlan& plan,
+                    const Context& context) {
+  const std::vector<uint32_t> ends = RegionEnds(walk, plan.region_voxels);
+  FlowState<Flow> state(problem, walk, merged_ties, ends, plan.scale, context);
+  std::vector<FaceTies>().swap(merged_ties);
+  RegionSearch<Flow>(state, ends, plan.observer, context).Run();
+  OctahedralCut cut;
+  cut.num_nodes = state.NumNodes();
+  cut.cost_fixed_point = state.FlowValue(context);
+  state.ReleaseFlows();
+  merged_ties = MergeFaceTies(problem, walk, context);
+  cut.labels = EmitLabels(state, merged_ties, context);
+  return cut;
+}
 
 }  // namespace
 
@@ -165,22 +186,17 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
   if (walk.NumBricks() > kMaxCutBricks) {
     throw InputError("cut problem: more bricks than the solver can number");
   }
-  const std::vector<uint32_t> ends = RegionEnds(walk, plan.region_voxels);
-  FlowState state(problem, walk, merged_ties, ends, context);
-  std::vector<FaceTies>().swap(merged_ties);
-  RegionSearch(state, ends, plan.observer, context).Run();
-  OctahedralCut cut;
-  cut.num_nodes = state.NumNodes();
-  cut.cost_fixed_point = state.FlowValue(context);
-  state.ReleaseFlows();
-  merged_ties = MergeFaceTies(problem, walk, context);
-  cut.labels = EmitLabels(state, merged_ties, context);
-  return cut;
+  return plan.scale.shift == 0
+             ? Solve<int32_t>(problem, walk, merged_ties, plan, context)
+             : Solve<int16_t>(problem, walk, merged_ties, plan, context);
 }
 
-size_t EstimateImplicitCutBytes(size_t num_voxels, bool with_evidence) {
+size_t EstimateImplicitCutBytes(size_t num_voxels,
+                                bool with_evidence,
+                                bool lean) {
   // At 30 voxels a brick, and one node in four queued.
-  const size_t per_voxel = FlowState::kBytesPerVoxel +
+  const size_t per_voxel = (lean ? FlowState<int16_t>::kBytesPerVoxel
+                                 : FlowState<int32_t>::kBytesPerVoxel) +
                            VoxelWalk::kBytesPerBrick / 30 +
                            (with_evidence ? sizeof(int32_t) : 0) + 3;
   return num_voxels * per_voxel + (size_t{1} << 20);

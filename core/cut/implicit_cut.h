@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/cut/fixed_point.h"
 #include "core/cut/octahedral_cut.h"
 #include "core/cut/voxel_walk.h"
 
@@ -16,10 +17,13 @@ namespace octacut {
 using SearchObserver =
     std::function<void(size_t begin, size_t end, bool begins)>;
 
-// How to search; changes the time, never the result.
+// How to search; all but the scale changes the time, never the result.
 struct SearchPlan {
   // Regions of about so many voxels are searched alone, then joined pairwise.
   uint32_t region_voxels = 1 << 15;
+  // Any other than the finest makes flows of 16 bits; the greatest weight is
+  // then at most kMaxLeanWeight.
+  CutScale scale = {};
   SearchObserver observer = nullptr;
 };
 
@@ -38,6 +42,8 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
                               const Context& context);
 
 // Bytes SolveImplicitly and the proof need at their peak.
-size_t EstimateImplicitCutBytes(size_t num_voxels, bool with_evidence);
+size_t EstimateImplicitCutBytes(size_t num_voxels,
+                                bool with_evidence,
+                                bool lean);
 
 }  // namespace octacut

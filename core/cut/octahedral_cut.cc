@@ -11,6 +11,23 @@
 
 namespace octacut {
 
+namespace {
+
+// The finest in which the greatest weight fits narrow flows, from 14 bits on.
+CutScale LeanScale(std::span<const float> weights) {
+  CutScale scale{kCutFractionBits - kLeanFractionBits};
+  float greatest = 0;
+  for (const float weight : weights) {
+    greatest = std::max(greatest, weight);
+  }
+  while (!weights.empty() && scale.Weight(greatest) > kMaxLeanWeight) {
+    ++scale.shift;
+  }
+  return scale;
+}
+
+}  // namespace
+
 OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
                                  const OctahedralCutOptions& options,
                                  const Context& context) {
@@ -21,22 +38,32 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
   }
   const VoxelWalk walk(*problem.crust);
   std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
-  const SearchPlan plan = PlanSearch(ties);
+  SearchPlan plan = PlanSearch(ties);
+  if (options.lean) {
+    plan.scale = LeanScale(problem.weights);
+  }
   OctahedralCut cut = SolveImplicitly(problem, walk, ties, plan, context);
   // A cut that costs what flows is a minimum cut, and the flow a maximum.
-  const int64_t cost = LabellingCost(problem, walk, ties, cut.labels, context);
+  const int64_t cost =
+      LabellingCost(problem, walk, ties, cut.labels, plan.scale, context);
   if (cost != cut.cost_fixed_point) {
     throw InvariantError(fmt::format(
         "cut: cost {} differs from flow {}", cost, cut.cost_fixed_point));
   }
-  cut.cost = FromFixed(cost);
+  if (options.lean) {
+    cut.cost_fixed_point =
+        LabellingCost(problem, walk, ties, cut.labels, {}, context);
+  }
+  cut.cost = FromFixed(cut.cost_fixed_point);
   cut.num_cut_voxels =
       size_t(std::count_if(cut.labels.begin(), cut.labels.end(), IsCut));
   return cut;
 }
 
-size_t EstimateOctahedralCutBytes(size_t num_voxels, bool with_evidence) {
-  return EstimateImplicitCutBytes(num_voxels, with_evidence);
+size_t EstimateOctahedralCutBytes(size_t num_voxels,
+                                  bool with_evidence,
+                                  bool lean) {
+  return EstimateImplicitCutBytes(num_voxels, with_evidence, lean);
 }
 
 }  // namespace octacut

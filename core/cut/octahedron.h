@@ -132,4 +132,18 @@ inline constexpr std::array<uint32_t, 64> MakeLeavingArcs() {
 }
 inline constexpr std::array<uint32_t, 64> kLeavingArcs = MakeLeavingArcs();
 
+// Arcs of a voxel between two faces that are not blocked, by blocked faces.
+inline constexpr std::array<uint32_t, 64> MakeFreeArcs() {
+  std::array<uint32_t, 64> free = {};
+  for (int blocked = 0; blocked < 64; ++blocked) {
+    for (int arc = 0; arc < kNumOctahedronArcs; ++arc) {
+      const bool is_free = ((blocked >> (arc / 4)) & 1) == 0 &&
+                           ((blocked >> kOctahedron.head[arc]) & 1) == 0;
+      free[blocked] |= uint32_t(is_free) << arc;
+    }
+  }
+  return free;
+}
+inline constexpr std::array<uint32_t, 64> kFreeArcs = MakeFreeArcs();
+
 }  // namespace octacut

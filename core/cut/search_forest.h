@@ -41,10 +41,12 @@
 
 namespace octacut {
 
+// Flow: see FlowState.
+template <typename Flow>
 class SearchForest {
  public:
   // Plants the roots of bricks [begin, end).
-  SearchForest(FlowState& state,
+  SearchForest(FlowState<Flow>& state,
                uint32_t begin,
                uint32_t end,
                const Context& context);
@@ -55,9 +57,6 @@ class SearchForest {
   void Finish();
   // Joins the range that follows and opens the arcs between the two.
   void Absorb(SearchForest& next);
-
-  // Whether a node's word says that it is on the source side.
-  static bool IsSource(int32_t word) { return word < 0; }
 
   size_t QueueBytes() const { return pool_.MemoryBytes(); }
 
@@ -116,17 +115,17 @@ class SearchForest {
   void Grow();
   template <int kAxis>
   void ScanNode(const AxisNode<kAxis>& node, int32_t label);
-  void Activate(const FaceNode& node);
-  template <int kAxis>
-  void FloodNode(const AxisNode<kAxis>& node);
-
-  // draining.cc
   // Sends what a source node has and the arc takes along `code` of a node of
   // the forest. Returns whether the source node is exhausted and free.
   template <int kAxis>
   bool TakeExcess(const FaceNode& source,
                   const AxisNode<kAxis>& node,
                   int code);
+  void Activate(const FaceNode& node);
+  template <int kAxis>
+  void FloodNode(const AxisNode<kAxis>& node);
+
+  // draining.cc
   void QueueDrain(const FaceNode& node);
   void Drain();
   template <int kAxis>
@@ -147,7 +146,7 @@ class SearchForest {
   // Adopts and drains until neither orphan nor excess is left.
   void Settle();
 
-  FlowState& state_;
+  FlowState<Flow>& state_;
   const Context& context_;
   uint32_t begin_, end_;  // bricks
   ChunkPool pool_;

@@ -30,7 +30,7 @@ double CpuSeconds() {
 }
 
 // Resident bytes now ("VmRSS") or at most so far ("VmHWM").
-double ResidentBytes(const std::string& field) {
+double ResidentBytes(const std::string &field) {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
     if (line.starts_with(field + ":")) {
@@ -40,11 +40,11 @@ double ResidentBytes(const std::string& field) {
   return 0;
 }
 
-OctahedralCut Solve(const std::string& solver,
-                    const OctahedralCutProblem& problem,
-                    const Context& context) {
+OctahedralCut Solve(const std::string &solver,
+                    const OctahedralCutProblem &problem, bool lean,
+                    const Context &context) {
   if (solver == "octacut") {
-    return SolveOctahedralCut(problem, {}, context);
+    return SolveOctahedralCut(problem, {.lean = lean}, context);
   }
   const std::vector<FaceTies> ties =
       MergeFaceTies(problem, VoxelWalk(*problem.crust), context);
@@ -58,29 +58,26 @@ OctahedralCut Solve(const std::string& solver,
   return cut;
 }
 
-nlohmann::json Measure(const std::string& solver,
-                       const CutInstance& instance,
-                       int num_threads,
-                       const std::string& labels_path) {
+nlohmann::json Measure(const std::string &solver, const CutInstance &instance,
+                       int num_threads, bool lean,
+                       const std::string &labels_path) {
   const OctahedralCutProblem problem = instance.View();
   const Context context(num_threads);
   // Code is paged in first, so that what grows later is data.
   const CutInstance small = MakeCutInstance("shell", 16);
-  Solve(solver, small.View(), context);
+  Solve(solver, small.View(), lean, context);
   const double base = ResidentBytes("VmRSS");
   const double cpu_before = CpuSeconds();
   const auto wall_before = std::chrono::steady_clock::now();
-  const OctahedralCut cut = Solve(solver, problem, context);
+  const OctahedralCut cut = Solve(solver, problem, lean, context);
   const double cpu = CpuSeconds() - cpu_before;
   const std::chrono::duration<double> wall =
       std::chrono::steady_clock::now() - wall_before;
   const double peak = ResidentBytes("VmHWM") - base;
   const VoxelWalk walk(*problem.crust);
-  const int64_t cost = LabellingCost(problem,
-                                     walk,
-                                     MergeFaceTies(problem, walk, context),
-                                     cut.labels,
-                                     context);
+  const int64_t cost =
+      LabellingCost(problem, walk, MergeFaceTies(problem, walk, context),
+                    cut.labels, {}, context);
   if (!labels_path.empty()) {
     WriteCutLabels(cut.labels, labels_path);
   }
@@ -90,7 +87,7 @@ nlohmann::json Measure(const std::string& solver,
     hash = (hash ^ labels) * 0x100000001b3ull;
   }
   return {{"instance", instance.name},
-          {"solver", solver},
+          {"solver", lean ? solver + " lean" : solver},
           {"num_threads", context.NumThreads()},
           {"voxels", instance.crust.Size()},
           {"nodes", cut.num_nodes},
@@ -109,7 +106,7 @@ nlohmann::json Measure(const std::string& solver,
 // Times the tasks of a search on one thread, and tells by how much more cores
 // would be faster: the search alone, and all when what is not the search gains
 // nothing.
-nlohmann::json MeasureTasks(const CutInstance& instance) {
+nlohmann::json MeasureTasks(const CutInstance &instance) {
   const OctahedralCutProblem problem = instance.View();
   const Context context(1);
   const double cpu_before = CpuSeconds();
@@ -120,7 +117,7 @@ nlohmann::json MeasureTasks(const CutInstance& instance) {
   TaskTimes tasks;
   plan.observer = tasks.Observer();
   const OctahedralCut cut = SolveImplicitly(problem, walk, ties, plan, context);
-  LabellingCost(problem, walk, ties, cut.labels, context);
+  LabellingCost(problem, walk, ties, cut.labels, {}, context);
   const double total = CpuSeconds() - cpu_before;
   const double rest = total - tasks.Total();
   nlohmann::json json = {{"instance", instance.name},
@@ -139,10 +136,9 @@ nlohmann::json MeasureTasks(const CutInstance& instance) {
 }
 
 // A process of its own for each run, so that peaks do not mix.
-void MeasureInChild(const std::string& solver,
-                    const CutInstance& instance,
-                    int num_threads,
-                    const std::string& labels_path) {
+void MeasureInChild(const std::string &solver, const CutInstance &instance,
+                    int num_threads, bool lean,
+                    const std::string &labels_path) {
   std::cout.flush();
   const pid_t child = fork();
   if (child == 0) {
@@ -150,9 +146,9 @@ void MeasureInChild(const std::string& solver,
       const nlohmann::json result =
           solver == "tasks"
               ? MeasureTasks(instance)
-              : Measure(solver, instance, num_threads, labels_path);
+              : Measure(solver, instance, num_threads, lean, labels_path);
       std::cout << result.dump() << std::endl;
-    } catch (const std::exception& error) {
+    } catch (const std::exception &error) {
       std::cerr << error.what() << std::endl;
       _exit(1);
     }
@@ -169,22 +165,18 @@ constexpr char kUsage[] =
     "octacut_cut_bench [--instance FILE ...] [--kind shell hard level0 "
     "evidence]\n"
     "  [--resolution 128] [--solvers octacut boost opencv tasks]\n"
-    "  [--num_threads 1] [--repetitions 1] [--labels OUT]\n"
+    "  [--num_threads 1] [--repetitions 1] [--lean 0] [--labels OUT]\n"
     "  [--output_instance OUT]";
 
 using Arguments = std::map<std::string, std::vector<std::string>>;
 
 // Options with any number of values.
-Arguments ParseArguments(int argc, char** argv) {
-  Arguments arguments = {{"--instance", {}},
-                         {"--kind", {}},
-                         {"--resolution", {}},
-                         {"--solvers", {}},
-                         {"--num_threads", {}},
-                         {"--repetitions", {}},
-                         {"--labels", {}},
-                         {"--output_instance", {}}};
-  std::vector<std::string>* values = nullptr;
+Arguments ParseArguments(int argc, char **argv) {
+  Arguments arguments = {
+      {"--instance", {}}, {"--kind", {}},        {"--resolution", {}},
+      {"--solvers", {}},  {"--num_threads", {}}, {"--repetitions", {}},
+      {"--lean", {}},     {"--labels", {}},      {"--output_instance", {}}};
+  std::vector<std::string> *values = nullptr;
   for (int k = 1; k < argc; ++k) {
     const auto option = arguments.find(argv[k]);
     if (option != arguments.end()) {
@@ -198,9 +190,9 @@ Arguments ParseArguments(int argc, char** argv) {
   return arguments;
 }
 
-int Main(int argc, char** argv) {
+int Main(int argc, char **argv) {
   Arguments arguments = ParseArguments(argc, argv);
-  const auto value = [&](const std::string& name, const char* otherwise) {
+  const auto value = [&](const std::string &name, const char *otherwise) {
     return arguments[name].empty() ? std::string(otherwise)
                                    : arguments[name].front();
   };
@@ -208,37 +200,38 @@ int Main(int argc, char** argv) {
   const std::string output_path = value("--output_instance", "");
   const int resolution = std::stoi(value("--resolution", "128"));
   const int num_threads = std::stoi(value("--num_threads", "1"));
+  const bool lean = value("--lean", "0") != "0";
   const int repetitions = std::stoi(value("--repetitions", "1"));
   std::vector<std::string> solvers = arguments["--solvers"];
   if (solvers.empty()) {
     solvers = {"octacut"};
   }
-  const auto run = [&](const CutInstance& instance) {
+  const auto run = [&](const CutInstance &instance) {
     if (!output_path.empty()) {
       WriteCutInstance(instance, output_path);
     }
     for (int k = 0; k < repetitions; ++k) {
-      for (const std::string& solver : solvers) {
-        MeasureInChild(solver, instance, num_threads, labels_path);
+      for (const std::string &solver : solvers) {
+        MeasureInChild(solver, instance, num_threads, lean, labels_path);
       }
     }
   };
-  for (const std::string& path : arguments["--instance"]) {
+  for (const std::string &path : arguments["--instance"]) {
     run(ReadCutInstance(path));
   }
-  for (const std::string& kind : arguments["--kind"]) {
+  for (const std::string &kind : arguments["--kind"]) {
     run(MakeCutInstance(kind, resolution));
   }
   return 0;
 }
 
-}  // namespace
-}  // namespace octacut
+} // namespace
+} // namespace octacut
 
-int main(int argc, char** argv) {
+int main(int argc, char **argv) {
   try {
     return octacut::Main(argc, argv);
-  } catch (const std::exception& error) {
+  } catch (const std::exception &error) {
     std::cerr << error.what() << std::endl;
     return 1;
   }

@@ -17,7 +17,10 @@ void ExpectEqualsReference(const OctahedralCutProblem& problem) {
   const std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
   const OctahedralCut expected = SolveWithBoost(problem, ties);
   // One region, a region a brick, and regions of a few bricks.
-  const SearchPlan plans[] = {{1u << 20}, {1}, {100}, {333}};
+  const SearchPlan plans[] = {{.region_voxels = 1 << 20},
+                              {.region_voxels = 1},
+                              {.region_voxels = 100},
+                              {.region_voxels = 333}};
   for (const SearchPlan& plan : plans) {
     std::vector<FaceTies> own_ties = ties;
     const OctahedralCut actual =
@@ -26,7 +29,7 @@ void ExpectEqualsReference(const OctahedralCutProblem& problem) {
     ASSERT_EQ(actual.cost_fixed_point, expected.cost_fixed_point);
     ASSERT_EQ(actual.labels, expected.labels);
     ASSERT_EQ(actual.num_nodes, expected.num_nodes);
-    ASSERT_EQ(LabellingCost(problem, walk, ties, actual.labels, context),
+    ASSERT_EQ(LabellingCost(problem, walk, ties, actual.labels, {}, context),
               actual.cost_fixed_point);
   }
 }
@@ -186,8 +189,12 @@ TEST(ImplicitCut, SameForAnyNumberOfThreadsAndRegions) {
       SolveImplicitly(view, walk, ties, {}, Context(1));
   for (const int num_threads : {1, 2, 4}) {
     for (const uint32_t region_voxels : {1u, 64u, 500u, 3000u, 1u << 30}) {
-      const OctahedralCut actual = SolveImplicitly(
-          view, walk, ties, {region_voxels}, Context(num_threads));
+      const OctahedralCut actual =
+          SolveImplicitly(view,
+                          walk,
+                          ties,
+                          {.region_voxels = region_voxels},
+                          Context(num_threads));
       EXPECT_EQ(actual.labels, expected.labels);
       EXPECT_EQ(actual.cost_fixed_point, expected.cost_fixed_point);
     }
@@ -195,8 +202,11 @@ TEST(ImplicitCut, SameForAnyNumberOfThreadsAndRegions) {
 }
 
 TEST(ImplicitCut, NeedsFarLessMemoryThanAnExplicitGraph) {
-  EXPECT_LE(EstimateImplicitCutBytes(100000000, false), size_t{75} * 100000000);
-  EXPECT_LE(EstimateImplicitCutBytes(100000000, true), size_t{91} * 100000000);
+  const size_t num_voxels = 100000000;
+  EXPECT_LE(EstimateImplicitCutBytes(num_voxels, false, false),
+            75 * num_voxels);
+  EXPECT_LE(EstimateImplicitCutBytes(num_voxels, true, false), 91 * num_voxels);
+  EXPECT_LE(EstimateImplicitCutBytes(num_voxels, false, true), 50 * num_voxels);
 }
 
 }  // namespace

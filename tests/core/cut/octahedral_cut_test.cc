@@ -205,6 +205,7 @@ TEST(OctahedralCut, FieldsAgreeWithTheLabels) {
                           walk,
                           MergeFaceTies(problem.View(), walk, context),
                           cut.labels,
+                          {},
                           context),
             cut.cost_fixed_point);
   EXPECT_DOUBLE_EQ(cut.cost, double(cut.cost_fixed_point) / 1048576);
@@ -290,7 +291,7 @@ TEST(OctahedralCut, LabellingCostRefusesWrongLabels) {
   const std::vector<FaceTies> ties =
       MergeFaceTies(problem.View(), walk, context);
   const auto cost = [&](std::vector<FaceLabels> labels) {
-    return LabellingCost(problem.View(), walk, ties, labels, context);
+    return LabellingCost(problem.View(), walk, ties, labels, {}, context);
   };
   EXPECT_EQ(cost({3, 1}), 12 << 20);
   EXPECT_THROW(cost({3, 0}), InvariantError);  // the shared face differs

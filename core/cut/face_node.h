@@ -1,0 +1,44 @@
+// Names of the nodes of the octahedral graph: a node is the low face of a
+// voxel, shared with the voxel below it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/cut/octahedron.h"
+#include "core/cut/voxel_walk.h"
+
+namespace octacut {
+
+// The node on the low face of axis `axis` of the voxel at `place`.
+struct FaceNode {
+  VoxelPlace place;
+  uint32_t axis;
+};
+
+// The same with its axis known when compiled, and the voxel below the face.
+template <int kAxis>
+struct AxisNode {
+  VoxelPlace place;
+  VoxelPlace low;
+};
+
+// Words of the nodes around a node, by code of the arc to them.
+using WordsAround = std::array<int32_t, kNumNodeArcs>;
+
+// A voxel of a list of nodes of one axis, in 32 bits: brick (26 bits),
+// position in it (6).
+using NodeId = uint32_t;
+inline constexpr size_t kMaxCutBricks = size_t{1} << 26;
+inline NodeId IdOf(const VoxelPlace& place) {
+  return place.brick << 6 | place.bit;
+}
+
+// The words of a node of no forest, and of a face that is no node; those of
+// nodes on the source side are < 0. See SearchForest.
+inline constexpr int32_t kFreeNode = 8;
+inline constexpr int32_t kNoNode = 15;
+inline bool IsSourceNode(int32_t word) { return word < 0; }
+
+}  // namespace octacut

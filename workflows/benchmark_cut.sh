@@ -1,0 +1,116 @@
+#!/usr/bin/env bash
+# Measures the cut engine against Boost and OpenCV on synthetic crusts and on
+# stored ones, and writes docs/cut_results.md.
+#
+#   workflows/benchmark_cut.sh [options] [INSTANCE.oct...]
+#
+# --max_resolution 256  of the synthetic crusts: 128 to 2048. 1024 needs 3 GB
+#                       and half an hour, 2048 another 4 GB
+# --peers 1             0: the engine alone
+# --threads 1           also the engine on 2 threads, by the wall's clock:
+#                       0 on a machine that has other work
+# --work_path DIR       what was measured; default build/cut
+# --results_path FILE   default docs/cut_results.md
+# --measure 1           0: only write the tables of what was measured before
+#
+# Instances of a real reconstruction are written by
+#   octacut_crust_writer --workspace_path W --output_path FOLDER
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${OCTACUT_BUILD_DIR:-$root/build}
+work=$build/cut
+results=$root/docs/cut_results.md
+max_resolution=256
+peers=1
+threads=1
+measure=1
+instances=()
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    -h | --help)
+      sed -n '2,/^set/{/^set/!s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"
+      exit 0
+      ;;
+    --max_resolution) max_resolution=${2:?"$1 needs a value"} ;;
+    --peers) peers=${2:?"$1 needs 0 or 1"} ;;
+    --threads) threads=${2:?"$1 needs 0 or 1"} ;;
+    --work_path) work=${2:?"$1 needs a value"} ;;
+    --results_path) results=${2:?"$1 needs a value"} ;;
+    --measure) measure=${2:?"$1 needs 0 or 1"} ;;
+    -*)
+      echo "benchmark_cut: $1: no such option; --help lists them" >&2
+      exit 1
+      ;;
+    *)
+      instances+=("$1")
+      shift
+      continue
+      ;;
+  esac
+  shift 2
+done
+mkdir -p "$work"
+runs=$work/runs.jsonl
+
+# run_kind KIND RESOLUTION SOLVER...
+run_kind() {
+  local kind=$1 resolution=$2
+  shift 2
+  if ((resolution <= max_resolution)); then
+    echo "$kind $resolution: $*" >&2
+    "$bench" --kind "$kind" --resolution "$resolution" --solvers "$@" \
+      >>"$runs"
+  fi
+}
+
+describe_machine() {
+  printf '%s, %s cores, load average %s\n' \
+    "$(sed -n 's/^model name.*: //p' /proc/cpuinfo | head -1)" "$(nproc)" \
+    "$1" >"$work/machine.txt"
+}
+
+measure_all() {
+  local resolution kind linked=() instance
+  ((peers)) && linked=(boost opencv)
+  for resolution in 128 256 512; do
+    run_kind shell $resolution octacut tasks "${linked[@]}"
+    run_kind hard $resolution octacut tasks "${linked[@]}"
+  done
+  # A filled hull has as many voxels as a crust of twice the resolution.
+  for resolution in 64 128 256; do
+    ((2 * resolution <= max_resolution)) || continue
+    run_kind level0 $resolution octacut tasks "${linked[@]}"
+    run_kind evidence $resolution octacut tasks "${linked[@]}"
+  done
+  if ((threads)); then
+    for kind in shell hard level0 evidence; do
+      resolution=256
+      [[ $kind == level0 || $kind == evidence ]] && resolution=128
+      "$bench" --kind $kind --resolution $resolution --num_threads 2 \
+        --repetitions 3 >>"$runs"
+    done
+  fi
+  for instance in "${instances[@]}"; do
+    "$bench" --instance "$instance" --solvers octacut tasks "${linked[@]:0:1}" \
+      >>"$runs"
+  done
+  run_kind shell 1024 octacut
+  run_kind hard 1024 octacut
+  ((max_resolution >= 1024)) && run_kind level0 512 octacut
+  run_kind shell 2048 octacut
+}
+
+if ((measure)); then
+  "$root/workflows/build.sh" octacut_cut_bench >&2
+  bench=$build/tests/bench/octacut_cut_bench
+  : >"$runs"
+  before=$(cut -d' ' -f1 /proc/loadavg)
+  describe_machine "$before"
+  measure_all
+  describe_machine "$before to $(cut -d' ' -f1 /proc/loadavg)"
+fi
+jq -rs --arg machine "$(cat "$work/machine.txt")" \
+  -f "$root/workflows/cut_tables.jq" "$runs" >"$work/results.md"
+mv "$work/results.md" "$results"
+echo "$results" >&2

@@ -1,0 +1,92 @@
+# docs/cut_results.md from the runs of octacut_cut_bench, an array of its JSON
+# objects. Arguments: $machine (text).
+
+def missing: "–";
+def pad($digits): until(length >= $digits; "0" + .);
+def fixed($decimals):
+  if . == null then missing
+  elif $decimals == 0 then round | tostring
+  else (. * pow(10; $decimals) | round | tostring | pad($decimals + 1))
+    | .[:-$decimals] + "." + .[-$decimals:]
+  end;
+def row: "| " + join(" | ") + " |";
+def table($columns; rows):
+  ($columns | row),
+  ($columns | to_entries | map(if .key == 0 then "---" else "---:" end) | row),
+  rows;
+def ratio($a; $b): if $a == null or $b == null then null else $a / $b end;
+# Stored instances: folder and file.
+def name: .instance | split("/") | .[-2:] | join("/") | rtrimstr(".oct");
+
+def by_instance:
+  reduce .[] as $run ([];
+    ($run | name) as $name
+    | if any(.[]; .name == $name) then . else . + [{name: $name}] end
+    | map(if .name == $name then
+        .[if ($run.num_threads // 1) > 1 then "threads" else $run.solver end]
+          += [$run]
+      else . end))
+  | map(. as $all | . + {octacut: .octacut[0], boost: .boost[0],
+                         opencv: .opencv[0], tasks: .tasks[0]});
+
+def cpu: if . == null then null else .cpu_seconds_per_mvoxel end;
+
+def main_rows:
+  .[] | select(.octacut)
+  | [.name,
+     (.octacut.voxels / 1e6 | fixed(2)),
+     (.octacut.nodes / .octacut.voxels | fixed(2)),
+     (.octacut | cpu | fixed(2)), (.boost | cpu | fixed(2)),
+     (.opencv | cpu | fixed(2)),
+     (ratio(.octacut | cpu; .boost | cpu) | fixed(2)),
+     (.octacut.bytes_per_voxel | fixed(1)),
+     (.boost.bytes_per_voxel | fixed(0)),
+     (.opencv.bytes_per_voxel | fixed(0)),
+     (if .boost == null then missing
+      elif .boost.flow == .octacut.flow and .boost.labels_hash == .octacut.labels_hash
+      then "yes" else "**no**" end)]
+  | row;
+
+def task_rows:
+  .[] | select(.tasks) | .tasks as $tasks
+  | [.name, (100 * $tasks.search_seconds / $tasks.cpu_seconds | fixed(0)),
+     ("2", "8", "16" | $tasks.search_gain[.] | fixed(1)),
+     ("2", "8", "16" | $tasks.gain_if_rest_scales[.] | fixed(1))]
+  | row;
+
+def thread_rows:
+  .[] | select(.threads and .octacut)
+  | ([.threads[].wall_seconds] | min) as $wall
+  | [.name, (.octacut.wall_seconds | fixed(2)), ($wall | fixed(2)),
+     (.octacut.wall_seconds / $wall | fixed(2))]
+  | row;
+
+by_instance
+| "# Cut engine: measured",
+  "",
+  "Written by `workflows/benchmark_cut.sh`; docs/cut_engine.md says what it means.",
+  "",
+  $machine + ".",
+  "",
+  "CPU seconds per million voxels on one thread, building included; bytes of a",
+  "process' growth at its peak and of the grid's index, a voxel; each run in a",
+  "process of its own. Boost: `boykov_kolmogorov_max_flow` on a compressed sparse",
+  "row graph of 20 bytes an arc. OpenCV: `detail::GCGraph<double>`. The last",
+  "column: the same flow and the same labels as Boost.",
+  "",
+  table(["instance", "Mvoxels", "nodes a voxel", "octacut s/M", "Boost s/M",
+         "OpenCV s/M", "octacut / Boost", "octacut B", "Boost B", "OpenCV B",
+         "equal"]; main_rows),
+  "",
+  "What more cores would gain, from the CPU seconds of every task on one thread:",
+  "the search alone (its share of the whole in percent), and the whole if what",
+  "is not the search scales with the cores.",
+  "",
+  table(["instance", "search %", "search on 2", "8", "16", "all on 2", "8",
+         "16"]; task_rows),
+  (if any(.[]; .threads) then
+     "",
+     "Wall seconds, measured:",
+     "",
+     table(["instance", "1 thread", "2 threads", "gain"]; thread_rows)
+   else empty end)

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/mesh/mesh_io.h"
+#include "colmap_io/model/read_sparse_model.h"
 #include "core/base/error.h"
 #include "core/compare/compare_meshes.h"
+#include "core/compare/seen_reference.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
 #include "plugin/comparison_tables.h"
@@ -34,6 +37,7 @@ class MeshComparer : public Command {
   };
 
   void CheckPaths() const;
+  ReferenceFilter SeenPart(const IndexedMesh& reference) const;
   Measured Measure(const fs::path& path, const Context& context) const;
   std::string NameOf(const fs::path& path) const;
 
@@ -41,6 +45,8 @@ class MeshComparer : public Command {
   fs::path reference_path_;
   fs::path output_path_;
   bool self_intersections_ = true;
+  fs::path views_path_;
+  SeenReferenceOptions seen_;
   CompareMeshesOptions compare_;
 };
 
@@ -66,6 +72,16 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
   options.Add("self_intersections",
               &self_intersections_,
               "1: count the triangles that intersect others of their mesh");
+  options.Add("views_path",
+              &views_path_,
+              "Folder of a sparse model in the reference's frame: only what "
+              "its cameras see of the reference counts; empty: all does");
+  options.Add("min_views",
+              &seen_.min_views,
+              "With views_path: cameras that must see a point");
+  options.Add("max_view_angle",
+              &seen_.max_angle,
+              "With views_path: of a view to the normal, degrees");
   options.Add("align",
               &compare_.align,
               "1: move each mesh onto the reference first (ICP); the two must "
@@ -104,6 +120,16 @@ void MeshComparer::CheckPaths() const {
     }
   }
   CheckFilePath(output_path_);
+}
+
+ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) const {
+  const SparseModel model = ReadSparseModel(views_path_);
+  std::vector<PosedCamera> cameras;
+  for (const SparseImage& image : model.images) {
+    cameras.push_back({UndistortedCamera(*model.FindCamera(image.camera_id)),
+                       image.CamFromWorld()});
+  }
+  return SeenByCameras(reference, std::move(cameras), seen_);
 }
 
 // The file's name, or the whole path where that is not enough.
@@ -147,8 +173,12 @@ MeshComparer::Measured MeshComparer::Measure(const fs::path& path,
 void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
+  seen_.Check();
   CheckPaths();
   Measured reference = Measure(reference_path_, context);
+  if (!views_path_.empty()) {
+    compare_.reference_filter = SeenPart(reference.mesh);
+  }
   reference.result.name += " (reference)";
   std::vector<ComparedMesh> results;
   Json meshes = Json::array();

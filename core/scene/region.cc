@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/check_option.h"
 #include "core/base/error.h"
@@ -134,6 +135,37 @@ struct SilhouetteBox {
   std::string_view doubt;
 };
 
+// Names the one mask without which the others have points in common, if there
+// is just one: among hundreds it is hard to find by eye.
+[[noreturn]] void RefuseMasks(const std::vector<View>& views,
+                              const Eigen::AlignedBox3d& search,
+                              const RegionOptions& options,
+                              const Context& context) {
+  std::vector<SilhouettePyramid> silhouettes = MakeSilhouettes(views, false);
+  std::vector<size_t> culprits;
+  for (size_t i = 0; i < views.size() && culprits.size() < 2; ++i) {
+    context.ThrowIfCancelled();
+    std::swap(silhouettes[i], silhouettes.back());
+    const SilhouettePyramid left_out = std::move(silhouettes.back());
+    silhouettes.pop_back();
+    if (!ShrinkToHull(silhouettes, search, options.hull_level, context)
+             .isEmpty()) {
+      culprits.push_back(i);
+    }
+    silhouettes.push_back(left_out);
+    std::swap(silhouettes[i], silhouettes.back());
+  }
+  throw InputError(fmt::format(
+      "no point in space is object in all {} masks: the masks do not fit the "
+      "camera poses ({})",
+      views.size(),
+      culprits.size() == 1
+          ? fmt::format(
+                "but for that of {}, which is wrong or has a wrong pose",
+                views[culprits.front()].name)
+          : "wrong or inverted masks, or another geometry"));
+}
+
 // What the silhouettes alone say.
 SilhouetteBox BoxOfSilhouettes(const std::vector<View>& views,
                                const RegionOptions& options,
@@ -155,10 +187,7 @@ SilhouetteBox BoxOfSilhouettes(const std::vector<View>& views,
                      options.hull_level,
                      context);
     if (box.isEmpty()) {
-      throw InputError(fmt::format(
-          "no point in space is object in all {} masks: the masks do not fit "
-          "the camera poses (a wrong mask, inverted masks or another geometry)",
-          views.size()));
+      RefuseMasks(views, search, options, context);
     }
     if (interior.contains(box)) {
       if (AllOnOneSide(views, box.center())) {

@@ -156,9 +156,15 @@ TEST(Region, AsksForABoxWhenNothingBoundsTheObject) {
 
 TEST(Region, RefusesMasksThatDoNotFitThePoses) {
   auto views = RenderAllAround({0, 0, 0}, 4, 300, Sphere({0, 0, 0}, 0.3));
+  const auto error = [&] {
+    return InputErrorOf([&] { EstimateRegion(views, {}, {}, Context(1)); });
+  };
   views[3] = RenderView({4, 0, 0}, {0, 0, 0}, 300, Sphere({0, 1, 0.8}, 0.1));
-  EXPECT_THAT(InputErrorOf([&] { EstimateRegion(views, {}, {}, Context(1)); }),
-              HasSubstr("do not fit the camera poses"));
+  views[3].name = "abc/012.jpg";
+  EXPECT_THAT(error(), HasSubstr("do not fit the camera poses"));
+  EXPECT_THAT(error(), HasSubstr("but for that of abc/012.jpg"));
+  views[1] = RenderView({0, 4, 0}, {0, 0, 0}, 300, Sphere({1, 0, 0.8}, 0.1));
+  EXPECT_THAT(error(), HasSubstr("(wrong or inverted masks"));
   EXPECT_THROW(EstimateRegion({}, {}, {}, Context(1)), InputError);
 }
 

@@ -4,8 +4,60 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
 
 namespace octacut {
+namespace {
+
+#ifdef __SANITIZE_THREAD__
+
+// The thread sanitizer does not see the synchronisation inside Debian's oneTBB
+// and would report every loop; plain threads it understands.
+template <typename Body>
+void RunOnThreads(int num_threads, size_t count, const Body& body) {
+  std::atomic<size_t> next(0);
+  std::exception_ptr error;
+  std::mutex error_mutex;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < num_threads; ++i) {
+    threads.emplace_back([&] {
+      try {
+        for (size_t k = next++; k < count; k = next++) {
+          body(k);
+        }
+      } catch (...) {
+        next = count;
+        const std::lock_guard lock(error_mutex);
+        error = error ? error : std::current_exception();
+      }
+    });
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  if (error) {
+    std::rethrow_exception(error);
+  }
+}
+
+#else
+
+template <typename Body>
+void RunOnThreads(int num_threads, size_t count, const Body& body) {
+  // No more threads than cores, or than WithThreads allows: oneTBB would not
+  // give them, and complain.
+  tbb::task_arena arena(
+      std::min(num_threads, tbb::this_task_arena::max_concurrency()));
+  arena.execute([&] { tbb::parallel_for(size_t{0}, count, body); });
+}
+
+#endif
+
+}  // namespace
 
 void ParallelChunks(const Context& context,
                     size_t count,
@@ -23,11 +75,7 @@ void ParallelChunks(const Context& context,
     }
     return;
   }
-  // No more threads than cores, or than WithThreads allows: oneTBB would not
-  // give them, and complain.
-  tbb::task_arena arena(
-      std::min(context.NumThreads(), tbb::this_task_arena::max_concurrency()));
-  arena.execute([&] { tbb::parallel_for(size_t{0}, num_chunks, run_chunk); });
+  RunOnThreads(context.NumThreads(), num_chunks, run_chunk);
 }
 
 void ParallelFor(const Context& context,

@@ -83,17 +83,19 @@ measure_all() {
     run_kind level0 $resolution octacut tasks "${linked[@]}"
     run_kind evidence $resolution octacut tasks "${linked[@]}"
   done
-  if ((threads)); then
-    for kind in shell hard level0 evidence; do
-      resolution=256
-      [[ $kind == level0 || $kind == evidence ]] && resolution=128
+  for kind in shell hard level0 evidence; do
+    resolution=256
+    [[ $kind == level0 || $kind == evidence ]] && resolution=128
+    "$bench" --kind $kind --resolution $resolution --lean 1 >>"$runs"
+    if ((threads)); then
       "$bench" --kind $kind --resolution $resolution --num_threads 2 \
         --repetitions 3 >>"$runs"
-    done
-  fi
+    fi
+  done
   for instance in "${instances[@]}"; do
     "$bench" --instance "$instance" --solvers octacut tasks "${linked[@]:0:1}" \
       >>"$runs"
+    "$bench" --instance "$instance" --lean 1 >>"$runs"
   done
   run_kind shell 1024 octacut
   run_kind hard 1024 octacut

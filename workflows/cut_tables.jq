@@ -27,7 +27,8 @@ def by_instance:
           += [$run]
       else . end))
   | map(. as $all | . + {octacut: .octacut[0], boost: .boost[0],
-                         opencv: .opencv[0], tasks: .tasks[0]});
+                         opencv: .opencv[0], tasks: .tasks[0],
+                         lean: .["octacut lean"][0]});
 
 def cpu: if . == null then null else .cpu_seconds_per_mvoxel end;
 
@@ -45,6 +46,12 @@ def main_rows:
      (if .boost == null then missing
       elif .boost.flow == .octacut.flow and .boost.labels_hash == .octacut.labels_hash
       then "yes" else "**no**" end)]
+  | row;
+
+def lean_rows:
+  .[] | select(.lean and .octacut)
+  | [.name, (.lean | cpu | fixed(2)), (.lean.bytes_per_voxel | fixed(1)),
+     (100 * (.lean.cost / .octacut.cost - 1) | fixed(4))]
   | row;
 
 def task_rows:
@@ -77,6 +84,13 @@ by_instance
   table(["instance", "Mvoxels", "nodes a voxel", "octacut s/M", "Boost s/M",
          "OpenCV s/M", "octacut / Boost", "octacut B", "Boost B", "OpenCV B",
          "equal"]; main_rows),
+  (if any(.[]; .lean) then
+     "",
+     "The lean mode; what its cut costs more than the exact one, under the exact",
+     "weights:",
+     "",
+     table(["instance", "s/M", "bytes a voxel", "loss %"]; lean_rows)
+   else empty end),
   "",
   "What more cores would gain, from the CPU seconds of every task on one thread:",
   "the search alone (its share of the whole in percent), and the whole if what",

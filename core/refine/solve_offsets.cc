@@ -10,8 +10,8 @@
 namespace octacut {
 namespace {
 
-constexpr int kMaxNewtonSteps = 3;
-constexpr int kMaxLinearIterations = 20;
+constexpr int kMaxNewtonSteps = 4;
+constexpr int kMaxLinearIterations = 40;
 
 // scale * (offset - target)
 class VertexCost final : public ceres::SizedCostFunction<1, 1> {
@@ -180,8 +180,8 @@ class Builder {
 
 ceres::Solver::Options SolverOptions(ceres::IterationCallback* callback) {
   ceres::Solver::Options options;
-  // Solutions are local, so few iterations do; a factorisation for 150 000
-  // vertices took minutes.
+  // Offsets are carried some tens of edges, so few iterations do; a
+  // factorisation for 150 000 vertices took minutes.
   options.linear_solver_type = ceres::CGNR;
   options.preconditioner_type = ceres::JACOBI;
   options.max_linear_solver_iterations = kMaxLinearIterations;

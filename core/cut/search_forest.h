@@ -72,7 +72,7 @@ class SearchForest {
   static constexpr int32_t kActive = 64;    // is to be scanned
   static constexpr int32_t kFlagMask = 127;
   static constexpr int kLabelShift = 7;
-  static constexpr int32_t kMaxLabel = 1 << 24;
+  static constexpr int32_t kMaxLabel = (1 << 24) - 1;
   static constexpr int32_t kSourceNode = -(1 << kLabelShift) | kRoot;
 
   static int32_t Label(int32_t word) { return word >> kLabelShift; }

@@ -1,5 +1,7 @@
 #include "core/pipeline/finish_mesh.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/base/error.h"
@@ -62,9 +64,11 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
       ExtractSurface(surface.voxels, surface.labels, cube, context);
   summary->extraction = extracted.summary;
   if (extracted.mesh.triangles.empty()) {
-    throw InputError(
-        "the surface vanished: no part of the hull is inside (see the options "
-        "of the evidence)");
+    throw InputError(fmt::format(
+        "the surface vanished: nothing of the hull is inside with ballooning = "
+        "{} against neutral^smoothness = {:.3g}; raise ballooning",
+        options.evidence.ballooning,
+        std::pow(options.consistency.neutral, options.energy.smoothness)));
   }
   PlacedSurface placed =
       PlaceVertices(std::move(extracted), PlaceVerticesOptions(), context);

@@ -5,7 +5,6 @@
 namespace octacut {
 namespace {
 
-constexpr float kObjectCoverage = 127.5f;
 constexpr float kMaxBackgroundShare = 1.0f / 3;
 
 // Two unit vectors that span the plane across `normal`.

@@ -54,7 +54,4 @@ class Patch {
   std::array<Colors, Visibility::kMaxViews> views_;
 };
 
-// Sum of the first three elements.
-inline float SumChannels(Float4 v) { return v[0] + v[1] + v[2]; }
-
 }  // namespace octacut

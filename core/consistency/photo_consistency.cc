@@ -117,10 +117,7 @@ PatchScale ScaleOfPatches(const ViewSet& views,
                           const ConsistencyOptions& options) {
   double pixels_per_voxel = 0;
   for (const PreparedView& view : views) {
-    const float depth =
-        view.projection.Homogeneous(Eigen::Vector3f::Constant(0.5f)).z();
-    pixels_per_voxel +=
-        view.projection.Footprint(voxel, std::max(depth, voxel));
+    pixels_per_voxel += view.projection.CenterFootprint(voxel);
   }
   pixels_per_voxel /= double(views.size());
   const double pixels = std::max(1.0, pixels_per_voxel);

@@ -40,12 +40,10 @@ SweepView ReduceForSweep(const PreparedView& view,
                          double samples_per_voxel) {
   const ViewProjection& projection = view.projection;
   const float voxel = 1.0f / float(hull.Resolution());
-  const float depth = std::max(
-      projection.Homogeneous(Eigen::Vector3f::Constant(0.5f)).z(), voxel);
   SweepView reduced;
   reduced.projection = &projection;
   reduced.scale = std::min(
-      1.0f, float(samples_per_voxel) / projection.Footprint(voxel, depth));
+      1.0f, float(samples_per_voxel) / projection.CenterFootprint(voxel));
   const int width = std::max(2, int(projection.width * reduced.scale));
   const int height = std::max(2, int(projection.height * reduced.scale));
   reduced.grey.create(height, width);

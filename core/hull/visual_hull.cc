@@ -42,11 +42,10 @@ bool IsInsideHull(const ViewSet& views,
   if (!box.contains(point)) {
     return false;
   }
-  constexpr float kHalfCovered = 127.5f;
   for (const PreparedView& view : views) {
     const Eigen::Vector3f h = view.projection.Homogeneous(point);
-    if (h.z() > 0 &&
-        view.silhouette.Coverage(h.x() / h.z(), h.y() / h.z()) < kHalfCovered) {
+    if (h.z() > 0 && view.silhouette.Coverage(h.x() / h.z(), h.y() / h.z()) <
+                         kObjectCoverage) {
       return false;
     }
   }

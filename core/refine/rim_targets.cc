@@ -10,7 +10,6 @@
 namespace octacut {
 namespace {
 
-constexpr float kObjectCoverage = 127.5f;
 constexpr float kProbeStep = 0.5f;  // pixels
 constexpr float kBeside = 1;        // pixels
 

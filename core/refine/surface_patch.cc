@@ -5,12 +5,9 @@
 namespace octacut {
 namespace {
 
-constexpr float kObjectCoverage = 127.5f;
 constexpr float kMaxBackgroundShare = 1.0f / 3;
 // Of the samples' weights, in radii of the patch.
 constexpr float kSigma = 0.7f;
-
-float SumChannels(Float4 v) { return v[0] + v[1] + v[2]; }
 
 }  // namespace
 

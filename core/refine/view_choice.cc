@@ -11,7 +11,6 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 1024;
-constexpr float kObjectCoverage = 127.5f;
 
 float CosineOfDegrees(double degrees) {
   return float(std::cos(degrees * std::numbers::pi / 180));

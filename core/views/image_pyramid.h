@@ -16,6 +16,9 @@ namespace octacut {
 
 using Float4 = float __attribute__((vector_size(16)));
 
+// Sum of the first three elements.
+inline float SumChannels(Float4 v) { return v[0] + v[1] + v[2]; }
+
 struct PyramidLevel {
   std::vector<uint32_t> texels;  // row-major
   int width = 0;

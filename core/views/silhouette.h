@@ -9,6 +9,9 @@
 
 namespace octacut {
 
+// Coverage (0 .. 255) from which on a point counts as object.
+inline constexpr float kObjectCoverage = 127.5f;
+
 enum class Footprint : uint8_t {
   kBackground,  // holds no pixel of the object
   kObject,      // holds nothing else

@@ -5,6 +5,7 @@
 // the sparse model. Depths are in the same unit.
 #pragma once
 
+#include <algorithm>
 #include <Eigen/Core>
 
 #include "core/scene/scene.h"
@@ -27,6 +28,12 @@ struct ViewProjection {
   // Pixels that a length at the depth covers.
   float Footprint(float length, float depth) const {
     return focal_length * length / depth;
+  }
+  // The same at the centre of the root cube, or at the length itself where
+  // that centre is nearer or behind.
+  float CenterFootprint(float length) const {
+    const float depth = Homogeneous(Eigen::Vector3f::Constant(0.5f)).z();
+    return Footprint(length, std::max(depth, length));
   }
   bool InFrame(float u, float v) const {
     return u >= 0 && v >= 0 && u <= float(width) && v <= float(height);

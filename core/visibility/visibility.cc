@@ -19,11 +19,8 @@ DepthMap RenderSurface(const ViewProjection& projection,
                        const VoxelGrid& surface,
                        const std::vector<FaceLabels>& labels) {
   const float voxel = 1.0f / float(surface.Resolution());
-  const float center_depth =
-      projection.Homogeneous(Eigen::Vector3f::Constant(0.5f)).z();
-  const float footprint =
-      projection.Footprint(voxel, std::max(center_depth, voxel));
-  const float scale = std::min(1.0f, kPixelsPerVoxel / footprint);
+  const float scale =
+      std::min(1.0f, kPixelsPerVoxel / projection.CenterFootprint(voxel));
   DepthMap map(projection, scale);
   surface.ForEach([&](VoxelGrid::Index index, MortonCode code) {
     if (!IsCut(labels[index])) {

@@ -32,32 +32,6 @@ std::string ExecutablePath() {
   return path != nullptr ? path : OCTACUT_EXECUTABLE;
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name =
-      (std::filesystem::temp_directory_path() / "octacut_test_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) {
-    throw std::runtime_error("no temporary folder");
-  }
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::filesystem::path TemporaryFolder::Write(const std::string& name,
-                                             const std::string& text) const {
-  std::ofstream(path_ / name, std::ios::binary) << text;
-  return path_ / name;
-}
-
-std::string ReadFile(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 RunningOctacut::RunningOctacut(const std::vector<std::string>& arguments) {
   std::vector<std::string> texts = {ExecutablePath()};
   texts.insert(texts.end(), arguments.begin(), arguments.end());

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/colmap_io/files/temporary_folder.h"
+
 namespace octacut {
 
 struct ProgramResult {
@@ -16,30 +18,8 @@ struct ProgramResult {
   std::string err;
 };
 
-// A folder of its own for each test, removed afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& Path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const {
-    return path_ / name;
-  }
-  // Writes a file and returns its path.
-  std::filesystem::path Write(const std::string& name,
-                              const std::string& text) const;
-
- private:
-  std::filesystem::path path_;
-};
-
 // Of the executable under test.
 std::string ExecutablePath();
-
-std::string ReadFile(const std::filesystem::path& path);
 
 // A running octacut.
 class RunningOctacut {

@@ -24,9 +24,9 @@ TEST(WriteFile, ReplacesTheWholeFileAndLeavesNoTemporary) {
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "a.txt";
   WriteFile(path, Writer("a long first version"));
-  EXPECT_EQ(Contents(path), "a long first version");
+  EXPECT_EQ(ReadFile(path), "a long first version");
   WriteFile(path, Writer("new\r\n"));
-  EXPECT_EQ(Contents(path), "new\r\n");
+  EXPECT_EQ(ReadFile(path), "new\r\n");
   EXPECT_EQ(folder.NumFiles(), 1u);
 }
 
@@ -44,11 +44,11 @@ TEST(WriteFile, TheOldFileIsThereUntilTheNewOneIsComplete) {
   WriteFile(path, Writer("old"));
   WriteFile(path, [&](std::ostream& stream) {
     stream << "half" << std::flush;
-    EXPECT_EQ(Contents(path), "old");
+    EXPECT_EQ(ReadFile(path), "old");
     EXPECT_EQ(folder.NumFiles(), 2u);
     stream << " and half";
   });
-  EXPECT_EQ(Contents(path), "half and half");
+  EXPECT_EQ(ReadFile(path), "half and half");
 }
 
 TEST(WriteFile, FailureKeepsTheOldFileAndRemovesTheTemporary) {
@@ -70,7 +70,7 @@ TEST(WriteFile, FailureKeepsTheOldFileAndRemovesTheTemporary) {
                          }),
                CancelledError);
   EXPECT_EQ(folder.NumFiles(), 1u);
-  EXPECT_EQ(Contents(path), "old");
+  EXPECT_EQ(ReadFile(path), "old");
 }
 
 // The system refuses whatever goes beyond a size.
@@ -87,7 +87,7 @@ TEST(WriteFile, AFullDiskIsAnError) {
               ThrowsMessage<InputError>(HasSubstr("the disk may be full")));
   setrlimit(RLIMIT_FSIZE, &before);
   signal(SIGXFSZ, handler);
-  EXPECT_EQ(Contents(path), "old");
+  EXPECT_EQ(ReadFile(path), "old");
   EXPECT_EQ(folder.NumFiles(), 1u);
 }
 
@@ -123,7 +123,7 @@ TEST(WriteFile, ASymbolicLinkStaysAndItsTargetIsReplaced) {
   fs::create_symlink(target, folder.Path() / "link");
   WriteFile(folder.Path() / "link", Writer("new"));
   EXPECT_TRUE(fs::is_symlink(folder.Path() / "link"));
-  EXPECT_EQ(Contents(target), "new");
+  EXPECT_EQ(ReadFile(target), "new");
 }
 
 TEST(WriteFile, ManyAtOnceInOneFolderDoNotMeet) {
@@ -140,7 +140,7 @@ TEST(WriteFile, ManyAtOnceInOneFolderDoNotMeet) {
   for (std::thread& thread : threads) {
     thread.join();
   }
-  const std::string contents = Contents(path);
+  const std::string contents = ReadFile(path);
   EXPECT_EQ(contents.size(), 1000u);
   EXPECT_EQ(contents, std::string(1000, contents[0]));
   EXPECT_EQ(folder.NumFiles(), 1u);
@@ -153,7 +153,7 @@ TEST(CheckFilePath, LeavesNothingAndTouchesNothing) {
   WriteFile(folder.Path() / "old", Writer("precious"));
   CheckFilePath(folder.Path() / "old");
   EXPECT_EQ(folder.NumFiles(), 1u);
-  EXPECT_EQ(Contents(folder.Path() / "old"), "precious");
+  EXPECT_EQ(ReadFile(folder.Path() / "old"), "precious");
 }
 
 TEST(AtomicFiles, TakeTheirPlacesTogether) {
@@ -163,10 +163,10 @@ TEST(AtomicFiles, TakeTheirPlacesTogether) {
   files.Write(folder.Path() / "a", Writer("1"));
   files.Write(folder.Path() / "b", Writer("2"));
   EXPECT_FALSE(fs::exists(folder.Path() / "a"));
-  EXPECT_EQ(Contents(folder.Path() / "b"), "old");
+  EXPECT_EQ(ReadFile(folder.Path() / "b"), "old");
   files.Commit();
-  EXPECT_EQ(Contents(folder.Path() / "a"), "1");
-  EXPECT_EQ(Contents(folder.Path() / "b"), "2");
+  EXPECT_EQ(ReadFile(folder.Path() / "a"), "1");
+  EXPECT_EQ(ReadFile(folder.Path() / "b"), "2");
   EXPECT_EQ(folder.NumFiles(), 2u);
 }
 
@@ -194,7 +194,7 @@ TEST(AtomicFiles, WhatStandsInTheWayAtTheEndIsNamed) {
                 ThrowsMessage<InputError>(HasSubstr("b: cannot be written")));
   }
   EXPECT_EQ(folder.NumFiles(), 2u);
-  EXPECT_EQ(Contents(folder.Path() / "a"), "1");
+  EXPECT_EQ(ReadFile(folder.Path() / "a"), "1");
 }
 
 }  // namespace

@@ -28,8 +28,19 @@ class TemporaryFolder {
         path_, std::filesystem::perms::owner_all, ignored);
     std::filesystem::remove_all(path_, ignored);
   }
-  const std::filesystem::path& Path() const { return path_; }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
+  const std::filesystem::path& Path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const {
+    return path_ / name;
+  }
+  // Writes a file and returns its path.
+  std::filesystem::path Write(const std::string& name,
+                              const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+  }
   size_t NumFiles() const {
     return size_t(std::distance(std::filesystem::directory_iterator(path_),
                                 std::filesystem::directory_iterator()));
@@ -39,7 +50,7 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-inline std::string Contents(const std::filesystem::path& path) {
+inline std::string ReadFile(const std::filesystem::path& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }

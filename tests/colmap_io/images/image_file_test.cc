@@ -12,7 +12,7 @@ namespace octacut {
 namespace {
 
 using ::testing::HasSubstr;
-using testing::InputErrorOf;
+
 using testing::Texture;
 using testing::WritePicture;
 using testing::WriteText;

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-using testing::InputErrorOf;
+
 using testing::Recorder;
 using testing::RingModel;
 using testing::RingPose;

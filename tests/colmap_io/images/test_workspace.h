@@ -17,34 +17,18 @@
 #include "colmap_io/model/sparse_model.h"
 #include "core/base/context.h"
 #include "core/base/error.h"
+#include "tests/colmap_io/files/temporary_folder.h"
+#include "tests/core/base/error_texts.h"
 
 namespace octacut::testing {
 
-// What a call says when it throws InputError.
-template <typename Function>
-std::string InputErrorOf(const Function& function) {
-  try {
-    function();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no InputError";
-}
-
 // A folder of its own for each test, removed at the end.
 class FolderTest : public ::testing::Test {
- protected:
-  FolderTest() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "octacut_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~FolderTest() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
+ private:
+  const TemporaryFolder temporary_folder_;
 
-  std::filesystem::path folder_;
+ protected:
+  const std::filesystem::path folder_ = temporary_folder_.Path();
 };
 
 class Recorder : public ProgressSink {

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-using testing::InputErrorOf;
+
 using testing::Recorder;
 using testing::RingModel;
 using testing::WriteText;

@@ -55,7 +55,7 @@ TEST(MeshPath, CheckLeavesNothingAndTouchesNothing) {
   std::ofstream(folder.Path() / "b.ply") << "precious";
   CheckMeshPath(folder.Path() / "b.ply");
   EXPECT_EQ(folder.NumFiles(), 1u);
-  EXPECT_EQ(Contents(folder.Path() / "b.ply"), "precious");
+  EXPECT_EQ(ReadFile(folder.Path() / "b.ply"), "precious");
 }
 
 TEST(MeshPath, WriteReplacesAndLeavesNoTemporary) {

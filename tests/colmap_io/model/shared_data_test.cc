@@ -95,14 +95,11 @@ TEST_F(SharedDataTest, OldBinaryAndText) {
   SparseModel binary = ReadSparseModel(folder);
   EXPECT_EQ(CountSparseImages(folder), binary.images.size());
   // The text alone, from another folder.
-  std::string pattern =
-      (std::filesystem::temp_directory_path() / "octacut_XXXXXX").string();
-  const std::filesystem::path copy = mkdtemp(pattern.data());
+  const TemporaryFolder copy;
   for (const char* file : {"cameras.txt", "images.txt", "points3D.txt"}) {
     std::filesystem::copy_file(folder / file, copy / file);
   }
-  SparseModel text = ReadSparseModel(copy);
-  std::filesystem::remove_all(copy);
+  SparseModel text = ReadSparseModel(copy.Path());
   SortById(&binary);
   SortById(&text);
   ExpectSameButForDigits(binary, text);

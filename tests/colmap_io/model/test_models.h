@@ -13,7 +13,9 @@
 
 #include "colmap_io/model/sparse_model.h"
 #include "core/base/error.h"
+#include "tests/colmap_io/files/temporary_folder.h"
 #include "tests/colmap_io/model/test_cameras.h"
+#include "tests/core/base/error_texts.h"
 
 namespace octacut {
 
@@ -119,31 +121,13 @@ inline void ExpectSameModel(const SparseModel& a, const SparseModel& b) {
   ExpectSamePoints(a, b);
 }
 
-// What a call says when it throws InputError.
-template <typename Function>
-std::string InputErrorOf(const Function& function) {
-  try {
-    function();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no InputError";
-}
-
 // A folder of its own for each test, removed at the end.
 class ModelFolderTest : public ::testing::Test {
- protected:
-  ModelFolderTest() {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "octacut_XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~ModelFolderTest() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
+ private:
+  const TemporaryFolder temporary_folder_;
 
-  std::filesystem::path folder_;
+ protected:
+  const std::filesystem::path folder_ = temporary_folder_.Path();
 };
 
 // The shared measurement data, where it is there.

@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "tests/core/base/error_texts.h"
 #include "tests/core/consistency/sphere_scene.h"
 
 namespace octacut {
@@ -218,20 +219,15 @@ TEST(ConsistencySummary, AddsUpAsOneSet) {
 
 TEST(ConsistencyOptions, AreRejectedWithFieldAndConstraint) {
   EXPECT_NO_THROW(ConsistencyOptions().Check());
-  const auto refusal = [](auto&& change) {
-    ConsistencyOptions options;
-    change(&options);
-    try {
-      options.Check();
-    } catch (const OptionError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+  const auto refusal = [](const auto& change) {
+    return RefusalOf<ConsistencyOptions>(change);
   };
   EXPECT_THAT(refusal([](auto* o) { o->patch_radius = 0; }),
               HasSubstr("patch_radius = 0: must be in 1 .. 4"));
   EXPECT_THAT(refusal([](auto* o) { o->patch_radius = 5; }),
               HasSubstr("patch_radius"));
+  EXPECT_THAT(refusal([](auto* o) { o->min_patch_pixels = -1; }),
+              HasSubstr("min_patch_pixels = -1: must be in 0 .. 64"));
   EXPECT_THAT(refusal([](auto* o) { o->neutral = 1.5; }),
               HasSubstr("neutral = 1.5: must be in 0 .. 1"));
   EXPECT_THAT(refusal([](auto* o) { o->neutral = std::nan(""); }),
@@ -248,9 +244,7 @@ TEST(PhotoConsistency, PatchesGrowUntilTheySpanEnoughPixels) {
   const float voxel = 1.0f / (1 << SphereScene::kLevel);
   double pixels = 0;
   for (const PreparedView& view : sphere.test.views) {
-    const float depth =
-        view.projection.Homogeneous(Eigen::Vector3f::Constant(0.5f)).z();
-    pixels += view.projection.Footprint(voxel, depth) /
+    pixels += view.projection.CenterFootprint(voxel) /
               double(sphere.test.views.size());
   }
   ASSERT_GT(pixels, 1.0);

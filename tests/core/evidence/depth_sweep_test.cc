@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/hull/visual_hull.h"
 #include "core/raycast/ray_scene.h"
+#include "tests/core/base/error_texts.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -145,15 +146,8 @@ TEST(SweepDepths, NeedsTwoNeighboursAndIsTheSameForAnyNumberOfThreads) {
 
 TEST(DepthSweepOptions, AreRejectedWithField) {
   EXPECT_NO_THROW(DepthSweepOptions().Check());
-  const auto refusal = [](auto&& change) {
-    DepthSweepOptions options;
-    change(&options);
-    try {
-      options.Check();
-    } catch (const OptionError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+  const auto refusal = [](const auto& change) {
+    return RefusalOf<DepthSweepOptions>(change);
   };
   const double nan = std::nan("");
   EXPECT_THAT(refusal([](auto* o) { o->num_neighbors = 1; }),

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/hull/visual_hull.h"
+#include "tests/core/base/error_texts.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -142,15 +143,8 @@ TEST(InsideEvidence, IsTheBallooningWhereNothingIsSeen) {
 
 TEST(InsideEvidenceOptions, AreRejectedWithField) {
   EXPECT_NO_THROW(InsideEvidenceOptions().Check());
-  const auto refusal = [](auto&& change) {
-    InsideEvidenceOptions options;
-    change(&options);
-    try {
-      options.Check();
-    } catch (const OptionError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+  const auto refusal = [](const auto& change) {
+    return RefusalOf<InsideEvidenceOptions>(change);
   };
   EXPECT_THAT(refusal([](auto* o) { o->min_agreeing_views = 0; }),
               HasSubstr("min_agreeing_views = 0"));

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/pipeline/level_step.h"
 #include "core/pipeline/reconstruct.h"
+#include "tests/core/base/error_texts.h"
 
 namespace octacut {
 namespace {
@@ -20,14 +21,7 @@ using ::testing::StartsWith;
 using Change = std::function<void(ReconstructionOptions*)>;
 
 std::string Refusal(const Change& change) {
-  ReconstructionOptions options;
-  change(&options);
-  try {
-    options.Check();
-  } catch (const OptionError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return RefusalOf<ReconstructionOptions>(change);
 }
 
 TEST(ReconstructionOptions, HaveThePapersValuesAsDefaults) {

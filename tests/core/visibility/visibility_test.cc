@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "tests/core/base/error_texts.h"
 #include "tests/core/crust/labeled_shapes.h"
 #include "tests/core/visibility/bare_views.h"
 
@@ -169,15 +170,8 @@ TEST(Visibility, IsTheSameForAnyNumberOfThreads) {
 
 TEST(VisibilityOptions, AreRejectedWithFieldAndConstraint) {
   EXPECT_NO_THROW(VisibilityOptions().Check());
-  const auto refusal = [](auto&& change) {
-    VisibilityOptions options;
-    change(&options);
-    try {
-      options.Check();
-    } catch (const OptionError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
+  const auto refusal = [](const auto& change) {
+    return RefusalOf<VisibilityOptions>(change);
   };
   EXPECT_THAT(refusal([](auto* o) { o->max_angle = 90; }),
               HasSubstr("max_angle = 90: must lie between 0 and 90"));

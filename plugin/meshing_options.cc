@@ -1,5 +1,7 @@
 #include "plugin/meshing_options.h"
 
+#include "plugin/refinement_options.h"
+
 namespace octacut {
 namespace {
 
@@ -132,6 +134,10 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("Smoothing.max_displacement",
               &meshing->smoothing.max_displacement,
               "From where a vertex began, voxels");
+  options.Add("OctahedralMeshing.refine",
+              &meshing->refine,
+              "1: the vertices move to where the photographs agree best");
+  DeclareRefinementOptions(options, &meshing->refinement);
 }
 
 Json ReconstructionToJson(const ReconstructionSummary& summary) {
@@ -156,6 +162,8 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
             {"double_diagonals", summary.extraction.num_double_diagonals},
             {"removed_components", summary.num_removed_components},
             {"seconds", summary.meshing_seconds}}},
+          {"refinement",
+           summary.refinement ? RefinementToJson(*summary.refinement) : Json()},
           {"prepare_seconds", summary.prepare_seconds},
           {"coloring_seconds", summary.coloring_seconds}};
 }

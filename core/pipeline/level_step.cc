@@ -28,7 +28,8 @@ OctahedralCut CutCrust(const Crust& crust,
                        const std::vector<float>& evidence,
                        const ReconstructionOptions& options,
                        const Context& context,
-                       LevelSummary* summary) {
+                       LevelSummary* summary,
+                       OctahedralCutState* state = nullptr) {
   Stopwatch stopwatch;
   const std::vector<float> weights = EdgeWeights(phi, options.energy);
   OctahedralCutProblem problem;
@@ -36,7 +37,7 @@ OctahedralCut CutCrust(const Crust& crust,
   problem.weights = weights;
   problem.ties = crust.ties;
   problem.evidence = evidence;
-  OctahedralCut cut = SolveOctahedralCut(problem, options.cut, context);
+  OctahedralCut cut = SolveOctahedralCut(problem, options.cut, context, state);
   summary->cut_seconds += stopwatch.Lap();
   summary->cut_cost = cut.cost;
   summary->num_cut_voxels = cut.num_cut_voxels;
@@ -101,10 +102,17 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
                                                    context,
                                                    summary);
   VoxelTerms terms;
+  OctahedralCutState state;
   for (int round = 0;; ++round) {
     ExtendTerms(views, visibility, crust, options, context, &terms, summary);
     OctahedralCut cut =
-        CutCrust(crust, terms.phi, terms.evidence, options, context, summary);
+        CutCrust(crust,
+                 terms.phi,
+                 terms.evidence,
+                 options,
+                 context,
+                 summary,
+                 options.max_grow_rounds > 0 ? &state : nullptr);
     stopwatch.Lap();
     Crust grown = GrowCrust(hierarchy,
                             crust,

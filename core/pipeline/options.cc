@@ -28,6 +28,7 @@ void ReconstructionOptions::Check() const {
   energy.Check();
   cut.Check();
   smoothing.Check();
+  refinement.Check();
   CheckOption(target_level >= hull.hull_level && target_level <= 12,
               "target_level",
               target_level,

@@ -8,6 +8,7 @@
 #include "core/evidence/inside_evidence.h"
 #include "core/hull/visual_hull.h"
 #include "core/mesh/smooth.h"
+#include "core/refine/refine_options.h"
 #include "core/visibility/visibility.h"
 
 namespace octacut {
@@ -31,6 +32,8 @@ struct ReconstructionOptions {
   EnergyOptions energy;
   OctahedralCutOptions cut;
   SmoothOptions smoothing;
+  bool refine = false;  // the smoothed mesh, by the photographs
+  RefineOptions refinement;
   // Components with less than this share of the largest one's volume are
   // removed, cavities filled; 0 .. 1.
   double min_component = 0.1;

@@ -99,9 +99,17 @@ Reconstruction Reconstruct(const Scene& scene,
   }
 
   stopwatch.Lap();
-  result.mesh = ToSurfaceMesh(
-      FinalMesh(hierarchy.Finest(), region.cube, options, context, &summary));
+  IndexedMesh mesh =
+      FinalMesh(hierarchy.Finest(), region.cube, options, context, &summary);
   summary.meshing_seconds = stopwatch.Lap();
+  if (options.refine) {
+    RefinedSurface refined = RefineSurface(
+        std::move(mesh), views, region.cube, options.refinement, context);
+    mesh = std::move(refined.mesh);
+    summary.refinement = std::move(refined.summary);
+    stopwatch.Lap();
+  }
+  result.mesh = ToSurfaceMesh(mesh);
   ColorMesh(views,
             hierarchy.Finest(),
             region.cube,

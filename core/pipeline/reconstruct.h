@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/base/context.h"
@@ -12,6 +13,7 @@
 #include "core/mesh/indexed_mesh.h"
 #include "core/mesh/surface_mesh.h"
 #include "core/pipeline/options.h"
+#include "core/refine/refine_surface.h"
 #include "core/scene/region.h"
 #include "core/scene/scene.h"
 
@@ -40,6 +42,7 @@ struct ReconstructionSummary {
   std::vector<LevelSummary> levels;
   ExtractSurfaceSummary extraction;
   size_t num_removed_components = 0;
+  std::optional<RefineSummary> refinement;  // where options.refine says so
   double prepare_seconds = 0;
   double hull_seconds = 0;
   double evidence_seconds = 0;

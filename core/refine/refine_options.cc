@@ -8,55 +8,59 @@ namespace octacut {
 void RefineOptions::Check() const {
   views.Check();
   CheckOption(fine_rounds >= 1 && fine_rounds <= 8,
-              "fine_rounds",
+              "refinement.fine_rounds",
               fine_rounds,
               "must be in 1 .. 8");
   CheckOption(coarse_rounds >= 0 && coarse_rounds <= 4,
-              "coarse_rounds",
+              "refinement.coarse_rounds",
               coarse_rounds,
               "must be in 0 .. 4");
-  CheckOption(
-      step > 0 && step <= 4, "step", step, "must be positive and at most 4");
+  CheckOption(step > 0 && step <= 4,
+              "refinement.step",
+              step,
+              "must be positive and at most 4");
   CheckOption(range >= 2 * step && range <= 64,
-              "range",
+              "refinement.range",
               range,
               "must be at least two steps and at most 64");
   CheckOption(patch_radius >= 1 && patch_radius <= SurfacePatch::kMaxRadius,
-              "patch_radius",
+              "refinement.patch_radius",
               patch_radius,
               "must be in 1 .. 4");
   CheckOption(measure_spacing >= 0 && measure_spacing <= 16,
-              "measure_spacing",
+              "refinement.measure_spacing",
               measure_spacing,
               "must be in 0 .. 16");
   CheckOption(fit_radius > 0 && fit_radius <= 64,
-              "fit_radius",
+              "refinement.fit_radius",
               fit_radius,
               "must be positive and at most 64");
   CheckOption(min_score >= 0 && min_score < 1,
-              "min_score",
+              "refinement.min_score",
               min_score,
               "must be at least 0 and below 1");
   CheckOption(pixel_noise > 0 && pixel_noise <= 64,
-              "pixel_noise",
+              "refinement.pixel_noise",
               pixel_noise,
               "must be positive and at most 64");
   CheckOption(smoothness > 0 && smoothness <= 1e4,
-              "smoothness",
+              "refinement.smoothness",
               smoothness,
               "must be positive and at most 10000");
   CheckOption(keep_bend >= 0 && keep_bend <= 1,
-              "keep_bend",
+              "refinement.keep_bend",
               keep_bend,
               "must be in 0 .. 1");
-  CheckOption(
-      outlier_scale > 0, "outlier_scale", outlier_scale, "must be positive");
+  CheckOption(outlier_scale > 0,
+              "refinement.outlier_scale",
+              outlier_scale,
+              "must be positive");
   CheckOption(silhouette_weight >= 0,
-              "silhouette_weight",
+              "refinement.silhouette_weight",
               silhouette_weight,
               "must be at least 0");
   CheckOption(hull_tolerance >= 0,
-              "hull_tolerance",
+              "refinement.hull_tolerance",
               hull_tolerance,
               "must be at least 0");
 }

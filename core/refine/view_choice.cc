@@ -98,15 +98,15 @@ ChosenViews Choose(const RayScene& rays,
 
 void ViewChoiceOptions::Check() const {
   CheckOption(max_angle > 0 && max_angle < 90,
-              "max_angle",
+              "refinement.max_angle",
               max_angle,
               "must lie between 0 and 90 degrees");
   CheckOption(max_views >= 2 && max_views <= ChosenViews::kMaxViews,
-              "max_views",
+              "refinement.max_views",
               max_views,
               "must be in 2 .. 24");
   CheckOption(min_separation >= 0 && min_separation < 45,
-              "min_separation",
+              "refinement.min_separation",
               min_separation,
               "must be at least 0 and below 45 degrees");
 }

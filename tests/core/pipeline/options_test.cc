@@ -68,6 +68,10 @@ TEST(ReconstructionOptions, AreRejectedWithFieldValueAndConstraint) {
   EXPECT_THAT(Refusal([](auto* o) { o->evidence.sweep.num_neighbors = 1; }),
               StartsWith("num_neighbors = 1"));
   EXPECT_NE(Refusal([](auto* o) { o->smoothing.lambda = 2; }), "accepted");
+  EXPECT_THAT(Refusal([](auto* o) { o->refinement.smoothness = 0; }),
+              StartsWith("refinement.smoothness = 0"));
+  EXPECT_THAT(Refusal([](auto* o) { o->refinement.views.max_angle = 90; }),
+              StartsWith("refinement.max_angle = 90"));
   const double nan = std::nan("");
   EXPECT_NE(Refusal([&](auto* o) { o->energy.smoothness = nan; }), "accepted");
   EXPECT_NE(Refusal([&](auto* o) { o->energy.area_weight = nan; }), "accepted");

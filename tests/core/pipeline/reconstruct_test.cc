@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/base/error.h"
+#include "core/mesh/normals.h"
 #include "tests/core/pipeline/reconstruction_checks.h"
 
 namespace octacut {
@@ -63,6 +64,26 @@ TEST(Reconstruct, GivesTheSameBytesForAnyNumberOfThreads) {
                 expected.summary.levels[i].cut_cost);
     }
   }
+}
+
+TEST(Reconstruct, RefinesByThePhotographs) {
+  SmallScene small = MakeSmallScene();
+  const Reconstruction plain = RunSmall(small, Context(2));
+  EXPECT_FALSE(plain.summary.refinement.has_value());
+  small.options.refine = true;
+  const Reconstruction refined = RunSmall(small, Context(1));
+  ASSERT_TRUE(refined.summary.refinement.has_value());
+  EXPECT_GT(refined.summary.refinement->num_moved,
+            refined.mesh.n_vertices() / 2);
+  EXPECT_EQ(refined.audit.DescribeFailure(), "");
+  const IndexedMesh mesh = ToIndexedMesh(refined.mesh);
+  EXPECT_LT(MeanDistance(mesh, small.reference),
+            0.5 * MeanDistance(ToIndexedMesh(plain.mesh), small.reference));
+  EXPECT_EQ(mesh.normals, ComputeVertexNormals(mesh, Context(2)));
+  const IndexedMesh again = ToIndexedMesh(RunSmall(small, Context(3)).mesh);
+  EXPECT_EQ(again.positions, mesh.positions);
+  EXPECT_EQ(again.normals, mesh.normals);
+  EXPECT_EQ(again.colors, mesh.colors);
 }
 
 TEST(Reconstruct, SaysWhatItHasDone) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/cut/cut_problem.h"
@@ -23,39 +24,57 @@ FlowState<Flow>::FlowState(const OctahedralCutProblem& problem,
                            std::span<const uint32_t> region_ends,
                            const CutScale& scale,
                            const Context& context)
-    : walk_(walk),
+    : walk_(&walk),
       scale_(scale),
-      num_voxels_(problem.crust->Size()),
-      search_(std::make_unique_for_overwrite<SearchRecord[]>(num_voxels_)),
-      flows_(std::make_unique_for_overwrite<FlowRecord[]>(num_voxels_)) {
-  const bool with_evidence = !problem.evidence.empty();
-  evidence_.resize(problem.evidence.size());
-  std::vector<size_t> num_nodes(region_ends.size());
-  std::vector<int64_t> capacity(region_ends.size());
+      search_(problem.crust->Size()),
+      flows_(problem.crust->Size()),
+      evidence_(problem.evidence.size()) {
+  std::vector<Tally> tallies(region_ends.size());
   ParallelFor(context, region_ends.size(), 1, [&](size_t region, size_t) {
     const size_t begin = region == 0 ? 0 : region_ends[region - 1];
     walk.ForEach(begin, region_ends[region], [&](const VoxelPlace& place) {
       const uint32_t i = place.index;
       const FaceTies ties = merged_ties[i];
       InitVoxel(problem, place, ties, region_ends[region]);
-      capacity[region] += int64_t{NumSinkEdges(ties)} * flows_[i].weight;
       for (uint32_t axis = 0; axis < 3; ++axis) {
         const bool is_node = ((ties >> (2 * axis)) & 0x41) == 0;
         search_[i].word[axis] = is_node ? kFreeNode : kNoNode;
-        num_nodes[region] += is_node;
-        if (is_node && with_evidence) {
-          const float low = problem.evidence[Low({place, axis}).index];
-          capacity[region] +=
-              std::max<int64_t>(0,
-                                int64_t{scale_.FaceEvidence(low)} +
-                                    scale_.FaceEvidence(problem.evidence[i]));
-        }
       }
+      tallies[region].Add(TallyVoxel(problem, place, ties));
     });
   });
-  num_nodes_ = std::accumulate(num_nodes.begin(), num_nodes.end(), size_t{0});
-  sink_capacity_ =
-      std::accumulate(capacity.begin(), capacity.end(), int64_t{0});
+  TakeTallies(tallies);
+}
+
+template <typename Flow>
+auto FlowState<Flow>::TallyVoxel(const OctahedralCutProblem& problem,
+                                 const VoxelPlace& place,
+                                 FaceTies ties) const -> Tally {
+  Tally tally;
+  tally.capacity = int64_t{NumSinkEdges(ties)} * flows_[place.index].weight;
+  for (uint32_t axis = 0; axis < 3; ++axis) {
+    if ((ties >> (2 * axis)) & 0x41) {
+      continue;
+    }
+    ++tally.num_nodes;
+    if (!evidence_.empty()) {
+      const float low = problem.evidence[Low({place, axis}).index];
+      const float high = problem.evidence[place.index];
+      tally.capacity += std::max<int64_t>(
+          0, int64_t{scale_.FaceEvidence(low)} + scale_.FaceEvidence(high));
+    }
+  }
+  return tally;
+}
+
+template <typename Flow>
+void FlowState<Flow>::TakeTallies(std::span<const Tally> tallies) {
+  Tally sum;
+  for (const Tally& tally : tallies) {
+    sum.Add(tally);
+  }
+  num_nodes_ = sum.num_nodes;
+  sink_capacity_ = sum.capacity;
 }
 
 template <typename Flow>
@@ -66,7 +85,7 @@ void FlowState<Flow>::InitVoxel(const OctahedralCutProblem& problem,
   const uint32_t voxel = place.index;
   const int32_t weight = scale_.Weight(problem.weights[voxel]);
   FlowRecord& record = flows_[voxel];
-  record.weight = Flow(weight);
+  record = {Flow(weight), {}};
   if (!problem.evidence.empty()) {
     evidence_[voxel] = scale_.FaceEvidence(problem.evidence[voxel]);
   }
@@ -76,35 +95,45 @@ void FlowState<Flow>::InitVoxel(const OctahedralCutProblem& problem,
   uint32_t blocked = tied;
   for (int face = 1; face < kNumFaces; face += 2) {
     // A brick beside a high face comes later in Morton order.
-    const bool foreign = walk_.StepBrick(place, face) >= region_end;
+    const bool foreign = walk_->StepBrick(place, face) >= region_end;
     blocked |= uint32_t{foreign} << face;
   }
   search_[voxel].residual = kFreeArcs[blocked] | blocked << kNumOctahedronArcs;
-  if (tied == 0) {
-    std::fill(std::begin(record.flow), std::end(record.flow), 0);
-    return;
+  if (tied != 0) {
+    SaturateTies(outside, inside, record);
   }
-  // From the source or into the sink; between two tied faces no node cares.
+}
+
+// From the source or into the sink; between two tied faces no node cares.
+template <typename Flow>
+bool FlowState<Flow>::SaturateTies(int outside,
+                                   int inside,
+                                   FlowRecord& record) {
+  bool changed = false;
   for (int arc = 0; arc < kNumOctahedronArcs; ++arc) {
-    if (kOctahedron.sign[arc] > 0) {
-      const int head = kOctahedron.head[arc];
+    const int head = kOctahedron.head[arc];
+    const int tied = outside | inside;
+    if (kOctahedron.sign[arc] > 0 && ((tied >> (arc / 4) | tied >> head) & 1)) {
       const int from = ((outside >> (arc / 4)) & 1) | ((inside >> head) & 1);
       const int to = ((inside >> (arc / 4)) & 1) | ((outside >> head) & 1);
-      record.flow[kOctahedron.edge[arc]] = Flow((from - to) * weight);
+      Flow& flow = record.flow[kOctahedron.edge[arc]];
+      const Flow saturated = Flow((from - to) * record.weight);
+      changed |= std::exchange(flow, saturated) != saturated;
     }
   }
+  return changed;
 }
 
 template <typename Flow>
 int64_t FlowState<Flow>::FlowValue(const Context& context) const {
-  std::vector<int64_t> deficits(NumChunks(walk_.NumBricks(), kCutBrickGrain));
+  std::vector<int64_t> deficits(NumChunks(walk_->NumBricks(), kCutBrickGrain));
   ParallelChunks(
       context,
-      walk_.NumBricks(),
+      walk_->NumBricks(),
       kCutBrickGrain,
       [&](size_t chunk, size_t begin, size_t end) {
         int64_t sum = 0;
-        walk_.ForEach(begin, end, [&](const VoxelPlace& place) {
+        walk_->ForEach(begin, end, [&](const VoxelPlace& place) {
           for (uint32_t axis = 0; axis < 3; ++axis) {
             // Free nodes and those that are none have none.
             if (search_[place.index].word[axis] > kNoNode) {

@@ -20,13 +20,13 @@
 #include <atomic>
 #include <bit>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/base/context.h"
 #include "core/cut/face_node.h"
 #include "core/cut/fixed_point.h"
+#include "core/cut/growable_array.h"
 #include "core/cut/octahedral_cut.h"
 #include "core/cut/octahedron.h"
 #include "core/cut/voxel_walk.h"
@@ -56,29 +56,46 @@ class FlowState {
             const CutScale& scale,
             const Context& context);
 
+  // Whether GrowTo may be asked: the same scale, and evidence if there was any.
+  bool GoesOnWith(const OctahedralCutProblem& problem,
+                  const CutScale& scale) const {
+    return scale_.shift == scale.shift &&
+           evidence_.empty() == problem.evidence.empty();
+  }
+  // Goes over from the grid of the bricks `before` to that of a problem that
+  // holds all of its voxels. Those keep their flows as far as weights and ties
+  // allow, and their words; new ones are empty; all is one region. Returns the
+  // voxels beside whose faces a word may mean something else now. Throws
+  // InputError when a voxel is missing.
+  std::vector<NodeId> GrowTo(const OctahedralCutProblem& problem,
+                             const VoxelWalk& walk,
+                             std::span<const FaceTies> merged_ties,
+                             std::span<const VoxelGrid::Brick> before,
+                             const Context& context);
+
   static constexpr size_t kBytesPerVoxel =
       sizeof(SearchRecord) + sizeof(FlowRecord);
 
-  const VoxelWalk& Walk() const { return walk_; }
+  const VoxelWalk& Walk() const { return *walk_; }
   size_t NumNodes() const { return num_nodes_; }
 
   template <int kAxis>
   AxisNode<kAxis> Node(NodeId id) const {
-    return NodeAt<kAxis>(walk_.At(id >> 6, id & 63));
+    return NodeAt<kAxis>(walk_->At(id >> 6, id & 63));
   }
   template <int kAxis>
   AxisNode<kAxis> NodeAt(const VoxelPlace& place) const {
-    return {place, walk_.Step(place, 2 * kAxis)};
+    return {place, walk_->Step(place, 2 * kAxis)};
   }
   // The voxel on the low side of a node.
   VoxelPlace Low(const FaceNode& node) const {
-    return walk_.Step(node.place, int(2 * node.axis));
+    return walk_->Step(node.place, int(2 * node.axis));
   }
   // The node at the other end of an arc.
   template <int kAxis>
   FaceNode Across(const AxisNode<kAxis>& node, int code) const {
     const NodeArc& arc = kNodeArcs[kAxis][code];
-    return {walk_.Step(arc.side ? node.low : node.place, arc.step), arc.axis};
+    return {walk_->Step(arc.side ? node.low : node.place, arc.step), arc.axis};
   }
   // Words at the other ends of `arcs`, bit c for code c, all of them inside
   // the region; the others mean nothing.
@@ -98,7 +115,7 @@ class FlowState {
         .load(std::memory_order_relaxed);
   }
   std::span<const SearchRecord> SearchRecords() const {
-    return {search_.get(), num_voxels_};
+    return {search_.Data(), search_.Size()};
   }
 
   // Bit c: the arc of code c leaves / enters the node with a residual.
@@ -138,7 +155,7 @@ class FlowState {
   void OpenArcs(const VoxelPlace& place, uint32_t end, Opened&& opened);
   // The node of a voxel's face, which must exist.
   FaceNode NodeOf(const VoxelPlace& place, int face) const {
-    return {walk_.Step(place, (face & 1) ? face : kNumFaces),
+    return {walk_->Step(place, (face & 1) ? face : kNumFaces),
             uint32_t(face / 2)};
   }
 
@@ -184,25 +201,47 @@ class FlowState {
   // deficits that are left.
   int64_t FlowValue(const Context& context) const;
   // Frees the flows; only SearchRecords may be asked afterwards.
-  void ReleaseFlows() { flows_.reset(); }
+  void ReleaseFlows() { flows_.Release(); }
 
  private:
   void InitVoxel(const OctahedralCutProblem& problem,
                  const VoxelPlace& place,
                  FaceTies ties,
                  uint32_t region_end);
+  // Nodes of a voxel and what it adds to the capacity into the sink.
+  struct Tally {
+    size_t num_nodes = 0;
+    int64_t capacity = 0;
+    void Add(const Tally& other) {
+      num_nodes += other.num_nodes;
+      capacity += other.capacity;
+    }
+  };
+  Tally TallyVoxel(const OctahedralCutProblem& problem,
+                   const VoxelPlace& place,
+                   FaceTies ties) const;
+  void TakeTallies(std::span<const Tally> tallies);
+  // Moves every voxel's records to its place in the problem's grid.
+  void Spread(const VoxelGrid& grid, std::span<const VoxelGrid::Brick> before);
+  // Sets the flow of every edge at a tied face; returns whether that changed
+  // any.
+  static bool SaturateTies(int outside, int inside, FlowRecord& record);
+  // Brings a voxel's records in line with the problem; returns whether that
+  // changed any.
+  bool Revise(const OctahedralCutProblem& problem,
+              const VoxelPlace& place,
+              FaceTies ties);
   void SetResidual(uint32_t voxel, uint32_t residual) {
     std::atomic_ref(search_[voxel].residual)
         .store(residual, std::memory_order_relaxed);
   }
 
-  const VoxelWalk& walk_;
-  const CutScale scale_;
-  size_t num_voxels_;
+  const VoxelWalk* walk_;
+  CutScale scale_;
   size_t num_nodes_ = 0;
   int64_t sink_capacity_ = 0;
-  std::unique_ptr<SearchRecord[]> search_;
-  std::unique_ptr<FlowRecord[]> flows_;
+  GrowableArray<SearchRecord> search_;
+  GrowableArray<FlowRecord> flows_;
   std::vector<int32_t> evidence_;  // a voxel's share in each of its faces
 };
 
@@ -239,7 +278,7 @@ inline WordsAround FlowState<Flow>::Around(const AxisNode<kAxis>& node,
   constexpr int kLast = 2 * ((kAxis + 2) % 3) + 1;
   // Elsewhere there may be no voxel, or one that another thread works on.
   const auto reach = [&](uint32_t codes, const VoxelPlace& from, int face) {
-    const uint32_t index = walk_.Step(from, face).index;
+    const uint32_t index = walk_->Step(from, face).index;
     return (arcs & codes) ? index : node.place.index;
   };
   const uint32_t holders[6] = {
@@ -267,8 +306,8 @@ void FlowState<Flow>::OpenArcs(const VoxelPlace& place,
   uint32_t blocked = before;
   for (int face = 1; face < kNumFaces; face += 2) {
     if ((blocked >> face) & 1) {
-      const uint32_t owner = walk_.Neighbor(place, face);
-      if (owner != VoxelGrid::kNone && owner < walk_.FirstVoxelOrEnd(end) &&
+      const uint32_t owner = walk_->Neighbor(place, face);
+      if (owner != VoxelGrid::kNone && owner < walk_->FirstVoxelOrEnd(end) &&
           search_[owner].word[face / 2] != kNoNode) {
         blocked &= ~(1u << face);
       }

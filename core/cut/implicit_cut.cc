@@ -141,25 +141,76 @@ class RegionSearch {
 };
 
 template <typename Flow>
+using KeptFlows = std::unique_ptr<FlowState<Flow>>;
+
+// The flow of the whole problem, every node's side in its word.
+template <typename Flow>
+KeptFlows<Flow> SearchAnew(const OctahedralCutProblem& problem,
+                           const VoxelWalk& walk,
+                           std::vector<FaceTies>& merged_ties,
+                           const SearchPlan& plan,
+                           const Context& context) {
+  const std::vector<uint32_t> ends = RegionEnds(walk, plan.region_voxels);
+  auto flows = std::make_unique<FlowState<Flow>>(
+      problem, walk, merged_ties, ends, plan.scale, context);
+  std::vector<FaceTies>().swap(merged_ties);
+  RegionSearch<Flow>(*flows, ends, plan.observer, context).Run();
+  return flows;
+}
+
+// The same from the flow of a part of its crust.
+template <typename Flow>
+void SearchOn(const OctahedralCutProblem& problem,
+              const VoxelWalk& walk,
+              std::vector<FaceTies>& merged_ties,
+              std::span<const VoxelGrid::Brick> before,
+              const Context& context,
+              FlowState<Flow>& flows) {
+  const std::vector<NodeId> changed =
+      flows.GrowTo(problem, walk, merged_ties, before, context);
+  std::vector<FaceTies>().swap(merged_ties);
+  SearchForest<Flow> forest(flows, changed, context);
+  forest.Run();
+  forest.Finish();
+}
+
+template <typename Flow>
 OctahedralCut Solve(const OctahedralCutProblem& problem,
                     const VoxelWalk& walk,
                     std::vector<FaceTies>& merged_ties,
                     const SearchPlan& plan,
-                    const Context& context) {
-  const std::vector<uint32_t> ends = RegionEnds(walk, plan.region_voxels);
-  FlowState<Flow> state(problem, walk, merged_ties, ends, plan.scale, context);
-  std::vector<FaceTies>().swap(merged_ties);
-  RegionSearch<Flow>(state, ends, plan.observer, context).Run();
+                    const Context& context,
+                    std::span<const VoxelGrid::Brick> before,
+                    KeptFlows<Flow>* kept) {
+  KeptFlows<Flow> flows;
+  if (kept != nullptr && *kept != nullptr &&
+      (*kept)->GoesOnWith(problem, plan.scale)) {
+    flows = std::move(*kept);
+    SearchOn(problem, walk, merged_ties, before, context, *flows);
+  } else {
+    if (kept != nullptr) {
+      kept->reset();
+    }
+    flows = SearchAnew<Flow>(problem, walk, merged_ties, plan, context);
+  }
   OctahedralCut cut;
-  cut.num_nodes = state.NumNodes();
-  cut.cost_fixed_point = state.FlowValue(context);
-  state.ReleaseFlows();
+  cut.num_nodes = flows->NumNodes();
+  cut.cost_fixed_point = flows->FlowValue(context);
+  if (kept == nullptr) {
+    flows->ReleaseFlows();
+  }
   merged_ties = MergeFaceTies(problem, walk, context);
-  cut.labels = EmitLabels(state, merged_ties, context);
+  cut.labels = EmitLabels(*flows, merged_ties, context);
+  if (kept != nullptr) {
+    *kept = std::move(flows);
+  }
   return cut;
 }
 
 }  // namespace
+
+ImplicitCutState::ImplicitCutState() = default;
+ImplicitCutState::~ImplicitCutState() = default;
 
 SearchPlan PlanSearch(std::span<const FaceTies> merged_ties) {
   // Low faces that are tied: some three for every two columns through the
@@ -182,13 +233,29 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
                               const VoxelWalk& walk,
                               std::vector<FaceTies>& merged_ties,
                               const SearchPlan& plan,
-                              const Context& context) {
+                              const Context& context,
+                              ImplicitCutState* state) {
   if (walk.NumBricks() > kMaxCutBricks) {
     throw InputError("cut problem: more bricks than the solver can number");
   }
-  return plan.scale.shift == 0
-             ? Solve<int32_t>(problem, walk, merged_ties, plan, context)
-             : Solve<int16_t>(problem, walk, merged_ties, plan, context);
+  const auto solve = [&]<typename Flow>(KeptFlows<Flow>* kept) {
+    return Solve(
+        problem,
+        walk,
+        merged_ties,
+        plan,
+        context,
+        state == nullptr ? std::span<const VoxelGrid::Brick>() : state->bricks,
+        kept);
+  };
+  OctahedralCut cut =
+      plan.scale.shift == 0
+          ? solve(state == nullptr ? nullptr : &state->flows)
+          : solve(state == nullptr ? nullptr : &state->narrow_flows);
+  if (state != nullptr) {
+    state->bricks = problem.crust->Bricks();
+  }
+  return cut;
 }
 
 size_t EstimateImplicitCutBytes(size_t num_voxels,

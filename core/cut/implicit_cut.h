@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,21 @@ struct SearchPlan {
   SearchObserver observer = nullptr;
 };
 
+template <typename Flow>
+class FlowState;
+
+// What a cut leaves behind, from which that of a crust that grew out of its own
+// can go on.
+struct ImplicitCutState {
+  ImplicitCutState();
+  ~ImplicitCutState();
+
+  std::vector<VoxelGrid::Brick> bricks;  // of the crust
+  // One of them, by the scale of the plan; or neither.
+  std::unique_ptr<FlowState<int32_t>> flows;
+  std::unique_ptr<FlowState<int16_t>> narrow_flows;
+};
+
 // The plan that measurements speak for (docs/cut_engine.md).
 SearchPlan PlanSearch(std::span<const FaceTies> merged_ties);
 
@@ -35,11 +51,16 @@ SearchPlan PlanSearch(std::span<const FaceTies> merged_ties);
 // cost_fixed_point (the flow) and num_nodes of the result, which depend
 // neither on the plan nor on the number of threads. Throws InvariantError
 // when a residual arc leaves the source side.
+//
+// With a state the cut goes on from what is in it, where scale and evidence are
+// of the same kind, and leaves there what it ends with; throws InputError when
+// the problem's crust lacks a voxel of the state's.
 OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
                               const VoxelWalk& walk,
                               std::vector<FaceTies>& merged_ties,
                               const SearchPlan& plan,
-                              const Context& context);
+                              const Context& context,
+                              ImplicitCutState* state = nullptr);
 
 // Bytes SolveImplicitly and the proof need at their peak.
 size_t EstimateImplicitCutBytes(size_t num_voxels,

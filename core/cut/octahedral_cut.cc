@@ -28,9 +28,16 @@ CutScale LeanScale(std::span<const float> weights) {
 
 }  // namespace
 
+OctahedralCutState::OctahedralCutState() = default;
+OctahedralCutState::~OctahedralCutState() = default;
+OctahedralCutState::OctahedralCutState(OctahedralCutState&&) noexcept = default;
+OctahedralCutState& OctahedralCutState::operator=(
+    OctahedralCutState&&) noexcept = default;
+
 OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
                                  const OctahedralCutOptions& options,
-                                 const Context& context) {
+                                 const Context& context,
+                                 OctahedralCutState* state) {
   options.Check();
   CheckCutValues(problem, context);
   if (options.observer) {
@@ -42,7 +49,13 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
   if (options.lean) {
     plan.scale = LeanScale(problem.weights);
   }
-  OctahedralCut cut = SolveImplicitly(problem, walk, ties, plan, context);
+  std::unique_ptr<ImplicitCutState> kept;
+  if (state != nullptr) {
+    kept = state->state_ != nullptr ? std::move(state->state_)
+                                    : std::make_unique<ImplicitCutState>();
+  }
+  OctahedralCut cut =
+      SolveImplicitly(problem, walk, ties, plan, context, kept.get());
   // A cut that costs what flows is a minimum cut, and the flow a maximum.
   const int64_t cost =
       LabellingCost(problem, walk, ties, cut.labels, plan.scale, context);
@@ -53,6 +66,9 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
   if (options.lean) {
     cut.cost_fixed_point =
         LabellingCost(problem, walk, ties, cut.labels, {}, context);
+  }
+  if (state != nullptr) {
+    state->state_ = std::move(kept);
   }
   cut.cost = FromFixed(cut.cost_fixed_point);
   cut.num_cut_voxels =

@@ -34,6 +34,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "core/base/context.h"
 #include "core/cut/bucket_queue.h"
@@ -49,6 +50,12 @@ class SearchForest {
   SearchForest(FlowState<Flow>& state,
                uint32_t begin,
                uint32_t end,
+               const Context& context);
+  // Takes up a search of all bricks that had ended, from the words it left:
+  // `changed` are the voxels around whose faces they may be wrong (see
+  // FlowState::GrowTo).
+  SearchForest(FlowState<Flow>& state,
+               std::span<const NodeId> changed,
                const Context& context);
 
   // Searches until no flow can be sent inside the range.
@@ -145,6 +152,11 @@ class SearchForest {
             uint32_t to_parents);
   // Adopts and drains until neither orphan nor excess is left.
   void Settle();
+
+  // resumption.cc
+  void RecoverForest();
+  template <int kAxis>
+  void Reconsider(const AxisNode<kAxis>& node);
 
   FlowState<Flow>& state_;
   const Context& context_;

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -17,32 +15,18 @@
 #include "tests/bench/boost_cut.h"
 #include "tests/bench/cut_instance_file.h"
 #include "tests/bench/cut_instances.h"
+#include "tests/bench/growing_cut.h"
 #include "tests/bench/opencv_cut.h"
+#include "tests/bench/process_usage.h"
 #include "tests/bench/task_times.h"
 
 namespace octacut {
 namespace {
 
-double CpuSeconds() {
-  timespec time;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
-// Resident bytes now ("VmRSS") or at most so far ("VmHWM").
-double ResidentBytes(const std::string &field) {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.starts_with(field + ":")) {
-      return 1024 * std::stod(line.substr(field.size() + 1));
-    }
-  }
-  return 0;
-}
-
-OctahedralCut Solve(const std::string &solver,
-                    const OctahedralCutProblem &problem, bool lean,
-                    const Context &context) {
+OctahedralCut Solve(const std::string& solver,
+                    const OctahedralCutProblem& problem,
+                    bool lean,
+                    const Context& context) {
   if (solver == "octacut") {
     return SolveOctahedralCut(problem, {.lean = lean}, context);
   }
@@ -58,9 +42,11 @@ OctahedralCut Solve(const std::string &solver,
   return cut;
 }
 
-nlohmann::json Measure(const std::string &solver, const CutInstance &instance,
-                       int num_threads, bool lean,
-                       const std::string &labels_path) {
+nlohmann::json Measure(const std::string& solver,
+                       const CutInstance& instance,
+                       int num_threads,
+                       bool lean,
+                       const std::string& labels_path) {
   const OctahedralCutProblem problem = instance.View();
   const Context context(num_threads);
   // Code is paged in first, so that what grows later is data.
@@ -75,9 +61,12 @@ nlohmann::json Measure(const std::string &solver, const CutInstance &instance,
       std::chrono::steady_clock::now() - wall_before;
   const double peak = ResidentBytes("VmHWM") - base;
   const VoxelWalk walk(*problem.crust);
-  const int64_t cost =
-      LabellingCost(problem, walk, MergeFaceTies(problem, walk, context),
-                    cut.labels, {}, context);
+  const int64_t cost = LabellingCost(problem,
+                                     walk,
+                                     MergeFaceTies(problem, walk, context),
+                                     cut.labels,
+                                     {},
+                                     context);
   if (!labels_path.empty()) {
     WriteCutLabels(cut.labels, labels_path);
   }
@@ -106,7 +95,7 @@ nlohmann::json Measure(const std::string &solver, const CutInstance &instance,
 // Times the tasks of a search on one thread, and tells by how much more cores
 // would be faster: the search alone, and all when what is not the search gains
 // nothing.
-nlohmann::json MeasureTasks(const CutInstance &instance) {
+nlohmann::json MeasureTasks(const CutInstance& instance) {
   const OctahedralCutProblem problem = instance.View();
   const Context context(1);
   const double cpu_before = CpuSeconds();
@@ -136,9 +125,11 @@ nlohmann::json MeasureTasks(const CutInstance &instance) {
 }
 
 // A process of its own for each run, so that peaks do not mix.
-void MeasureInChild(const std::string &solver, const CutInstance &instance,
-                    int num_threads, bool lean,
-                    const std::string &labels_path) {
+void MeasureInChild(const std::string& solver,
+                    const CutInstance& instance,
+                    int num_threads,
+                    bool lean,
+                    const std::string& labels_path) {
   std::cout.flush();
   const pid_t child = fork();
   if (child == 0) {
@@ -148,7 +139,7 @@ void MeasureInChild(const std::string &solver, const CutInstance &instance,
               ? MeasureTasks(instance)
               : Measure(solver, instance, num_threads, lean, labels_path);
       std::cout << result.dump() << std::endl;
-    } catch (const std::exception &error) {
+    } catch (const std::exception& error) {
       std::cerr << error.what() << std::endl;
       _exit(1);
     }
@@ -166,17 +157,25 @@ constexpr char kUsage[] =
     "evidence]\n"
     "  [--resolution 128] [--solvers octacut boost opencv tasks]\n"
     "  [--num_threads 1] [--repetitions 1] [--lean 0] [--labels OUT]\n"
-    "  [--output_instance OUT]";
+    "  [--output_instance OUT]\n"
+    "octacut_cut_bench --growing FILE FILE ...\n"
+    "  one crust as it grows: each cut from the state of the last";
 
 using Arguments = std::map<std::string, std::vector<std::string>>;
 
 // Options with any number of values.
-Arguments ParseArguments(int argc, char **argv) {
-  Arguments arguments = {
-      {"--instance", {}}, {"--kind", {}},        {"--resolution", {}},
-      {"--solvers", {}},  {"--num_threads", {}}, {"--repetitions", {}},
-      {"--lean", {}},     {"--labels", {}},      {"--output_instance", {}}};
-  std::vector<std::string> *values = nullptr;
+Arguments ParseArguments(int argc, char** argv) {
+  Arguments arguments = {{"--instance", {}},
+                         {"--growing", {}},
+                         {"--kind", {}},
+                         {"--resolution", {}},
+                         {"--solvers", {}},
+                         {"--num_threads", {}},
+                         {"--repetitions", {}},
+                         {"--lean", {}},
+                         {"--labels", {}},
+                         {"--output_instance", {}}};
+  std::vector<std::string>* values = nullptr;
   for (int k = 1; k < argc; ++k) {
     const auto option = arguments.find(argv[k]);
     if (option != arguments.end()) {
@@ -190,9 +189,9 @@ Arguments ParseArguments(int argc, char **argv) {
   return arguments;
 }
 
-int Main(int argc, char **argv) {
+int Main(int argc, char** argv) {
   Arguments arguments = ParseArguments(argc, argv);
-  const auto value = [&](const std::string &name, const char *otherwise) {
+  const auto value = [&](const std::string& name, const char* otherwise) {
     return arguments[name].empty() ? std::string(otherwise)
                                    : arguments[name].front();
   };
@@ -206,32 +205,36 @@ int Main(int argc, char **argv) {
   if (solvers.empty()) {
     solvers = {"octacut"};
   }
-  const auto run = [&](const CutInstance &instance) {
+  const auto run = [&](const CutInstance& instance) {
     if (!output_path.empty()) {
       WriteCutInstance(instance, output_path);
     }
     for (int k = 0; k < repetitions; ++k) {
-      for (const std::string &solver : solvers) {
+      for (const std::string& solver : solvers) {
         MeasureInChild(solver, instance, num_threads, lean, labels_path);
       }
     }
   };
-  for (const std::string &path : arguments["--instance"]) {
+  for (const nlohmann::json& result :
+       MeasureGrowing(arguments["--growing"], num_threads, lean)) {
+    std::cout << result.dump() << std::endl;
+  }
+  for (const std::string& path : arguments["--instance"]) {
     run(ReadCutInstance(path));
   }
-  for (const std::string &kind : arguments["--kind"]) {
+  for (const std::string& kind : arguments["--kind"]) {
     run(MakeCutInstance(kind, resolution));
   }
   return 0;
 }
 
-} // namespace
-} // namespace octacut
+}  // namespace
+}  // namespace octacut
 
-int main(int argc, char **argv) {
+int main(int argc, char** argv) {
   try {
     return octacut::Main(argc, argv);
-  } catch (const std::exception &error) {
+  } catch (const std::exception& error) {
     std::cerr << error.what() << std::endl;
     return 1;
   }

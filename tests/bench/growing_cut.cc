@@ -1,0 +1,42 @@
+#include "tests/bench/growing_cut.h"
+
+#include "tests/bench/cut_instance_file.h"
+#include "tests/bench/process_usage.h"
+
+namespace octacut {
+
+std::vector<nlohmann::json> MeasureGrowing(
+    const std::vector<std::string>& instance_paths,
+    int num_threads,
+    bool lean) {
+  const Context context(num_threads);
+  const OctahedralCutOptions options{.lean = lean};
+  OctahedralCutState state;
+  std::vector<nlohmann::json> results;
+  for (const std::string& path : instance_paths) {
+    const CutInstance instance = ReadCutInstance(path);
+    const double begin = CpuSeconds();
+    const OctahedralCut warm =
+        SolveOctahedralCut(instance.View(), options, context, &state);
+    const double middle = CpuSeconds();
+    if (path == instance_paths.front()) {
+      continue;
+    }
+    const OctahedralCut cold =
+        SolveOctahedralCut(instance.View(), options, context);
+    const double end = CpuSeconds();
+    results.push_back({{"instance", instance.name},
+                       {"solver", "growing"},
+                       {"num_threads", num_threads},
+                       {"lean", lean},
+                       {"voxels", instance.crust.Size()},
+                       {"warm_cpu_seconds", middle - begin},
+                       {"cold_cpu_seconds", end - middle},
+                       {"equal",
+                        warm.labels == cold.labels &&
+                            warm.cost_fixed_point == cold.cost_fixed_point}});
+  }
+  return results;
+}
+
+}  // namespace octacut

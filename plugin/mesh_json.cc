@@ -107,4 +107,38 @@ Json ComparisonToJson(const MeshComparison& comparison) {
   return json;
 }
 
+Json EvaluationToJson(const MeshEvaluation& evaluation,
+                      const std::vector<View>& views) {
+  const SilhouetteAgreement& silhouettes = evaluation.silhouettes;
+  Json each = Json::array();
+  for (size_t i = 0; i < views.size(); ++i) {
+    const ViewSilhouette& view = silhouettes.views[i];
+    each.push_back({{"name", views[i].name},
+                    {"object_pixels", view.object_pixels},
+                    {"mesh_pixels", view.mesh_pixels},
+                    {"common_pixels", view.common_pixels},
+                    {"outline_mean", view.outline_mean},
+                    {"outline_max", view.outline_max}});
+  }
+  Json json;
+  json["silhouettes"] = {
+      {"intersection_over_union", silhouettes.intersection_over_union},
+      {"missed", silhouettes.missed},
+      {"excess", silhouettes.excess},
+      {"outline_mean", silhouettes.outline_mean},
+      {"outline_percentile_95", silhouettes.outline_percentile_95},
+      {"views", std::move(each)}};
+  if (evaluation.reprojection) {
+    const Reprojection& reprojection = *evaluation.reprojection;
+    json["reprojection"] = {
+        {"pairs", reprojection.num_pairs},
+        {"windows", reprojection.num_windows},
+        {"mean_correlation", reprojection.mean_correlation},
+        {"percentile_10", reprojection.percentile_10},
+        {"plain_fraction", reprojection.plain_fraction},
+        {"compared_fraction", reprojection.compared_fraction}};
+  }
+  return json;
+}
+
 }  // namespace octacut

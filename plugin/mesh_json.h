@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/compare/compare_meshes.h"
+#include "core/compare/evaluate_mesh.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
 #include "plugin/option_value.h"
@@ -20,5 +21,13 @@ Json SelfIntersectionsToJson(const SelfIntersections& found);
 // Distances in the reference's units, and as fractions of its diagonal in
 // members "..._over_diagonal".
 Json ComparisonToJson(const MeshComparison& comparison);
+
+// {"silhouettes": {"intersection_over_union", "missed", "excess",
+//  "outline_mean", "outline_percentile_95", "views": [...]}, "reprojection"
+//  where it was measured: {"pairs", "windows", "mean_correlation",
+//  "percentile_10", "plain_fraction", "compared_fraction"}}; the views in the
+//  order of `views`, named.
+Json EvaluationToJson(const MeshEvaluation& evaluation,
+                      const std::vector<View>& views);
 
 }  // namespace octacut

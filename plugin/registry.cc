@@ -4,6 +4,7 @@
 
 #include "plugin/commands/example_creator.h"
 #include "plugin/commands/mesh_comparer.h"
+#include "plugin/commands/mesh_evaluator.h"
 #include "plugin/commands/mesh_refiner.h"
 #include "plugin/commands/octahedral_mesher.h"
 #include "plugin/commands/version.h"
@@ -19,6 +20,9 @@ std::span<const RegistryEntry> CommandRegistry() {
       {"mesh_comparer",
        "Measure meshes against a reference: topology, distances, scores",
        &MakeMeshComparer},
+      {"mesh_evaluator",
+       "Measure meshes against masks and photographs, without a reference",
+       &MakeMeshEvaluator},
       {"mesh_refiner",
        "Move a mesh to where the photographs agree best, below pixel size",
        &MakeMeshRefiner},

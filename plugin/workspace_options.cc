@@ -14,20 +14,45 @@ Json VectorToJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
 
-void WorkspaceArguments::Declare(OptionManager& options) {
+void DeclareLoadingOptions(OptionManager& options,
+                           fs::path* workspace_path,
+                           LoadSceneOptions* loading) {
   options.AddRequired("workspace_path",
-                      &workspace_path,
+                      workspace_path,
                       "COLMAP project (images, sparse) or dense folder");
   options.Add("image_path",
-              &loading.workspace.image_path,
+              &loading->workspace.image_path,
               "Folder of the photographs; default: images in the workspace");
   options.Add("input_path",
-              &loading.workspace.input_path,
+              &loading->workspace.input_path,
               "Folder of the sparse model; default: the one in the workspace "
               "with most images");
   options.Add("mask_path",
-              &loading.workspace.mask_path,
+              &loading->workspace.mask_path,
               "Folder of the silhouettes; default: masks in the workspace");
+  options.AddEnum("mask_geometry",
+                  &loading->mask_geometry,
+                  {{"auto", MaskGeometry::kAuto},
+                   {"original", MaskGeometry::kOriginal},
+                   {"undistorted", MaskGeometry::kUndistorted}},
+                  "Geometry of the masks: found from their size, that of the "
+                  "original photographs, or that of image_undistorter's");
+  options.Add("original_path",
+              &loading->original_path,
+              "Model of the original photographs, for a dense folder whose "
+              "masks are in their geometry");
+  options.Add("skip_missing_images",
+              &loading->skip_missing_images,
+              "1: go on without images whose file is missing");
+  options.Add(
+      "skip_missing_masks",
+      &loading->skip_missing_masks,
+      "1: go on without images whose mask is missing, all background or "
+      "all object");
+}
+
+void WorkspaceArguments::Declare(OptionManager& options) {
+  DeclareLoadingOptions(options, &workspace_path, &loading);
   options.Add("output_path",
               &output_path,
               "Mesh to write (.ply, .obj, .off, .stl); default: in the "
@@ -35,25 +60,6 @@ void WorkspaceArguments::Declare(OptionManager& options) {
   options.Add("report_path",
               &report_path,
               "JSON report; default: beside the mesh, with .json");
-  options.AddEnum("mask_geometry",
-                  &loading.mask_geometry,
-                  {{"auto", MaskGeometry::kAuto},
-                   {"original", MaskGeometry::kOriginal},
-                   {"undistorted", MaskGeometry::kUndistorted}},
-                  "Geometry of the masks: found from their size, that of the "
-                  "original photographs, or that of image_undistorter's");
-  options.Add("original_path",
-              &loading.original_path,
-              "Model of the original photographs, for a dense folder whose "
-              "masks are in their geometry");
-  options.Add("skip_missing_images",
-              &loading.skip_missing_images,
-              "1: go on without images whose file is missing");
-  options.Add(
-      "skip_missing_masks",
-      &loading.skip_missing_masks,
-      "1: go on without images whose mask is missing, all background or "
-      "all object");
   options.Add("OctahedralMeshing.bounding_box",
               &bounding_box,
               "x0,y0,z0,x1,y1,z1 of the object; default: from the silhouettes");

@@ -1,5 +1,5 @@
 // The options that say where a workspace's parts are, shared by the commands
-// that reconstruct.
+// that read one.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +9,11 @@
 #include "plugin/option_manager.h"
 
 namespace octacut {
+
+// Where images, model and masks are, and what to do without some of them.
+void DeclareLoadingOptions(OptionManager& options,
+                           std::filesystem::path* workspace_path,
+                           LoadSceneOptions* loading);
 
 struct WorkspaceArguments {
   std::filesystem::path workspace_path;

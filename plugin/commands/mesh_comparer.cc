@@ -5,16 +5,12 @@
 #include <filesystem>
 #include <vector>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/undistorted_camera.h"
-#include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/read_sparse_model.h"
-#include "core/base/error.h"
 #include "core/compare/compare_meshes.h"
 #include "core/compare/seen_reference.h"
-#include "core/mesh/audit.h"
-#include "core/mesh/self_intersections.h"
 #include "plugin/comparison_tables.h"
+#include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/report.h"
 
@@ -29,17 +25,8 @@ class MeshComparer : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
-  // A mesh with what is said of it on its own.
-  struct Measured {
-    IndexedMesh mesh;
-    ComparedMesh result;
-    Json json;
-  };
-
-  void CheckPaths() const;
   ReferenceFilter SeenPart(const IndexedMesh& reference) const;
-  Measured Measure(const fs::path& path, const Context& context) const;
-  std::string NameOf(const fs::path& path) const;
+  MeasuredMesh Measure(const fs::path& path, const Context& context) const;
 
   std::vector<fs::path> input_paths_;
   fs::path reference_path_;
@@ -103,25 +90,6 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
               "Ends when nothing moves further, fraction of the size");
 }
 
-// A report that replaced one of the meshes would be a bad surprise.
-void MeshComparer::CheckPaths() const {
-  if (output_path_.empty()) {
-    return;
-  }
-  std::vector<fs::path> meshes = input_paths_;
-  meshes.push_back(reference_path_);
-  for (const fs::path& mesh : meshes) {
-    std::error_code ignored;
-    if (fs::equivalent(mesh, output_path_, ignored)) {
-      throw OptionError(
-          fmt::format("output_path = {}: must not be a mesh of "
-                      "the comparison",
-                      output_path_.string()));
-    }
-  }
-  CheckFilePath(output_path_);
-}
-
 ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) const {
   const SparseModel model = ReadSparseModel(views_path_);
   std::vector<PosedCamera> cameras;
@@ -132,50 +100,20 @@ ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) const {
   return SeenByCameras(reference, std::move(cameras), seen_);
 }
 
-// The file's name, or the whole path where that is not enough.
-std::string MeshComparer::NameOf(const fs::path& path) const {
-  size_t num_equal = 0;
-  for (const fs::path& other : input_paths_) {
-    num_equal += other.filename() == path.filename();
-  }
-  return num_equal > 1 ? path.string() : path.filename().string();
-}
-
-MeshComparer::Measured MeshComparer::Measure(const fs::path& path,
-                                             const Context& context) const {
-  const Phase phase(context, fmt::format("Examine {}", NameOf(path)));
-  MeshFile file = ReadMesh(path);
-  for (const std::string& note : file.notes) {
-    context.Info(fmt::format("{}: {}", path.string(), note));
-  }
-  if (file.mesh.triangles.empty()) {
-    throw InputError(
-        fmt::format("{}: has no faces, only {} vertices; a surface is needed",
-                    path.string(),
-                    file.mesh.positions.size()));
-  }
-  Measured measured;
-  measured.result.name = NameOf(path);
-  measured.result.audit = AuditMesh(file.mesh, context);
-  measured.json["path"] = path.string();
-  measured.json["notes"] = file.notes;
-  measured.json["audit"] = AuditToJson(measured.result.audit);
-  if (self_intersections_) {
-    measured.result.self_intersections =
-        FindSelfIntersections(file.mesh, context);
-    measured.json["self_intersections"] =
-        SelfIntersectionsToJson(*measured.result.self_intersections);
-  }
-  measured.mesh = std::move(file.mesh);
-  return measured;
+MeasuredMesh MeshComparer::Measure(const fs::path& path,
+                                   const Context& context) const {
+  return MeasureMesh(
+      path, NameAmong(path, input_paths_), self_intersections_, context);
 }
 
 void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
   seen_.Check();
-  CheckPaths();
-  Measured reference = Measure(reference_path_, context);
+  std::vector<fs::path> meshes_read = input_paths_;
+  meshes_read.push_back(reference_path_);
+  CheckReportPath(output_path_, meshes_read);
+  MeasuredMesh reference = Measure(reference_path_, context);
   if (!views_path_.empty()) {
     compare_.reference_filter = SeenPart(reference.mesh);
   }
@@ -183,8 +121,8 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   std::vector<ComparedMesh> results;
   Json meshes = Json::array();
   for (const fs::path& path : input_paths_) {
-    Measured measured = Measure(path, context);
-    const Phase phase(context, fmt::format("Compare {}", NameOf(path)));
+    MeasuredMesh measured = Measure(path, context);
+    const Phase phase(context, fmt::format("Compare {}", measured.result.name));
     measured.result.comparison =
         CompareMeshes(measured.mesh, reference.mesh, compare_, context);
     measured.json["comparison"] = ComparisonToJson(*measured.result.comparison);

@@ -1,0 +1,133 @@
+#include "plugin/commands/mesh_evaluator.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <vector>
+
+#include "core/compare/evaluate_mesh.h"
+#include "plugin/measured_mesh.h"
+#include "plugin/mesh_json.h"
+#include "plugin/report.h"
+#include "plugin/text_table.h"
+#include "plugin/workspace_options.h"
+
+namespace octacut {
+namespace {
+
+class MeshEvaluator : public Command {
+ public:
+  void DeclareOptions(OptionManager& options) override;
+  void Run(const CommandEnvironment& environment) override;
+
+ private:
+  std::filesystem::path workspace_path_;
+  LoadSceneOptions loading_;
+  std::vector<std::filesystem::path> mesh_paths_;
+  std::filesystem::path output_path_;
+  int image_level_ = 10;
+  bool self_intersections_ = true;
+  EvaluateMeshOptions evaluate_;
+};
+
+void MeshEvaluator::DeclareOptions(OptionManager& options) {
+  DeclareLoadingOptions(options, &workspace_path_, &loading_);
+  options.AddRequiredRepeatable(
+      "mesh_path",
+      &mesh_paths_,
+      "Mesh to judge, in the frame of the sparse model: .ply, .obj, .off or "
+      ".stl");
+  options.Add("output_path", &output_path_, "JSON report; empty: none");
+  options.Add("image_level",
+              &image_level_,
+              "Images are held as fine as voxels of 2^-level of the region "
+              "need, never finer than they are; all pixels are theirs");
+  options.Add("self_intersections",
+              &self_intersections_,
+              "1: count the triangles that intersect others of their mesh");
+  options.Add("photometric",
+              &evaluate_.photometric,
+              "0: silhouettes only, no photographs needed");
+  options.Add("Reprojection.num_neighbors",
+              &evaluate_.reprojection.num_neighbors,
+              "Views that each view is compared with");
+  options.Add("Reprojection.min_angle",
+              &evaluate_.reprojection.min_angle,
+              "Between the directions of such views, degrees");
+  options.Add(
+      "Reprojection.max_angle", &evaluate_.reprojection.max_angle, "Degrees");
+  options.Add("Reprojection.window_radius",
+              &evaluate_.reprojection.window_radius,
+              "Of the windows of (2 r + 1)^2 pixels");
+  options.Add("Reprojection.min_contrast",
+              &evaluate_.reprojection.min_contrast,
+              "Windows of less are plain and left out, grey levels");
+}
+
+std::vector<std::string> TableRow(const std::string& name,
+                                  const MeshEvaluation& evaluation) {
+  const auto percent = [](double fraction) {
+    return fmt::format("{:.3f}", 100 * fraction);
+  };
+  const SilhouetteAgreement& silhouettes = evaluation.silhouettes;
+  std::vector<std::string> row = {
+      name,
+      percent(silhouettes.intersection_over_union),
+      percent(silhouettes.missed),
+      percent(silhouettes.excess),
+      fmt::format("{:.3f}", silhouettes.outline_mean),
+      fmt::format("{:.3f}", silhouettes.outline_percentile_95)};
+  if (const auto& reprojection = evaluation.reprojection) {
+    row.insert(row.end(),
+               {fmt::format("{:.4f}", reprojection->mean_correlation),
+                fmt::format("{:.4f}", reprojection->percentile_10),
+                percent(reprojection->compared_fraction)});
+  }
+  return row;
+}
+
+void MeshEvaluator::Run(const CommandEnvironment& environment) {
+  const Context& context = environment.context;
+  evaluate_.Check();
+  CheckReportPath(output_path_, mesh_paths_);
+  loading_.load_images = evaluate_.photometric;
+  const LoadedScene loaded =
+      LoadScene(workspace_path_, loading_, image_level_, context);
+  std::vector<std::string> heading = {"mesh",
+                                      "overlap, %",
+                                      "missed, %",
+                                      "excess, %",
+                                      "outline: mean, pixels",
+                                      "95 %"};
+  if (evaluate_.photometric) {
+    heading.insert(heading.end(), {"correlation: mean", "10 %", "compared, %"});
+  }
+  TextTable table(std::move(heading));
+  Json meshes = Json::array();
+  for (const std::filesystem::path& path : mesh_paths_) {
+    MeasuredMesh measured = MeasureMesh(
+        path, NameAmong(path, mesh_paths_), self_intersections_, context);
+    const Phase phase(context,
+                      fmt::format("Evaluate {}", measured.result.name));
+    const MeshEvaluation evaluation =
+        EvaluateMesh(measured.mesh, loaded.scene.views, evaluate_, context);
+    measured.json.update(EvaluationToJson(evaluation, loaded.scene.views));
+    meshes.push_back(std::move(measured.json));
+    table.AddRow(TableRow(measured.result.name, evaluation));
+  }
+  environment.out << table.ToString();
+  if (!output_path_.empty()) {
+    Json report = MakeReport(environment);
+    report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
+    report["meshes"] = std::move(meshes);
+    WriteReport(output_path_, report);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Command> MakeMeshEvaluator() {
+  return std::make_unique<MeshEvaluator>();
+}
+
+}  // namespace octacut

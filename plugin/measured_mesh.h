@@ -1,0 +1,38 @@
+// A mesh file with what is said of it on its own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "plugin/comparison_tables.h"
+#include "plugin/option_value.h"
+
+namespace octacut {
+
+struct MeasuredMesh {
+  IndexedMesh mesh;
+  ComparedMesh result;  // named; without a comparison
+  // {"path", "notes", "audit", "self_intersections" if counted}
+  Json json;
+};
+
+// Throws InputError for a file that is no mesh with faces.
+MeasuredMesh MeasureMesh(const std::filesystem::path& path,
+                         const std::string& name,
+                         bool self_intersections,
+                         const Context& context);
+
+// The file's name, or the whole path where another of `paths` has the same.
+std::string NameAmong(const std::filesystem::path& path,
+                      const std::vector<std::filesystem::path>& paths);
+
+// A report that replaced one of the meshes would be a bad surprise: throws
+// OptionError for an output_path that is one of them, InputError for one that
+// cannot be written. An empty one is none.
+void CheckReportPath(const std::filesystem::path& output_path,
+                     const std::vector<std::filesystem::path>& meshes);
+
+}  // namespace octacut

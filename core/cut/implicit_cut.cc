@@ -1,8 +1,5 @@
 #include "core/cut/implicit_cut.h"
 
-#include <tbb/parallel_invoke.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <bit>
 #include <memory>
@@ -11,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/cut/cut_problem.h"
 #include "core/cut/flow_state.h"
+#include "core/cut/region_search.h"
 #include "core/cut/search_forest.h"
 
 namespace octacut {
@@ -74,72 +72,6 @@ std::vector<uint32_t> RegionEnds(const VoxelWalk& walk,
   return ends;
 }
 
-// Searches regions and joins them pairwise, bottom up.
-template <typename Flow>
-class RegionSearch {
- public:
-  RegionSearch(FlowState<Flow>& state,
-               std::span<const uint32_t> ends,
-               const SearchObserver& observer,
-               const Context& context)
-      : state_(state), ends_(ends), observer_(observer), context_(context) {}
-
-  // Leaves the side of every node in its word.
-  void Run() {
-    if (ends_.empty()) {
-      return;
-    }
-    if (context_.NumThreads() == 1) {
-      Search(0, ends_.size())->Finish();
-      return;
-    }
-    // More threads than cores would gain nothing, and oneTBB would complain.
-    tbb::task_arena arena(std::min(context_.NumThreads(),
-                                   tbb::this_task_arena::max_concurrency()));
-    std::unique_ptr<SearchForest<Flow>> forest;
-    arena.execute([&] { forest = Search(0, ends_.size()); });
-    forest->Finish();
-  }
-
- private:
-  void Observe(size_t begin, size_t end, bool begins) const {
-    if (observer_) {
-      observer_(begin, end, begins);
-    }
-  }
-
-  std::unique_ptr<SearchForest<Flow>> Search(size_t begin, size_t end) {
-    std::unique_ptr<SearchForest<Flow>> low, high;
-    const size_t middle = (begin + end) / 2;
-    if (end - begin > 1) {
-      const auto search_low = [&] { low = Search(begin, middle); };
-      const auto search_high = [&] { high = Search(middle, end); };
-      if (context_.NumThreads() == 1) {
-        search_low();
-        search_high();
-      } else {
-        tbb::parallel_invoke(search_low, search_high);
-      }
-    }
-    Observe(begin, end, true);
-    if (high != nullptr) {
-      low->Absorb(*high);
-      high.reset();
-    } else {
-      low = std::make_unique<SearchForest<Flow>>(
-          state_, begin == 0 ? 0 : ends_[begin - 1], ends_[begin], context_);
-    }
-    low->Run();
-    Observe(begin, end, false);
-    return low;
-  }
-
-  FlowState<Flow>& state_;
-  std::span<const uint32_t> ends_;
-  const SearchObserver& observer_;
-  const Context& context_;
-};
-
 template <typename Flow>
 using KeptFlows = std::unique_ptr<FlowState<Flow>>;
 
@@ -169,6 +101,7 @@ void SearchOn(const OctahedralCutProblem& problem,
   const std::vector<NodeId> changed =
       flows.GrowTo(problem, walk, merged_ties, before, context);
   std::vector<FaceTies>().swap(merged_ties);
+  const Phase phase(context, "minimum cut of the grown crust");
   SearchForest<Flow> forest(flows, changed, context);
   forest.Run();
   forest.Finish();

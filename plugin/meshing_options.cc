@@ -119,6 +119,9 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.max_grow_rounds",
               &meshing->max_grow_rounds,
               "Times that a crust is grown where its cut touches its border");
+  options.Add("OctahedralMeshing.lean_cut",
+              &meshing->cut.lean,
+              "1: cuts with weights of 14 bits, a third less memory");
   DeclareConsistencyOptions(options, meshing);
   DeclareEvidenceOptions(options, &meshing->evidence);
   options.Add("OctahedralMeshing.min_component",

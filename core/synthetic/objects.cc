@@ -1,5 +1,7 @@
 #include "core/synthetic/objects.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -17,6 +19,11 @@ void ObjectParameters::Check() const {
               "rod_radius",
               rod_radius,
               "must be in [0.005, 0.3]");
+  // Thicker ones would grow together.
+  CheckOption(finger_radius >= 0.005 && finger_radius <= 0.08,
+              "finger_radius",
+              finger_radius,
+              "must be in [0.005, 0.08]");
 }
 
 namespace {
@@ -56,25 +63,45 @@ SyntheticObject MakeRods(double radius) {
   return {Union(std::move(rods), radius)};
 }
 
-SyntheticObject MakeFingers() {
+SyntheticObject MakeFingers(double tip_radius) {
+  const double scale = tip_radius / 0.065;
   std::vector<ImplicitShape> parts;
   parts.push_back(Move(MakeBox({0.5, 0.16, 0.4}, 0.14), {0, 0, -0.45}));
   const double lengths[] = {0.72, 0.85, 0.8, 0.6};
   for (int i = 0; i < 4; ++i) {
     const double x = -0.39 + 0.26 * i;
-    parts.push_back(MakeBar(
-        {x, 0, -0.15}, {1.5 * x, -0.05, -0.15 + lengths[i]}, 0.1, 0.065));
+    parts.push_back(MakeBar({x, 0, -0.15},
+                            {1.5 * x, -0.05, -0.15 + lengths[i]},
+                            0.1 * scale,
+                            tip_radius));
   }
-  parts.push_back(MakeTube({{0.35, 0, -0.6, 0.12},
-                            {0.6, -0.1, -0.4, 0.11},
-                            {0.78, -0.25, -0.1, 0.075}}));
-  return {Union(std::move(parts), 0.06)};
+  parts.push_back(MakeTube({{0.35, 0, -0.6, 0.12 * scale},
+                            {0.6, -0.1, -0.4, 0.11 * scale},
+                            {0.78, -0.25, -0.1, 0.075 * scale}}));
+  return {Union(std::move(parts), 0.06 * std::min(scale, 1.0))};
 }
 
 SyntheticObject MakeTouchingSpheres() {
   return {Union({Move(MakeSphere(0.5), {-0.495, 0, 0}),
                  Move(MakeSphere(0.5), {0.495, 0, 0})},
                 0.1)};
+}
+
+// Broad folds, and relief of a few hundredths on them, whose slopes stay within
+// the bounds that Displace is told.
+double LumpRelief(const Eigen::Vector3d& p) {
+  return 0.05 * std::sin(5 * p.x() + 2 * p.z()) * std::sin(4 * p.z() - p.y()) +
+         0.012 * std::sin(17 * p.x()) * std::sin(15 * p.y() + 3 * p.x()) *
+             std::sin(16 * p.z() + 2);
+}
+
+SyntheticObject MakeLump() {
+  const ImplicitShape body =
+      Union({Stretch(MakeSphere(1), {0.62, 0.7, 0.85}),
+             Move(MakeBar({0, 0, 0}, {0.3, 0, 0}, 0.22, 0.12), {0.5, 0, 0.1}),
+             Move(MakeSphere(0.3), {-0.35, 0.5, 0.45})},
+            0.2);
+  return {Displace(body, &LumpRelief, 0.062, 1.1)};
 }
 
 }  // namespace
@@ -98,10 +125,13 @@ SyntheticObject MakeObject(std::string_view name,
     return MakeRods(parameters.rod_radius);
   }
   if (name == "fingers") {
-    return MakeFingers();
+    return MakeFingers(parameters.finger_radius);
   }
   if (name == "touching_spheres") {
     return MakeTouchingSpheres();
+  }
+  if (name == "lump") {
+    return MakeLump();
   }
   if (name == "example") {
     return {MakeBeastEwer(), 1};
@@ -117,6 +147,7 @@ std::vector<std::string> ObjectNames() {
           "rods",
           "fingers",
           "touching_spheres",
+          "lump",
           "example"};
 }
 

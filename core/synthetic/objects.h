@@ -13,6 +13,8 @@ namespace octacut {
 struct ObjectParameters {
   double cup_depth = 1;      // of the cup's cavity, in its diameters
   double rod_radius = 0.04;  // of the rods
+  // Of the fingers at their tips; they are half as thick again at the palm.
+  double finger_radius = 0.065;
 
   void Check() const;  // throws OptionError
 };
@@ -26,7 +28,8 @@ struct SyntheticObject {
 
 // "sphere", "torus", "box" (rotated), "cup" (a round cavity), "rods" (three
 // crossed cylinders), "fingers" (a hand), "touching_spheres" (joined by a
-// narrow neck), "example". Throws OptionError for other names.
+// narrow neck), "lump" (a smooth body with folds and relief), "example". Throws
+// OptionError for other names.
 SyntheticObject MakeObject(std::string_view name,
                            const ObjectParameters& parameters = {});
 std::vector<std::string> ObjectNames();

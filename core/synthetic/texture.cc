@@ -15,6 +15,12 @@ void TextureOptions::Check() const {
               contrast,
               "must be in [0, 1]");
   CheckOption(scale > 0, "texture.scale", scale, "must be positive");
+  CheckOption(plain_share >= 0 && plain_share <= 1,
+              "texture.plain_share",
+              plain_share,
+              "must be in [0, 1]");
+  CheckOption(
+      plain_size > 0, "texture.plain_size", plain_size, "must be positive");
   CheckOption((color.array() >= 0).all() && (color.array() <= 1).all(),
               "texture.color",
               color.maxCoeff(),
@@ -100,9 +106,25 @@ Vector3f Patina(const Vector3f& base, const Vector3f& p, uint32_t seed) {
   return color * (1 + 0.5f * grain);
 }
 
+bool IsInPlainCube(const TextureOptions& options, const Vector3f& point) {
+  if (options.plain_share <= 0) {
+    return false;
+  }
+  const Eigen::Array3d cube =
+      (point.cast<double>() / options.plain_size).array().floor();
+  const auto bits = [&](int axis) {
+    return static_cast<uint64_t>(static_cast<int64_t>(cube[axis]));
+  };
+  return HashUniform(HashBits(options.seed, bits(0), bits(1), bits(2))) <
+         options.plain_share;
+}
+
 }  // namespace
 
 Vector3f TextureColor(const TextureOptions& options, const Vector3f& point) {
+  if (IsInPlainCube(options, point)) {
+    return options.color;
+  }
   const Vector3f p = point / static_cast<float>(options.scale);
   Vector3f color = options.color;
   switch (options.kind) {

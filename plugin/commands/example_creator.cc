@@ -48,6 +48,47 @@ void DeclareDegradation(OptionManager& options, DegradeOptions* degrade) {
               "Standard deviation of the poses' error, pixels in the image");
 }
 
+// The object's form and what its surface looks like.
+void DeclareSurface(OptionManager& options, SceneSpec* scene) {
+  options.Add("Scene.cup_depth",
+              &scene->parameters.cup_depth,
+              "Of the cup's cavity, in its diameters");
+  options.Add("Scene.rod_radius",
+              &scene->parameters.rod_radius,
+              "Of the rods, whose length is 1.8");
+  options.Add("Scene.finger_radius",
+              &scene->parameters.finger_radius,
+              "Of the fingers' tips; the hand is about 1.6 in size");
+  options.AddEnum("Scene.texture",
+                  &scene->texture.kind,
+                  {{"plain", TextureKind::kPlain},
+                   {"marble", TextureKind::kMarble},
+                   {"speckle", TextureKind::kSpeckle},
+                   {"painted", TextureKind::kPainted}},
+                  "Texture of the object");
+  options.Add("Scene.texture_contrast",
+              &scene->texture.contrast,
+              "0: plain, 1: in full");
+  options.Add("Scene.texture_scale",
+              &scene->texture.scale,
+              "Size of its largest features; the object is about 2 in size");
+  options.Add("Scene.plain_share",
+              &scene->texture.plain_share,
+              "Of the object's parts those without texture, 0 .. 1");
+  options.Add("Scene.plain_size", &scene->texture.plain_size, "Of such parts");
+  options.AddEnum(
+      "Scene.background",
+      &scene->background.kind,
+      {{"plain", BackgroundKind::kPlain}, {"room", BackgroundKind::kRoom}},
+      "What is behind the object");
+  options.Add("Scene.lights_fixed_to_camera",
+              &scene->lighting.fixed_to_camera,
+              "1: the lights turn with the camera, as on a turntable");
+  options.Add("Scene.specular",
+              &scene->lighting.specular,
+              "Strength of highlights; 0: matte");
+}
+
 void ExampleCreator::DeclareOptions(OptionManager& options) {
   options.AddRequired("output_path", &output_path_, "Folder of the workspace");
   options.Add("overwrite",
@@ -85,27 +126,7 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
               &scene_.rig.fill,
               "Size of the object in units of the image's smaller side");
   options.Add("Rig.k1", &scene_.rig.k1, "Radial distortion (SIMPLE_RADIAL)");
-  options.AddEnum("Scene.texture",
-                  &scene_.texture.kind,
-                  {{"plain", TextureKind::kPlain},
-                   {"marble", TextureKind::kMarble},
-                   {"speckle", TextureKind::kSpeckle},
-                   {"painted", TextureKind::kPainted}},
-                  "Texture of the object");
-  options.Add("Scene.texture_contrast",
-              &scene_.texture.contrast,
-              "0: plain, 1: in full");
-  options.AddEnum(
-      "Scene.background",
-      &scene_.background.kind,
-      {{"plain", BackgroundKind::kPlain}, {"room", BackgroundKind::kRoom}},
-      "What is behind the object");
-  options.Add("Scene.lights_fixed_to_camera",
-              &scene_.lighting.fixed_to_camera,
-              "1: the lights turn with the camera, as on a turntable");
-  options.Add("Scene.specular",
-              &scene_.lighting.specular,
-              "Strength of highlights; 0: matte");
+  DeclareSurface(options, &scene_);
   DeclareDegradation(options, &scene_.degrade);
 }
 

@@ -81,6 +81,30 @@ TEST(TextureColor, ContrastGoesFromPlainToFull) {
   }
 }
 
+TEST(TextureColor, PlainPartsHaveOneColorAndTheShareAskedFor) {
+  TextureOptions textured;
+  TextureOptions patchy = textured;
+  patchy.plain_share = 0.4;
+  patchy.plain_size = 0.1;
+  int num_plain = 0;
+  constexpr int kSide = 40;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const Eigen::Vector3f middle(0.1f * float(i % kSide) - 1.95f,
+                                 0.1f * float(i / kSide) - 1.95f,
+                                 0.05f);
+    const Eigen::Vector3f color = TextureColor(patchy, middle);
+    const bool plain = color == patchy.color;
+    num_plain += plain;
+    if (plain) {  // all of its cube
+      EXPECT_EQ(TextureColor(patchy, middle + Eigen::Vector3f(0.04f, 0, 0)),
+                patchy.color);
+    } else {
+      EXPECT_EQ(color, TextureColor(textured, middle));
+    }
+  }
+  EXPECT_NEAR(num_plain / double(kSide * kSide), 0.4, 0.04);
+}
+
 TEST(TextureOptions, RefusesBadValues) {
   TextureOptions options;
   options.contrast = 1.5;

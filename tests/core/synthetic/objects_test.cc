@@ -65,10 +65,24 @@ TEST(MakeObject, RodsAreAsThickAsAsked) {
   EXPECT_NEAR(Volume(mesh) / expected, 1, 0.05);
 }
 
+TEST(MakeObject, FingersAreAsThickAsAsked) {
+  for (const double radius : {0.02, 0.04, 0.065}) {
+    const SyntheticObject hand =
+        MakeObject("fingers", {.finger_radius = radius});
+    // Across the tip of the longest finger.
+    const Eigen::Vector3d tip(-0.195, -0.05, 0.7);
+    EXPECT_NEAR(hand.shape(tip), -radius, 1e-3) << radius;
+    EXPECT_NEAR(
+        hand.shape(tip + Eigen::Vector3d(0, 2 * radius, 0)), radius, 2e-3)
+        << radius;
+  }
+}
+
 TEST(MakeObject, RefusesUnknownNamesAndBadParameters) {
   EXPECT_THROW(MakeObject("teapot"), OptionError);
   EXPECT_THROW(MakeObject("cup", {.cup_depth = 0}), OptionError);
   EXPECT_THROW(MakeObject("rods", {.rod_radius = 1}), OptionError);
+  EXPECT_THROW(MakeObject("fingers", {.finger_radius = 0.2}), OptionError);
 }
 
 }  // namespace

@@ -18,6 +18,8 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# shellcheck source-path=SCRIPTDIR source=measuring.sh
+source "$root/workflows/measuring.sh"
 
 # name, folder, model, ground truth, whether the mesh is aligned to that first
 # (the mapper's cameras agree with the exact ones only nearly).
@@ -71,21 +73,9 @@ done
   fail "num_threads = $threads: must be at least 1"
 [[ $redo == [01] ]] || fail "redo = $redo: must be 0 or 1"
 
-# --only igea stands for igea-exact and igea-mapper.
-is_wanted() {
-  local wanted
-  [[ -z $only ]] && return 0
-  for wanted in ${only//,/ }; do
-    [[ $1 == "$wanted" || $1 == "$wanted"-* ]] && return 0
-  done
-  return 1
-}
-
-for wanted in ${only//,/ }; do
-  printf '%s\n' "${scenes[@]}" | grep -q "^${wanted}[- ]" ||
-    fail "only = $wanted: no such scene; there are" \
-      "$(printf '%s\n' "${scenes[@]}" | awk '{ printf "%s ", $1 }')"
-done
+unknown=$(unknown_of "$only" "${scenes[@]%% *}")
+[[ -z $unknown ]] ||
+  fail "only = $unknown: no such scene; there are ${scenes[*]%% *}"
 
 command -v jq >/dev/null || "$root/workflows/setup.sh"
 octacut=$("$root/workflows/find_octacut.sh")
@@ -95,34 +85,6 @@ work=$(cd "$work" && pwd)
 stamp=$work/executable
 touch -r "$octacut" "$stamp"
 [[ -d $data ]] && data=$(cd "$data" && pwd)
-
-# fresh REPORT SOURCE...: a whole report, newer than executable and sources.
-fresh() {
-  local report=$1 source
-  jq -e .version "$report" >/dev/null 2>&1 || return 1
-  for source in "$stamp" "${@:2}"; do
-    [[ $report -nt $source ]] || return 1
-  done
-}
-
-# step FOLDER NAME COMMAND OPTION...: runs octacut, its messages into
-# FOLDER/NAME.log. On failure `error` says what went wrong.
-step() {
-  local folder=$1 name=$2 begin=$SECONDS status=0
-  shift 2
-  echo "  $1 ..."
-  "$octacut" "$@" --num_threads "$threads" --log_color 0 \
-    >"$folder/$name.log" 2>&1 || status=$?
-  ((status == 130)) && exit 130
-  if ((status == 0)); then
-    echo "  $1: $((SECONDS - begin)) s"
-    return 0
-  fi
-  error=$(sed -n 's/^ERROR: //p' "$folder/$name.log" | tail -n 1)
-  [[ -n $error ]] || error=$(tail -n 1 "$folder/$name.log")
-  error="$1: ${error:-no message} (exit code $status)"
-  return 1
-}
 
 # The commands below are run under `if`, where set -e does not hold.
 
@@ -214,14 +176,6 @@ record() {
     mesh: $mesh[0], hull: $hull[0], comparison: $comparison[0]}'
 }
 
-machine() {
-  awk -F ': *' -v threads="$(nproc)" '
-    /^model name/ { cpu = $2 }
-    /^MemTotal/ { memory = $2 / 1048576 }
-    END { printf "%s, %d threads, %.0f GB of memory\n", cpu, threads, memory }
-  ' /proc/cpuinfo /proc/meminfo
-}
-
 trap 'exit 130' INT
 failed=0
 records=$work/level_$level/scenes.jsonl
@@ -233,7 +187,7 @@ for scene in "${scenes[@]}"; do
   [[ $dataset == - ]] && workspace=$work/example
   state="done"
   error=
-  if ! is_wanted "$name"; then
+  if ! is_among "$name" "$only"; then
     if ! up_to_date "$folder"; then
       state=left_out
       error="not run: not among --only"
@@ -254,7 +208,7 @@ for scene in "${scenes[@]}"; do
   record "$state" "$error" "$name" "$model" "$truth" "$align" >>"$records"
 done
 
-jq -rs --arg machine "$(machine)" --argjson level "$level" \
+jq -L "$root/workflows" -rs --arg machine "$(machine)" --argjson level "$level" \
   --argjson threads "$threads" -f "$root/workflows/results_tables.jq" \
   "$records" >"$results.part"
 mv "$results.part" "$results"

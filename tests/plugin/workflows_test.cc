@@ -123,6 +123,32 @@ TEST(Workflows, AfterMapperFailsWithTheMesher) {
   EXPECT_THAT(result.err, HasSubstr("ERROR: "));
 }
 
+TEST(Workflows, BenchmarkAccuracyPicksScenesAndSets) {
+  const auto list = [](const std::string& options) {
+    return RunWorkflow("benchmark_accuracy.sh", "--list 1 " + options);
+  };
+  const ProgramResult all = list("");
+  ASSERT_EQ(all.exit_code, 0) << all.err;
+  EXPECT_THAT(all.out, HasSubstr("scenes: cup-2 clean default at level 8"));
+  EXPECT_THAT(all.out, HasSubstr("scenes: temple clean default at level 9"));
+  EXPECT_EQ(list("--only degraded --scenes lump --sets eroded-2,noise").out,
+            "degraded: lump noise-5 default at level 8\n"
+            "degraded: lump eroded-2 default at level 8\n");
+  EXPECT_EQ(
+      list("--only ablations --scenes rocker --sets hull --data_level 7").out,
+      "ablations: rocker-exact clean hull at level 7\n");
+  for (const auto& [options, message] :
+       {std::pair("--scenes teapot", "scenes = teapot: there are example"),
+        std::pair("--sets best", "sets = best: there are default"),
+        std::pair("--only all", "only = all: there are scenes"),
+        std::pair("--level 99", "level = 99: must be"),
+        std::pair("--levle 9", "--levle: no such option")}) {
+    const ProgramResult result = list(options);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr(message));
+  }
+}
+
 TEST(Workflows, PassShellcheck) {
   if (std::system("command -v shellcheck >/dev/null") != 0) {
     GTEST_SKIP() << "shellcheck is not installed";

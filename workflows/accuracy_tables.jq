@@ -1,0 +1,182 @@
+# docs/accuracy.md from the runs that benchmark_accuracy.sh has recorded: an
+# array of {scene, degradation, set, level, state, message, cpu_seconds,
+# seconds, audit, truth, comparison, evaluation}; what was not measured is null.
+# Arguments: $machine, $command (texts), $level, $data_level, $threads;
+# $own_scenes, $degradations, $option_sets (lines "name options").
+
+include "tables";
+
+def is_clean: .degradation == "clean";
+def is_default: .set == "default";
+
+def distances($side):
+  .comparison[$side]
+  | .mean_over_diagonal, .percentile_90_over_diagonal, .max_over_diagonal
+  | percent(3);
+def f_scores: .comparison.scores[] | .f_score | percent(1);
+
+# What is not as in the truth is bold.
+def against($found; $true):
+  if $found == null then missing
+  elif $true == null or $found == $true then $found | tostring
+  else "**\($found)** (\($true))" end;
+def genus: against(.audit.genus; .truth.genus);
+def parts: against(.audit.components; .truth.components);
+def crossings:
+  .evaluation.self_intersections.triangles
+  | if . == null or . == 0 then count else "**\(count)**" end;
+
+def distance_columns:
+  ["to: mean", "90 %", "max", "from: mean", "90 %", "max", "F 0.1 %", "0.2 %",
+   "0.5 %"];
+def distance_cells:
+  if .comparison == null then [range(9) | missing]
+  else [distances("to_reference"), distances("from_reference"), f_scores] end;
+
+def shape_columns: ["genus", "parts", "self-int."];
+def shape_cells: [genus, parts, crossings];
+
+def image_columns:
+  ["overlap %", "missed %", "excess %", "outline px", "95 % px", "NCC",
+   "NCC 10 %", "compared %"];
+def image_cells:
+  (.evaluation.silhouettes
+   | [(.intersection_over_union | percent(2)), (.missed | percent(2)),
+      (.excess | percent(2)), (.outline_mean | fixed(2)),
+      (.outline_percentile_95 | fixed(2))])
+  + (.evaluation.reprojection
+     | [(.mean_correlation | fixed(3)), (.percentile_10 | fixed(3)),
+        (.compared_fraction | percent(1))]);
+
+def time_columns: ["s", "CPU s"];
+def time_cells: [(.seconds | seconds), (.cpu_seconds | seconds)];
+
+# The run of the same scene that this one is held against.
+def clean_run($runs):
+  . as $run
+  | $runs | map(select(.scene == $run.scene and is_clean and is_default
+                       and .comparison)) | .[0];
+# The mean error, both ways, in units of that of the clean scene.
+def mean_error:
+  .comparison
+  | (.to_reference.mean_over_diagonal + .from_reference.mean_over_diagonal) / 2;
+def times($reference):
+  if . == null or $reference == null then null
+  else mean_error / ($reference | mean_error) end;
+
+def worse_or_not($limit):
+  if . == null then missing
+  elif . > $limit then "**\(fixed(2))**" else fixed(2) end;
+
+# Rows of sets or degradations of a scene, the clean default first.
+def changed_rows($runs; $limit; name):
+  group_by(.scene)[]
+  | (.[0] | clean_run($runs)) as $reference
+  | ($reference | select(. != null)), (sort_by(.order)[])
+  | [.scene, (if is_clean and is_default then "–" else name end)]
+    + distance_cells
+    + [times($reference) | worse_or_not($limit)]
+    + shape_cells
+    + [(.evaluation.silhouettes.outline_mean | fixed(2)),
+       (.evaluation.reprojection.mean_correlation | fixed(3))]
+    + time_cells
+  | row;
+def changed_columns($what):
+  ["scene", $what] + distance_columns + ["x clean"] + shape_columns
+  + ["outline px", "NCC"] + time_columns;
+
+def names: [.[] | "\(.scene)"
+  + (if is_clean then "" else " \(.degradation)" end)
+  + (if is_default then "" else " \(.set)" end)] | join(", ");
+# A line of the table of aims: those of the runs that miss it.
+def aim($text; misses):
+  length as $all | [.[] | select(misses)] as $missing
+  | select($all > 0)
+  | [$text, "\($all - ($missing | length)) of \($all)",
+     (if $missing == [] then "–" else $missing | names end)]
+  | row;
+
+def aims($runs):
+  def f_at_least($f): .comparison.scores[0].f_score < $f;
+  def means_above($to; $from):
+    .comparison | .to_reference.mean_over_diagonal > $to
+      or .from_reference.mean_over_diagonal > $from;
+  ($runs | map(select(.set != "hull"))) as $made
+  | ($made | map(select(.evaluation))
+     | aim("no self-intersecting triangle";
+           .evaluation.self_intersections.triangles > 0)),
+    ($made | map(select(.truth and is_clean and is_default))
+     | aim("genus and components of the truth (clean scenes)";
+           .audit.genus != .truth.genus
+           or .audit.components != .truth.components)),
+    ($made
+     | map(select(.comparison and (.degradation
+         | IN("eroded-2", "dilated-2", "poses-0.5"))))
+     | aim("masks off by 2 pixels, poses by 0.5: error at most 1.5 x";
+           (. | times(clean_run($runs))) as $times
+           | $times != null and $times > 1.5)),
+    ($made | map(select(.scene == "igea-exact" and .comparison and .level == 9))
+     | aim("igea, exact: 0.035 / 0.04 %, F 0.95";
+           means_above(0.00035; 0.0004) or f_at_least(0.95))),
+    ($made | map(select(.scene == "rocker-exact" and .comparison and .level == 9))
+     | aim("rocker, exact: 0.08 / 0.10 %, F 0.80";
+           means_above(0.0008; 0.001) or f_at_least(0.8)));
+
+def bullets: split("\n")[] | select(. != "")
+  | capture("^(?<name>\\S+)\\s*(?<options>.*)$")
+  | "- \(.name)" + (if .options == "" then "" else ": `\(.options)`" end);
+
+to_entries | map(.value + {order: .key}) | . as $runs
+| map(select(.evaluation)) as $done
+| ($done | map(select(is_clean and is_default))) as $default
+| ($done | map(select(is_clean | not))) as $degraded
+| ($done | map(select(is_clean and (is_default | not)))) as $ablated
+| ($runs | map(select(.state == "failed"))) as $failed
+| ($runs | map(select(.state == "left_out"))) as $left_out
+| "# Accuracy",
+  "",
+  "Made by `\($command)`; not to be edited. octacut \([.[] | .version // empty] | unique | join(", ")) with \($threads) threads on: \($machine). Its own scenes at \(pow(2; $level))³ voxels, data sets at \(pow(2; $data_level))³.",
+  "",
+  "Distances in % of the diagonal of the ground truth's bounding box, from the mesh to the truth (accuracy) and from it to the mesh (completeness), over the part of the truth that at least three cameras see. F-scores in %, at thresholds in % of the diagonal. Genus and components that differ from the truth's (in brackets) are bold. Self-int.: triangles that cross another one.",
+  "",
+  "Silhouettes: overlap is intersection over union, missed is the object's pixels that the mesh does not cover, excess the background's that it covers, both in % of the object's; outline is the distance between both outlines, pixels. NCC: zero-mean normalised correlation of each view with four neighbours, reprojected over the mesh, in windows of 7 x 7; mean, the tenth from below, and how much of the mesh could be compared. Degraded scenes are judged by the clean masks, cameras and images. Masks that are larger or smaller than the object by part of a pixel show in these figures too.",
+  "",
+  "s: wall seconds of the reconstruction, under whatever load the machine had; CPU s: its seconds of computing.",
+  ($failed | select(length > 0) | "",
+   (.[] | "- **\([.] | names) failed**: \(.message)")),
+  ($left_out | select(length > 0) | "",
+   "Not run: \(length) of \($runs | length)"
+     + (map(.scene) | unique | map(select(. as $name
+          | all($default[]; .scene != $name)))
+        | if . == [] then "" else "; not at all: \(join(", "))" end) + "."),
+  "",
+  "## Aims",
+  "",
+  table(["aim", "met", "missed by"]; $done | aims($done)),
+  "",
+  "## Scenes",
+  "",
+  table(["scene"] + distance_columns + shape_columns + time_columns;
+        $default[] | [.scene] + distance_cells + shape_cells + time_cells | row),
+  "",
+  table(["scene"] + image_columns;
+        $default[] | [.scene] + image_cells | row),
+  "",
+  "Photograph, mesh and mesh with its colours:",
+  "",
+  (if any($default[]; .truth and .level == $level)
+   then "![octacut's own scenes](accuracy_own.jpg)", "" else empty end),
+  (if any($default[]; .scene | test("^(igea|rocker|temple|dino|bunny)"))
+   then "![Data sets](accuracy_data.jpg)", "" else empty end),
+  "octacut's own scenes, options of `octacut example_creator`:",
+  "",
+  ($own_scenes | bullets),
+  ($degraded | select(length > 0) | "",
+   "## Degraded scenes", "",
+   "The mean of accuracy and completeness over that of the clean scene: \"x clean\".", "",
+   table(changed_columns("degraded"); changed_rows($runs; 1.5; .degradation)),
+   "", ($degradations | bullets)),
+  ($ablated | select(length > 0) | "",
+   "## One option changed", "",
+   table(changed_columns("set"); changed_rows($runs; 1.05; .set)),
+   "", ($option_sets | bullets))

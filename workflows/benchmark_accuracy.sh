@@ -1,0 +1,384 @@
+#!/usr/bin/env bash
+# Measures accuracy on scenes with ground truth, on worsened ones and with one
+# option changed at a time, and what silhouettes and photographs say of the real
+# sets without truth. Writes docs/accuracy.md and its pictures.
+#
+#   workflows/benchmark_accuracy.sh [DATA_FOLDER] [options]
+#
+# DATA_FOLDER           default: $OCTACUT_SHARED_DATA, else ../shared/data
+#                       beside the source tree; only read. What is not there is
+#                       left out
+# --level 8             of octacut's own scenes: (2^level)^3 voxels
+# --data_level 9        of the data sets
+# --only PART,...       of scenes, degraded, ablations
+# --scenes SCENE,...    these alone
+# --sets SET,...        these option sets and degradations alone
+# --list 1              only say what would be run
+# --work_path DIR       scenes, meshes, reports; default build/accuracy
+# --results_path FILE   default docs/accuracy.md; pictures go beside it
+# --num_threads 2
+# --redo 1              also what is up to date: made after the executable, with
+#                       the same options
+#
+# What is not run keeps the figures of an earlier run, where those are up to
+# date; a run that was interrupted goes on where it was. All of it should take
+# some 40 minutes on two idle cores (an estimate from single scenes). Exits with
+# 1 when something failed; what has worked is written.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+# shellcheck source-path=SCRIPTDIR source=measuring.sh
+source "$root/workflows/measuring.sh"
+
+# Scenes of octacut's own: name, options of example_creator. The numbers of
+# rods and fingers are their thickness in voxels of 128^3; fingers at the tips.
+own_scenes=(
+  "example --scene example --reference_resolution 200"
+  "lump --scene lump --Scene.texture marble --reference_resolution 120"
+  "cup-1 --scene cup --reference_resolution 120"
+  "cup-2 --scene cup --Scene.cup_depth 2 --reference_resolution 120"
+  "rods-2 --scene rods --Scene.rod_radius 0.0152 --reference_resolution 250"
+  "rods-3 --scene rods --Scene.rod_radius 0.0228 --reference_resolution 200"
+  "rods-5 --scene rods --Scene.rod_radius 0.038 --reference_resolution 150"
+  "fingers-2 --scene fingers --Scene.finger_radius 0.0133 --reference_resolution 250"
+  "fingers-3 --scene fingers --Scene.finger_radius 0.02 --reference_resolution 200"
+  "fingers-5 --scene fingers --Scene.finger_radius 0.0333 --reference_resolution 150"
+  "touching --scene touching_spheres --reference_resolution 120"
+  "shiny --scene sphere --Scene.specular 0.6 --reference_resolution 120"
+  "walls --scene box --Scene.plain_share 0.4 --reference_resolution 120"
+  "turntable-light --scene torus --Scene.lights_fixed_to_camera 1 --reference_resolution 120"
+)
+# For all of them: pictures small enough that a run at 256^3 takes some 20 s.
+own_options=(--width 640 --height 480 --num_views 36)
+
+# Data sets: name, folder, model, ground truth, whether the mesh is aligned to
+# that first (the mapper's cameras agree with the exact ones only nearly).
+data_sets=(
+  "igea-exact    igea   sparse_gt gt/mesh.ply 0"
+  "igea-mapper   igea   sparse/0  gt/mesh.ply 1"
+  "rocker-exact  rocker sparse_gt gt/mesh.ply 0"
+  "rocker-mapper rocker sparse/0  gt/mesh.ply 1"
+  "temple        temple sparse/0  -           0"
+  "dino          dino   sparse/0  -           0"
+  "bunny         bunny  sparse/0  -           0"
+)
+
+# What is made worse, of which own scenes.
+degraded_scenes=(example lump cup-1)
+degradations=(
+  "noise-5     --Degrade.pixel_noise 5"
+  "eroded-1    --Degrade.mask_offset -1"
+  "eroded-2    --Degrade.mask_offset -2"
+  "eroded-4    --Degrade.mask_offset -4"
+  "dilated-1   --Degrade.mask_offset 1"
+  "dilated-2   --Degrade.mask_offset 2"
+  "dilated-4   --Degrade.mask_offset 4"
+  "holes       --Degrade.num_mask_holes 12 --Degrade.num_mask_specks 12 --Degrade.mask_defect_radius 3"
+  "poses-0.25  --Degrade.pose_noise 0.25"
+  "poses-0.5   --Degrade.pose_noise 0.5"
+  "poses-1     --Degrade.pose_noise 1"
+)
+
+# One option changed at a time, on which scenes. The first set is the default;
+# `hull` is no option set but the visual hull alone.
+ablated_scenes=(example lump cup-1 rods-3 rocker-exact)
+option_sets=(
+  "default"
+  "hull"
+  "refined         --OctahedralMeshing.refine 1"
+  "no-evidence     --OctahedralMeshing.matter_weight 0 --OctahedralMeshing.free_space_weight 0"
+  "agreeing-1      --OctahedralMeshing.min_agreeing_views 1"
+  "neighbors-2     --DepthSweep.num_neighbors 2"
+  "no-ballooning   --OctahedralMeshing.ballooning 0"
+  "no-silhouettes  --OctahedralMeshing.silhouette_weight 0"
+  "ncc             --OctahedralMeshing.consistency ncc"
+  "no-growing      --OctahedralMeshing.max_grow_rounds 0"
+  "no-smoothing    --Smoothing.iterations 0"
+)
+
+fail() {
+  echo "benchmark_accuracy: $*" >&2
+  exit 1
+}
+
+data=${OCTACUT_SHARED_DATA:-$root/../shared/data}
+build=${OCTACUT_BUILD_DIR:-$root/build}
+work=$build/accuracy
+results=$root/docs/accuracy.md
+level=8
+data_level=9
+only=
+scenes=
+sets=
+list=0
+threads=2
+redo=0
+command=workflows/benchmark_accuracy.sh
+[[ $# -eq 0 || $1 == -* ]] || command+=" DATA_FOLDER"
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    -h | --help)
+      sed -n '2,/^set/{/^set/!s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"
+      exit 0
+      ;;
+    --level) level=${2:?"$1 needs a value"} ;;
+    --data_level) data_level=${2:?"$1 needs a value"} ;;
+    --only) only=${2:?"$1 needs a value"} ;;
+    --scenes) scenes=${2:?"$1 needs a value"} ;;
+    --sets) sets=${2:?"$1 needs a value"} ;;
+    --list) list=${2:?"$1 needs 0 or 1"} ;;
+    --work_path) work=${2:?"$1 needs a value"} ;;
+    --results_path) results=${2:?"$1 needs a value"} ;;
+    --num_threads) threads=${2:?"$1 needs a value"} ;;
+    --redo) redo=${2:?"$1 needs 0 or 1"} ;;
+    -*) fail "$1: no such option; --help lists them" ;;
+    *)
+      data=$1
+      shift
+      continue
+      ;;
+  esac
+  [[ $1 == *_path || $1 == --redo ]] || command+=" $1 $2"
+  shift 2
+done
+for value in "$level" "$data_level"; do
+  [[ $value =~ ^[2-9]$|^10$ ]] || fail "level = $value: must be 2 to 10"
+done
+[[ $threads =~ ^[1-9][0-9]*$ ]] ||
+  fail "num_threads = $threads: must be at least 1"
+[[ $redo$list =~ ^[01][01]$ ]] || fail "redo, list: must be 0 or 1"
+check_names() {
+  local unknown
+  unknown=$(unknown_of "$2" "${@:3}")
+  [[ -z $unknown ]] || fail "$1 = $unknown: there are ${*:3}"
+}
+check_names only "$only" scenes degraded ablations
+check_names scenes "$scenes" "${own_scenes[@]%% *}" "${data_sets[@]%% *}"
+check_names sets "$sets" "${option_sets[@]%% *}" "${degradations[@]%% *}"
+
+[[ -d $data ]] && data=$(cd "$data" && pwd)
+if ((!list)); then
+  command -v jq >/dev/null || "$root/workflows/setup.sh"
+  octacut=$("$root/workflows/find_octacut.sh")
+  mkdir -p "$work" "$(dirname "$results")"
+  work=$(cd "$work" && pwd)
+  # The executable's time at the start: a build may replace it meanwhile.
+  stamp=$work/executable
+  touch -r "$octacut" "$stamp"
+fi
+
+# line_of NAME LINE...: the options of the line that begins with the name, into
+# the array `options`.
+line_of() {
+  local line words
+  for line in "${@:2}"; do
+    read -ra words <<<"$line"
+    if [[ ${words[0]} == "$1" ]]; then
+      options=("${words[@]:1}")
+      return
+    fi
+  done
+  return 1
+}
+
+# made FOLDER NAME REPORT SOURCES COMMAND OPTION...: `step`, unless its REPORT
+# is newer than the SOURCES (separated by blanks) and of the same options, which
+# are noted when it is done.
+made() {
+  local folder=$1 name=$2 report=$3 sources=$4
+  shift 4
+  # shellcheck disable=SC2086 # of folders without blanks
+  if [[ $redo == 0 && -f $folder/$name.options ]] &&
+    [[ $(<"$folder/$name.options") == "$*" ]] && fresh "$report" $sources; then
+    return 0
+  fi
+  mkdir -p "$folder"
+  rm -f "$folder/$name.options"
+  step "$folder" "$name" "$@" || return 1
+  echo "$*" >"$folder/$name.options"
+}
+
+# The functions below are run under `if`, where set -e does not hold.
+
+# make_scene SCENE DEGRADATION: an own scene in $work/scenes.
+make_scene() {
+  local scene=$1 degradation=$2 folder=$work/scenes/$1/$2
+  local options=() all=("${own_options[@]}")
+  line_of "$scene" "${own_scenes[@]}"
+  all+=("${options[@]}")
+  if [[ $degradation != clean ]]; then
+    line_of "$degradation" "${degradations[@]}"
+    all+=("${options[@]}")
+  fi
+  made "$work/scenes/$scene" "$degradation" "$folder/example.json" "" \
+    example_creator --output_path "$folder" --overwrite 1 "${all[@]}"
+}
+
+# measure FOLDER SET LEVEL WORKSPACE MODEL JUDGE TRUTH ALIGN: reconstructs
+# WORKSPACE; the workspace JUDGE has the right cameras, masks and images.
+measure() {
+  local folder=$1 set=$2 at=$3 workspace=$4 model=$5 judge=$6 truth=$7 align=$8
+  local options=() mesher=octahedral_mesher
+  local first=$((at < 7 ? at : 7))
+  line_of "$set" "${option_sets[@]}"
+  options=(--OctahedralMeshing.hull_level "$first"
+    --OctahedralMeshing.target_level "$at" "${options[@]}")
+  if [[ $set == hull ]]; then
+    mesher=visual_hull_mesher
+    options=(--OctahedralMeshing.hull_level "$at")
+  fi
+  made "$folder" mesh "$folder/mesh.json" \
+    "$workspace/images $workspace/masks $workspace/$model" \
+    $mesher --workspace_path "$workspace" --input_path "$workspace/$model" \
+    --output_path "$folder/mesh.ply" "${options[@]}" || return 1
+  if [[ $truth != - ]]; then
+    made "$folder" comparison "$folder/comparison.json" \
+      "$folder/mesh.json $judge/$truth" mesh_comparer \
+      --input_path "$folder/mesh.ply" --reference_path "$judge/$truth" \
+      --views_path "$judge/$model" --min_views 3 --align "$align" \
+      --num_samples 200000 --self_intersections 0 \
+      --output_path "$folder/comparison.json" || return 1
+  fi
+  made "$folder" evaluation "$folder/evaluation.json" \
+    "$folder/mesh.json $judge/masks $judge/images" mesh_evaluator \
+    --workspace_path "$judge" --input_path "$judge/$model" \
+    --mesh_path "$folder/mesh.ply" --output_path "$folder/evaluation.json"
+}
+
+# is_there FOLDER NAME: a step was done with this executable.
+is_there() {
+  [[ -f $1/$2.options ]] && fresh "$1/$2.json"
+}
+
+# record STATE MESSAGE SCENE DEGRADATION SET LEVEL: a line of JSON, for the
+# tables. Paths of this machine are no figures.
+record() {
+  local folder=$work/level_$6/$3/$4/$5 part
+  local message=${2//"$work"/WORK} cpu=null
+  [[ -f $folder/mesh.cpu && $1 != left_out ]] && cpu=$(<"$folder/mesh.cpu")
+  local arguments=(--arg state "$1" --arg message "${message//"$data"/DATA_FOLDER}"
+    --arg scene "$3" --arg degradation "$4" --arg set "$5" --argjson level "$6"
+    --argjson cpu "${cpu:-null}")
+  for part in mesh comparison evaluation; do
+    if [[ $1 != left_out ]] && is_there "$folder" "$part"; then
+      arguments+=(--slurpfile "$part" "$folder/$part.json")
+    else
+      arguments+=(--argjson "$part" "[]")
+    fi
+  done
+  # shellcheck disable=SC2016 # variables of jq
+  jq -nc "${arguments[@]}" '{scene: $scene, degradation: $degradation,
+    set: $set, level: $level, state: $state, message: $message,
+    cpu_seconds: $cpu, seconds: $mesh[0].seconds, audit: $mesh[0].audit,
+    version: $mesh[0].version, truth: $comparison[0].reference.audit,
+    comparison: $comparison[0].meshes[0].comparison,
+    evaluation: ($evaluation[0].meshes[0]
+      | if . then del(.audit, .silhouettes.views) else null end)}'
+}
+
+# run PART SCENE DEGRADATION SET: does it where it is wanted, records it.
+run() {
+  local part=$1 scene=$2 degradation=$3 set=$4
+  local name="$scene $degradation $set" at=$level workspace judge
+  local dataset=- model=sparse/0 truth=gt/reference.ply align=0 options
+  if line_of "$scene" "${data_sets[@]}"; then
+    at=$data_level
+    dataset=${options[0]} model=${options[1]} truth=${options[2]}
+    align=${options[3]}
+    workspace=$data/$dataset judge=$data/$dataset
+  else
+    workspace=$work/scenes/$scene/$degradation judge=$work/scenes/$scene/clean
+  fi
+  local folder=$work/level_$at/$scene/$degradation/$set
+  local which=$set
+  [[ $degradation == clean ]] || which=$degradation
+  local wanted=1
+  is_among "$part" "$only" && is_among "$scene" "$scenes" &&
+    is_among "$which" "$sets" || wanted=0
+  if ((list)); then
+    ((!wanted)) || echo "$part: $name at level $at"
+    return 0
+  fi
+  error=
+  local state="done"
+  if ((!wanted)); then
+    if ! is_there "$folder" mesh || ! is_there "$folder" evaluation; then
+      state=left_out
+    fi
+  elif [[ $dataset != - && ! -d $workspace/$model ]]; then
+    state=left_out
+    error="skipped: $workspace/$model is missing"
+    echo "== $name: $error"
+  else
+    echo "== $name"
+    if [[ $dataset == - ]] && ! { make_scene "$scene" clean &&
+      { [[ $degradation == clean ]] || make_scene "$scene" "$degradation"; }; } ||
+      ! measure "$folder" "$set" "$at" "$workspace" "$model" "$judge" "$truth" \
+        "$align"; then
+      state=failed
+      failed=1
+      echo "benchmark_accuracy: $name: $error" >&2
+    fi
+  fi
+  record "$state" "$error" "$scene" "$degradation" "$set" "$at" >>"$records"
+}
+
+# sheet FILE WIDTH SCENE...: their default meshes side by side, of those there
+# are.
+sheet() {
+  local file=$1 width=$2 scene at pictures=()
+  for scene in "${@:3}"; do
+    at=$level
+    printf '%s\n' "${data_sets[@]%% *}" | grep -qx "$scene" && at=$data_level
+    local folder=$work/level_$at/$scene/clean/default
+    if is_there "$folder" mesh && [[ -f $folder/mesh.png ]]; then
+      pictures+=("$scene" "$folder/mesh.png")
+    fi
+  done
+  if ((${#pictures[@]})); then
+    "$build/tests/bench/octacut_contact_sheet" "$file" 2 "$width" \
+      "${pictures[@]}"
+  fi
+}
+
+trap 'exit 130' INT
+failed=0
+records=$work/runs_${level}_$data_level.jsonl
+((list)) || : >"$records"
+for scene in "${own_scenes[@]%% *}" "${data_sets[@]%% *}"; do
+  run scenes "$scene" clean default
+done
+for scene in "${degraded_scenes[@]}"; do
+  for degradation in "${degradations[@]%% *}"; do
+    run degraded "$scene" "$degradation" default
+  done
+done
+for scene in "${ablated_scenes[@]}"; do
+  for set in "${option_sets[@]:1}"; do
+    run ablations "$scene" clean "${set%% *}"
+  done
+done
+((!list)) || exit 0
+
+"$root/workflows/build.sh" octacut_contact_sheet >"$work/build.log"
+beside=$(dirname "$results")
+sheet "$beside/accuracy_own.jpg" 560 "${own_scenes[@]%% *}"
+sheet "$beside/accuracy_data.jpg" 560 "${data_sets[@]%% *}"
+
+printf '%s\n' "${own_scenes[@]}" >"$work/own_scenes.txt"
+printf '%s\n' "${degradations[@]}" >"$work/degradations.txt"
+printf '%s\n' "${option_sets[@]}" >"$work/option_sets.txt"
+jq -L "$root/workflows" -rs --arg machine "$(machine)" \
+  --arg command "$command" --argjson level "$level" \
+  --argjson data_level "$data_level" --argjson threads "$threads" \
+  --rawfile own_scenes "$work/own_scenes.txt" \
+  --rawfile degradations "$work/degradations.txt" \
+  --rawfile option_sets "$work/option_sets.txt" \
+  -f "$root/workflows/accuracy_tables.jq" "$records" >"$results.part"
+mv "$results.part" "$results"
+echo
+echo "written: $results"
+if [[ $octacut -nt $stamp ]]; then
+  fail "$octacut was replaced meanwhile: the figures are of both; run again"
+fi
+exit "$failed"

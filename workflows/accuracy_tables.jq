@@ -1,6 +1,7 @@
 # docs/accuracy.md from the runs that benchmark_accuracy.sh has recorded: an
 # array of {scene, degradation, set, level, state, message, cpu_seconds,
-# seconds, audit, truth, comparison, evaluation}; what was not measured is null.
+# seconds, audit, truth, comparison, evaluation, truth_evaluation}; what was not
+# measured is null.
 # Arguments: $machine, $command (texts), $level, $data_level, $threads;
 # $own_scenes, $degradations, $option_sets (lines "name options").
 
@@ -39,12 +40,13 @@ def shape_cells: [genus, parts, crossings];
 def image_columns:
   ["overlap %", "missed %", "excess %", "outline px", "95 % px", "NCC",
    "NCC 10 %", "compared %"];
+# Of a mesh's evaluation.
 def image_cells:
-  (.evaluation.silhouettes
+  (.silhouettes
    | [(.intersection_over_union | percent(2)), (.missed | percent(2)),
       (.excess | percent(2)), (.outline_mean | fixed(2)),
       (.outline_percentile_95 | fixed(2))])
-  + (.evaluation.reprojection
+  + (.reprojection
      | [(.mean_correlation | fixed(3)), (.percentile_10 | fixed(3)),
         (.compared_fraction | percent(1))]);
 
@@ -139,7 +141,7 @@ to_entries | map(.value + {order: .key}) | . as $runs
   "",
   "Distances in % of the diagonal of the ground truth's bounding box, from the mesh to the truth (accuracy) and from it to the mesh (completeness), over the part of the truth that at least three cameras see. F-scores in %, at thresholds in % of the diagonal. Genus and components that differ from the truth's (in brackets) are bold. Self-int.: triangles that cross another one.",
   "",
-  "Silhouettes: overlap is intersection over union, missed is the object's pixels that the mesh does not cover, excess the background's that it covers, both in % of the object's; outline is the distance between both outlines, pixels. NCC: zero-mean normalised correlation of each view with four neighbours, reprojected over the mesh, in windows of 7 x 7; mean, the tenth from below, and how much of the mesh could be compared. Degraded scenes are judged by the clean masks, cameras and images. Masks that are larger or smaller than the object by part of a pixel show in these figures too.",
+  "Silhouettes: overlap is intersection over union, missed is the object's pixels that the mesh does not cover, excess the background's that it covers, both in % of the object's; outline is the distance between both outlines, pixels. NCC: zero-mean normalised correlation of each view with four neighbours, reprojected over the mesh, in windows of 7 x 7; mean, the tenth from below, and how much of the mesh could be compared. Degraded scenes are judged by the clean masks, cameras and images. What the truth itself scores says how far masks and images can be trusted.",
   "",
   "s: wall seconds of the reconstruction, under whatever load the machine had; CPU s: its seconds of computing.",
   ($failed | select(length > 0) | "",
@@ -160,7 +162,10 @@ to_entries | map(.value + {order: .key}) | . as $runs
         $default[] | [.scene] + distance_cells + shape_cells + time_cells | row),
   "",
   table(["scene"] + image_columns;
-        $default[] | [.scene] + image_cells | row),
+        $default[]
+        | ([.scene] + (.evaluation | image_cells) | row),
+          (select(.truth_evaluation)
+           | ["\(.scene), truth"] + (.truth_evaluation | image_cells) | row)),
   "",
   "Photograph, mesh and mesh with its colours:",
   "",

@@ -239,10 +239,15 @@ measure() {
       --num_samples 200000 --self_intersections 0 \
       --output_path "$folder/comparison.json" || return 1
   fi
+  # What the truth itself scores says how good masks and images are.
+  local meshes=(--mesh_path "$folder/mesh.ply")
+  if [[ $truth != - && $align == 0 && $folder == */clean/default ]]; then
+    meshes+=(--mesh_path "$judge/$truth")
+  fi
   made "$folder" evaluation "$folder/evaluation.json" \
     "$folder/mesh.json $judge/masks $judge/images" mesh_evaluator \
-    --workspace_path "$judge" --input_path "$judge/$model" \
-    --mesh_path "$folder/mesh.ply" --output_path "$folder/evaluation.json"
+    --workspace_path "$judge" --input_path "$judge/$model" "${meshes[@]}" \
+    --output_path "$folder/evaluation.json"
 }
 
 # is_there FOLDER NAME: a step was done with this executable.
@@ -272,8 +277,9 @@ record() {
     cpu_seconds: $cpu, seconds: $mesh[0].seconds, audit: $mesh[0].audit,
     version: $mesh[0].version, truth: $comparison[0].reference.audit,
     comparison: $comparison[0].meshes[0].comparison,
-    evaluation: ($evaluation[0].meshes[0]
-      | if . then del(.audit, .silhouettes.views) else null end)}'
+    evaluation: $evaluation[0].meshes[0],
+    truth_evaluation: $evaluation[0].meshes[1]}
+    | del(.evaluation.silhouettes.views, .truth_evaluation.silhouettes.views)'
 }
 
 # run PART SCENE DEGRADATION SET: does it where it is wanted, records it.

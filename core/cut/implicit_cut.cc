@@ -103,7 +103,7 @@ void SearchOn(const OctahedralCutProblem& problem,
   std::vector<FaceTies>().swap(merged_ties);
   const Phase phase(context, "minimum cut of the grown crust");
   SearchForest<Flow> forest(flows, changed, context);
-  forest.Run();
+  forest.RunByNeighborhood();
   forest.Finish();
 }
 

@@ -1,9 +1,16 @@
 // Taking up a search that had ended, after its crust has grown.
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "core/cut/search_forest.h"
 
 namespace octacut {
+namespace {
+
+constexpr uint32_t kNeighborhoodVoxels = 1 << 15;
+
+}  // namespace
 
 template <typename Flow>
 SearchForest<Flow>::SearchForest(FlowState<Flow>& state,
@@ -37,6 +44,39 @@ SearchForest<Flow>::SearchForest(FlowState<Flow>& state,
   Drain();
   Adopt();
   Settle();
+}
+
+// What has changed lies scattered over the crust: each neighbourhood is
+// searched to its end before the next, while its voxels are in the cache.
+template <typename Flow>
+void SearchForest<Flow>::RunByNeighborhood() {
+  std::vector<FaceNode> waiting;
+  while (!active_.Empty()) {
+    active_.Consume(
+        active_.Lowest(),
+        pool_,
+        [](auto, NodeId) {},
+        [&](auto axis, NodeId id) {
+          waiting.push_back(Untyped(state_.template Node<axis()>(id)));
+        });
+  }
+  std::sort(waiting.begin(), waiting.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.place.index, a.axis) < std::pair(b.place.index, b.axis);
+  });
+  for (size_t k = 0; k < waiting.size();) {
+    const uint32_t neighborhood = waiting[k].place.index / kNeighborhoodVoxels;
+    for (; k < waiting.size() &&
+           waiting[k].place.index / kNeighborhoodVoxels == neighborhood;
+         ++k) {
+      // Unless it was scanned meanwhile, it is active but in no list.
+      int32_t& word = state_.Word(waiting[k]);
+      if (word > 0 && (word & kActive)) {
+        word &= ~kActive;
+        Activate(waiting[k]);
+      }
+    }
+    Run();
+  }
 }
 
 // The lists and the depth, from the words alone. What the last search only

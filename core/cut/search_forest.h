@@ -60,6 +60,8 @@ class SearchForest {
 
   // Searches until no flow can be sent inside the range.
   void Run();
+  // The same, for a search that was taken up.
+  void RunByNeighborhood();
   // Marks every node that the source nodes reach as one; after Run.
   void Finish();
   // Joins the range that follows and opens the arcs between the two.

@@ -4,8 +4,8 @@
 #
 #   workflows/benchmark_cut.sh [options] [INSTANCE.oct...]
 #
-# --max_resolution 256  of the synthetic crusts: 128 to 2048. 1024 needs 3 GB
-#                       and half an hour, 2048 another 4 GB
+# --max_resolution 2048 of the synthetic crusts: 128 to 2048. From 1024 on the
+#                       engine runs alone; the peers need up to 3 GB
 # --peers 1             0: the engine alone
 # --threads 1           also the engine on 2 threads, by the wall's clock:
 #                       0 on a machine that has other work
@@ -13,15 +13,21 @@
 # --results_path FILE   default docs/cut_results.md
 # --measure 1           0: only write the tables of what was measured before
 #
-# Instances of a real reconstruction are written by
-#   octacut_crust_writer --workspace_path W --output_path FOLDER
+# Instances of a real reconstruction up to 512^3 (16 bytes a voxel) are written by
+#   OCTACUT_BUILD_DIR=build workflows/build.sh octacut_crust_writer
+#   build/tests/bench/octacut_crust_writer --workspace_path W \
+#       --output_path build/cut/NAME [--input_path MODEL] [--target_level 9]
+# and measured with the rest by
+#   workflows/benchmark_cut.sh build/cut/NAME/*.oct
+# The last cut of every level is compared with the peers, and all cuts of a
+# crust that grew are solved from nothing and from the state of the one before.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${OCTACUT_BUILD_DIR:-$root/build}
 work=$build/cut
 results=$root/docs/cut_results.md
-max_resolution=256
+max_resolution=2048
 peers=1
 threads=1
 measure=1
@@ -70,8 +76,32 @@ describe_machine() {
     "$1" >"$work/machine.txt"
 }
 
+# measure_crust INSTANCE...: the cuts of one crust
+measure_crust() {
+  echo "${*: -1}" >&2
+  {
+    "$bench" --instance "${@: -1}" --solvers octacut tasks "${linked[@]:0:1}"
+    "$bench" --instance "${@: -1}" --lean 1
+    "$bench" --growing "$@"
+  } >>"$runs"
+}
+
+# Those of one crust are FOLDER/level_LL_1.oct, FOLDER/level_LL_2.oct, ...
+measure_instances() {
+  local instance crust='' cuts=()
+  while read -r instance; do
+    if [[ ${instance%_*} != "$crust" && ${#cuts[@]} -gt 0 ]]; then
+      measure_crust "${cuts[@]}"
+      cuts=()
+    fi
+    crust=${instance%_*}
+    cuts+=("$instance")
+  done < <(printf '%s\n' "${instances[@]}" | sort -V)
+  measure_crust "${cuts[@]}"
+}
+
 measure_all() {
-  local resolution kind linked=() instance
+  local resolution kind linked=()
   ((peers)) && linked=(boost opencv)
   for resolution in 128 256 512; do
     run_kind shell $resolution octacut tasks "${linked[@]}"
@@ -83,20 +113,19 @@ measure_all() {
     run_kind level0 $resolution octacut tasks "${linked[@]}"
     run_kind evidence $resolution octacut tasks "${linked[@]}"
   done
+  # Threads and lean flows at the largest of these.
   for kind in shell hard level0 evidence; do
-    resolution=256
-    [[ $kind == level0 || $kind == evidence ]] && resolution=128
+    resolution=$((max_resolution < 512 ? max_resolution : 512))
+    [[ $kind == level0 || $kind == evidence ]] && resolution=$((resolution / 2))
     "$bench" --kind $kind --resolution $resolution --lean 1 >>"$runs"
     if ((threads)); then
       "$bench" --kind $kind --resolution $resolution --num_threads 2 \
         --repetitions 3 >>"$runs"
     fi
   done
-  for instance in "${instances[@]}"; do
-    "$bench" --instance "$instance" --solvers octacut tasks "${linked[@]:0:1}" \
-      >>"$runs"
-    "$bench" --instance "$instance" --lean 1 >>"$runs"
-  done
+  if ((${#instances[@]})); then
+    measure_instances
+  fi
   run_kind shell 1024 octacut
   run_kind hard 1024 octacut
   ((max_resolution >= 1024)) && run_kind level0 512 octacut

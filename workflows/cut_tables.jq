@@ -68,7 +68,17 @@ def thread_rows:
      (.octacut.wall_seconds / $wall | fixed(2))]
   | row;
 
-by_instance
+def growing_rows:
+  .[]
+  | [name, (.voxels / 1e6 | fixed(2)), .added_voxels,
+     (.cold_cpu_seconds | fixed(2)), (.warm_cpu_seconds | fixed(2)),
+     (.warm_cpu_seconds / .cold_cpu_seconds | fixed(2)),
+     (if .equal then "yes" else "**no**" end)]
+  | map(tostring) | row;
+
+map(select(.solver == "growing")) as $growing
+| map(select(.solver != "growing"))
+| by_instance
 | "# Cut engine: measured",
   "",
   "Written by `workflows/benchmark_cut.sh`; docs/cut_engine.md says what it means.",
@@ -90,6 +100,14 @@ by_instance
      "weights:",
      "",
      table(["instance", "s/M", "bytes a voxel", "loss %"]; lean_rows)
+   else empty end),
+  (if $growing | length > 0 then
+     "",
+     "Crusts of a reconstruction that grew where their cut touched the border: CPU",
+     "seconds of the cut from nothing and from the state of the cut before.",
+     "",
+     table(["instance", "Mvoxels", "added voxels", "from nothing s",
+            "going on s", "ratio", "same labels"]; $growing | growing_rows)
    else empty end),
   "",
   "What more cores would gain, from the CPU seconds of every task on one thread:",

@@ -1,5 +1,7 @@
 #include "tests/bench/growing_cut.h"
 
+#include <utility>
+
 #include "tests/bench/cut_instance_file.h"
 #include "tests/bench/process_usage.h"
 
@@ -13,13 +15,16 @@ std::vector<nlohmann::json> MeasureGrowing(
   const OctahedralCutOptions options{.lean = lean};
   OctahedralCutState state;
   std::vector<nlohmann::json> results;
+  size_t num_before = 0;
   for (const std::string& path : instance_paths) {
     const CutInstance instance = ReadCutInstance(path);
     const double begin = CpuSeconds();
     const OctahedralCut warm =
         SolveOctahedralCut(instance.View(), options, context, &state);
     const double middle = CpuSeconds();
-    if (path == instance_paths.front()) {
+    const size_t num_voxels = instance.crust.Size();
+    const size_t num_added = num_voxels - std::exchange(num_before, num_voxels);
+    if (path == instance_paths.front() || num_added == 0) {
       continue;
     }
     const OctahedralCut cold =
@@ -29,7 +34,8 @@ std::vector<nlohmann::json> MeasureGrowing(
                        {"solver", "growing"},
                        {"num_threads", num_threads},
                        {"lean", lean},
-                       {"voxels", instance.crust.Size()},
+                       {"voxels", num_voxels},
+                       {"added_voxels", num_added},
                        {"warm_cpu_seconds", middle - begin},
                        {"cold_cpu_seconds", end - middle},
                        {"equal",

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/check_option.h"
 #include "core/base/stopwatch.h"
 #include "core/crust/label_hierarchy.h"
@@ -144,8 +146,27 @@ HullReconstruction ReconstructHull(const Scene& scene,
   return result;
 }
 
+namespace {
+
+// Of the depth sweep: a reduced view and its depths, 20 bytes a sample, and
+// scores of all planes for each of the threads.
+size_t EstimateSweepBytes(size_t num_views,
+                          const ReconstructionOptions& options,
+                          const Context& context) {
+  const double resolution = double(1u << options.hull.hull_level);
+  const DepthSweepOptions& sweep = options.evidence.sweep;
+  const double side = resolution * sweep.samples_per_voxel;
+  const double num_planes = resolution * sweep.planes_per_voxel;
+  return size_t(side * side *
+                (20 * double(num_views) +
+                 num_planes * sizeof(float) * context.NumThreads()));
+}
+
+}  // namespace
+
 size_t EstimateReconstructionBytes(const Scene& scene,
-                                   const ReconstructionOptions& options) {
+                                   const ReconstructionOptions& options,
+                                   const Context& context) {
   // A crust is a band around a surface that in a tight cube has some 2.5
   // times the area of one of its sides.
   constexpr double kSurfaceShare = 2.5;
@@ -153,15 +174,20 @@ size_t EstimateReconstructionBytes(const Scene& scene,
   const double thickness = 2 + 2 * options.crust.crust_dilation;
   const size_t num_voxels =
       size_t(kSurfaceShare * resolution * resolution * thickness);
-  // Grid, ties, prior, phi, weights, evidence, normals and depth maps.
+  // Grid, ties, prior, phi, weights, evidence, normals and depth maps. The
+  // state of a cut is there beside them while its crust may grow.
   constexpr size_t kStepBytesPerVoxel = 48;
-  size_t bytes = num_voxels * kStepBytesPerVoxel +
-                 EstimateOctahedralCutBytes(num_voxels, true);
+  const size_t level_bytes =
+      num_voxels * kStepBytesPerVoxel +
+      EstimateOctahedralCutBytes(num_voxels, true, options.cut.lean);
+  size_t view_bytes = 0;
   for (const View& view : scene.views) {
     // Pyramid (4 bytes a pixel and a third) and summed areas.
-    bytes += view.mask.total() * 10;
+    view_bytes += view.mask.total() * 10;
   }
-  return bytes;
+  return view_bytes +
+         std::max(level_bytes,
+                  EstimateSweepBytes(scene.views.size(), options, context));
 }
 
 }  // namespace octacut

@@ -84,6 +84,7 @@ HullReconstruction ReconstructHull(const Scene& scene,
 
 // Bytes that Reconstruct will need at its peak besides the scene, roughly.
 size_t EstimateReconstructionBytes(const Scene& scene,
-                                   const ReconstructionOptions& options);
+                                   const ReconstructionOptions& options,
+                                   const Context& context);
 
 }  // namespace octacut

@@ -74,7 +74,8 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   context.Info(fmt::format(
       "{} views; the reconstruction needs some {:.1f} GB besides their pixels",
       loaded.scene.views.size(),
-      double(EstimateReconstructionBytes(loaded.scene, meshing_)) / 1e9));
+      double(EstimateReconstructionBytes(loaded.scene, meshing_, context)) /
+          1e9));
   const Reconstruction result =
       Reconstruct(loaded.scene, loaded.region, meshing_, context, observer);
   const IndexedMesh mesh = ToIndexedMesh(result.mesh);

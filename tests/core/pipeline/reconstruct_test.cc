@@ -255,22 +255,39 @@ TEST(EstimateReconstructionBytes, GrowsWithLevelCrustAndViews) {
   Scene scene;
   ReconstructionOptions options;
   options.target_level = 9;
-  const size_t bytes = EstimateReconstructionBytes(scene, options);
+  const auto bytes_of = [](const auto& of, const auto& with) {
+    return EstimateReconstructionBytes(of, with, Context(1));
+  };
+  const size_t bytes = bytes_of(scene, options);
   // A crust of 512^3: at least a byte for each voxel of a band of six around
   // six faces, and less than the 4 GB that a run of that size may take.
   EXPECT_GT(bytes, size_t(6) * 512 * 512);
   EXPECT_LT(bytes, size_t(4) << 30);
   options.target_level = 10;
-  EXPECT_GT(EstimateReconstructionBytes(scene, options), 3 * bytes);
+  EXPECT_GT(bytes_of(scene, options), 3 * bytes);
   options.target_level = 9;
   options.crust.crust_dilation = 4;
-  EXPECT_GT(EstimateReconstructionBytes(scene, options), bytes);
+  EXPECT_GT(bytes_of(scene, options), bytes);
   options.crust.crust_dilation = 2;
+  options.cut.lean = true;
+  EXPECT_LT(bytes_of(scene, options), bytes);
+  options.cut.lean = false;
   View view;
   view.mask = cv::Mat::zeros(100, 200, CV_8UC1);
   scene.views.push_back(view);
   // Image and silhouette sums: at least 8 bytes a pixel.
-  EXPECT_GE(EstimateReconstructionBytes(scene, options), bytes + 8 * 100 * 200);
+  EXPECT_GE(bytes_of(scene, options), bytes + 8 * 100 * 200);
+}
+
+// Where the target is coarse the depth sweep needs more than the cut.
+TEST(EstimateReconstructionBytes, CountsTheDepthSweepOfEveryThread) {
+  ReconstructionOptions options;
+  options.target_level = options.hull.hull_level = 8;
+  const size_t one = EstimateReconstructionBytes({}, options, Context(1));
+  const size_t four = EstimateReconstructionBytes({}, options, Context(4));
+  // Scores of 512^2 rays on 256 planes.
+  EXPECT_EQ(four, size_t(4) * 512 * 512 * 256 * sizeof(float));
+  EXPECT_LT(one, four);
 }
 
 }  // namespace

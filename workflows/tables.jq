@@ -4,9 +4,10 @@ def missing: "–";
 
 def pad($digits): until(length >= $digits; "0" + .);
 
-# A number >= 0 with so many decimals.
+# A number with so many decimals.
 def fixed($decimals):
   if . == null then missing
+  elif . < 0 then "-" + (-. | fixed($decimals))
   elif $decimals == 0 then round | tostring
   else (. * pow(10; $decimals) | round | tostring | pad($decimals + 1))
     | .[:-$decimals] + "." + .[-$decimals:]

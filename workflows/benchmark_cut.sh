@@ -119,6 +119,7 @@ measure_all() {
     [[ $kind == level0 || $kind == evidence ]] && resolution=$((resolution / 2))
     "$bench" --kind $kind --resolution $resolution --lean 1 >>"$runs"
     if ((threads)); then
+      "$bench" --kind $kind --resolution $resolution --repetitions 2 >>"$runs"
       "$bench" --kind $kind --resolution $resolution --num_threads 2 \
         --repetitions 3 >>"$runs"
     fi

@@ -16,6 +16,13 @@ void DeclareEvidenceOptions(OptionManager& options,
   options.Add("OctahedralMeshing.free_space_weight",
               &evidence->free_space_weight,
               "Evidence of one view that sees through the voxel");
+  options.Add("OctahedralMeshing.cover_weight",
+              &evidence->cover_weight,
+              "Evidence of an object's pixel whose ray is left empty, for all "
+              "voxels of the ray together; doubled each round");
+  options.Add("OctahedralMeshing.cover_rounds",
+              &evidence->cover_rounds,
+              "Times at most that what silhouettes miss is asked back");
   options.Add("OctahedralMeshing.min_agreeing_views",
               &evidence->min_agreeing_views,
               "Other views that must confirm a depth");
@@ -87,6 +94,9 @@ Json LevelToJson(const LevelSummary& level) {
           {"mean_consistency", level.consistency.mean},
           {"unseen_voxels", level.consistency.num_unseen},
           {"grow_rounds", level.num_grow_rounds},
+          {"cover_rounds", level.num_cover_rounds},
+          {"silhouettes_missed_before", level.missed_before},
+          {"silhouettes_missed", level.missed_after},
           {"border_voxels", level.num_border_voxels},
           {"crust_seconds", level.crust_seconds},
           {"visibility_seconds", level.visibility_seconds},
@@ -116,6 +126,10 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.silhouette_weight",
               &meshing->energy.silhouette_weight,
               "Evidence for outside of voxels that are background in a view");
+  options.Add("OctahedralMeshing.unseen_weight",
+              &meshing->energy.unseen_weight,
+              "Evidence for inside of finer voxels that fewer than two views "
+              "see, at l0; halved a level");
   options.Add("OctahedralMeshing.max_grow_rounds",
               &meshing->max_grow_rounds,
               "Times that a crust is grown where its cut touches its border");

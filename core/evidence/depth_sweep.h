@@ -16,13 +16,13 @@
 namespace octacut {
 
 struct DepthSweepOptions {
-  int num_neighbors = 4;            // views compared with each view; 2 .. 8
-  double min_angle = 4;             // degrees between the viewing directions
-  double max_angle = 45;            // of neighbours
+  int num_neighbors = 4;         // views compared with each view; 2 .. 8
+  double min_angle = 4;          // degrees between the viewing directions
+  double max_angle = 45;         // of neighbours
   double samples_per_voxel = 2;  // pixels across a hull voxel
-  double planes_per_voxel = 1;      // depth planes across a hull voxel
-  int window_radius = 2;            // of the correlation window, in samples
-  double min_score = 0.5;           // correlation of an accepted depth
+  double planes_per_voxel = 1;   // depth planes across a hull voxel
+  int window_radius = 2;         // of the correlation window, in samples
+  double min_score = 0.5;        // correlation of an accepted depth
   void Check() const;
 };
 

@@ -20,9 +20,9 @@ constexpr float kMatterTo = 3.5f;
 // Views of one kind that count at most, so that many views of one side do not
 // drown the others.
 constexpr float kMaxVotes = 4;
-// A single view that sees through a voxel may have a wrong depth: it would
-// drill a tunnel. Only further ones count.
-constexpr float kSingleView = 1;
+// What the first view that sees through a voxel lacks of a vote: on its own
+// its depth may be wrong and would drill a tunnel.
+constexpr float kSingleView = 0.5f;
 
 // Removes the depths that fewer than `min_agreeing` neighbours confirm.
 std::vector<SweptDepthMap> KeepAgreeing(
@@ -128,6 +128,12 @@ void InsideEvidenceOptions::Check() const {
               "free_space_weight",
               free_space_weight,
               "must not be negative");
+  CheckOption(
+      cover_weight > 0, "cover_weight", cover_weight, "must be positive");
+  CheckOption(cover_rounds >= 0 && cover_rounds <= 8,
+              "cover_rounds",
+              cover_rounds,
+              "must be in 0 .. 8");
 }
 
 InsideEvidence EstimateInsideEvidence(const ViewSet& views,

@@ -22,10 +22,16 @@ struct InsideEvidenceOptions {
   // hull has for inside unless a view has found a surface right there (so
   // unseen parts keep the hull and thin limbs survive), and what one view's
   // word is worth.
-  double ballooning = 0.15;
+  double ballooning = 0.01;
   double matter_weight = 0.5;  // a view with its surface just before the voxel
-  // A view after the first one that sees through the voxel.
+  // A view that sees through the voxel; the first one counts half.
   double free_space_weight = 0.5;
+  // Where a labelling leaves the ray of an object's pixel empty: what that
+  // pixel's word is worth to all hull voxels of its ray together. It doubles
+  // with every round until nearly all are covered, `cover_rounds` times at
+  // most.
+  double cover_weight = 1;
+  int cover_rounds = 5;  // 0 .. 8
   void Check() const;
 };
 

@@ -1,13 +1,19 @@
 #include "core/pipeline/level_step.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "core/base/stopwatch.h"
 #include "core/crust/medial_voxels.h"
+#include "core/evidence/uncovered_silhouettes.h"
 #include "core/pipeline/voxel_terms.h"
 
 namespace octacut {
 namespace {
+
+// Share of the silhouettes' samples that may stay without matter: masks have
+// a few wrong pixels.
+constexpr double kToleratedMiss = 1e-4;
 
 Visibility EstimateVisibility(const ViewSet& views,
                               const VoxelGrid& surface,
@@ -47,6 +53,39 @@ OctahedralCut CutCrust(const Crust& crust,
   return cut;
 }
 
+// The cut of l0 by evidence alone. What all silhouettes show must not be cut
+// off: where it is, wrong depths have outvoted matter, so `evidence` gets the
+// word of those silhouettes until they are covered.
+OctahedralCut CutCoveringSilhouettes(const ViewSet& views,
+                                     const Crust& crust,
+                                     const ReconstructionOptions& options,
+                                     const Context& context,
+                                     std::vector<float>* evidence,
+                                     LevelSummary* summary) {
+  const std::vector<float> neutral(crust.voxels.Size(),
+                                   float(options.consistency.neutral));
+  double weight = options.evidence.cover_weight;
+  for (int round = 0;; ++round, weight *= 2) {
+    OctahedralCut cut =
+        CutCrust(crust, neutral, *evidence, options, context, summary);
+    const UncoveredSilhouettes missed =
+        FindUncoveredSilhouettes(views, crust.voxels, cut.labels, context);
+    summary->missed_after = double(missed.num_uncovered) /
+                            double(std::max<size_t>(missed.num_samples, 1));
+    if (round == 0) {
+      summary->missed_before = summary->missed_after;
+    }
+    summary->num_cover_rounds = round;
+    if (round == options.evidence.cover_rounds ||
+        summary->missed_after <= kToleratedMiss) {
+      return cut;
+    }
+    for (size_t i = 0; i < evidence->size(); ++i) {
+      (*evidence)[i] += float(weight) * missed.shares[i];
+    }
+  }
+}
+
 void BeginLevel(int level, LevelSummary* summary) {
   summary->level = level;
   summary->resolution = 1 << level;
@@ -64,10 +103,9 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
   Stopwatch stopwatch;
   Crust crust = InitialCrust(hull, context);
   summary->crust_seconds += stopwatch.Lap();
-  const std::vector<float> neutral(hull.Size(),
-                                   float(options.consistency.neutral));
-  OctahedralCut cut =
-      CutCrust(crust, neutral, inside_evidence, options, context, summary);
+  std::vector<float> evidence = inside_evidence;
+  OctahedralCut cut = CutCoveringSilhouettes(
+      views, crust, options, context, &evidence, summary);
 
   stopwatch.Lap();
   for (size_t i = 0; i < crust.prior.size(); ++i) {
@@ -80,7 +118,7 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
       views, crust.voxels, cut.labels, hull.Level(), options, context, summary);
   VoxelTerms terms;
   ExtendTerms(views, visibility, crust, options, context, &terms, summary);
-  cut = CutCrust(crust, terms.phi, inside_evidence, options, context, summary);
+  cut = CutCrust(crust, terms.phi, evidence, options, context, summary);
   return {std::move(crust.voxels), std::move(cut.labels)};
 }
 

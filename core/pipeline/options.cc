@@ -17,6 +17,10 @@ void EnergyOptions::Check() const {
               "silhouette_weight",
               silhouette_weight,
               "must not be negative");
+  CheckOption(unseen_weight >= 0,
+              "unseen_weight",
+              unseen_weight,
+              "must not be negative");
 }
 
 void ReconstructionOptions::Check() const {

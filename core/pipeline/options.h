@@ -20,6 +20,9 @@ struct EnergyOptions {
   // Evidence for outside of a voxel whose footprint is background in a view,
   // in units of the weights.
   double silhouette_weight = 1;
+  // Evidence for inside of a voxel of a finer level that fewer than two views
+  // see, in units of the weights at l0; halved with every level.
+  double unseen_weight = 0.05;
   void Check() const;
 };
 

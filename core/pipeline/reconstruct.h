@@ -29,6 +29,11 @@ struct LevelSummary {
   double cut_cost = 0;
   ConsistencySummary consistency;
   int num_grow_rounds = 0;
+  // Of the first level: rounds that asked back what silhouettes miss, the
+  // share of their samples missed before and after.
+  int num_cover_rounds = 0;
+  double missed_before = 0;
+  double missed_after = 0;
   size_t num_border_voxels = 0;  // cut voxels that touch the crust's border
   double crust_seconds = 0;
   double visibility_seconds = 0;

@@ -49,8 +49,8 @@ void ExtendTerms(const ViewSet& views,
   summary->consistency.Add(consistency.summary);
   const std::vector<float> silhouette = SilhouetteEvidence(
       views, added, options.energy.silhouette_weight, context);
-  const float ballooning =
-      float(std::ldexp(options.evidence.ballooning,
+  const float unseen =
+      float(std::ldexp(options.energy.unseen_weight,
                        options.hull.hull_level - int(crust.voxels.Level())));
   size_t next = 0;
   for (size_t i = 0; i < is_new.size(); ++i) {
@@ -58,7 +58,7 @@ void ExtendTerms(const ViewSet& views,
       extended.phi[i] = consistency.phi[next];
       extended.evidence[i] = silhouette[next] < 0        ? silhouette[next]
                              : consistency.is_seen[next] ? 0.0f
-                                                         : ballooning;
+                                                         : unseen;
       ++next;
     }
   }

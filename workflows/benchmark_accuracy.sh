@@ -91,6 +91,7 @@ option_sets=(
   "agreeing-1      --OctahedralMeshing.min_agreeing_views 1"
   "neighbors-2     --DepthSweep.num_neighbors 2"
   "no-ballooning   --OctahedralMeshing.ballooning 0"
+  "no-cover        --OctahedralMeshing.cover_rounds 0"
   "no-silhouettes  --OctahedralMeshing.silhouette_weight 0"
   "ncc             --OctahedralMeshing.consistency ncc"
   "no-growing      --OctahedralMeshing.max_grow_rounds 0"

@@ -201,13 +201,18 @@ std::string OptionManager::NameOption(const std::string& message) const {
   if (field_size == std::string::npos) {
     return message;
   }
-  const std::string field = ToLower(message.substr(0, field_size));
+  // Groups are named DepthSweep, structs depth_sweep.
+  const auto plain = [](std::string name) {
+    std::erase(name, '_');
+    return ToLower(name);
+  };
+  const std::string field = plain(message.substr(0, field_size));
   const auto last_part = [](const std::string& name) {
     return name.substr(name.rfind('.') + 1);
   };
   const Option* named = nullptr;
   for (const Option& option : options_) {
-    const std::string name = ToLower(option.name);
+    const std::string name = plain(option.name);
     if (name == field) {
       named = &option;
       break;

@@ -72,27 +72,27 @@ SweptDepthMap PickDepths(const SweepView& view,
 
 void DepthSweepOptions::Check() const {
   CheckOption(num_neighbors >= 2 && num_neighbors <= 8,
-              "num_neighbors",
+              "depth_sweep.num_neighbors",
               num_neighbors,
               "must be in 2 .. 8");
   CheckOption(min_angle >= 0 && min_angle < max_angle && max_angle <= 90,
-              "max_angle",
+              "depth_sweep.max_angle",
               max_angle,
               "must be greater than min_angle and at most 90");
   CheckOption(samples_per_voxel >= 0.5 && samples_per_voxel <= 4,
-              "samples_per_voxel",
+              "depth_sweep.samples_per_voxel",
               samples_per_voxel,
               "must be in 0.5 .. 4");
   CheckOption(planes_per_voxel >= 0.5 && planes_per_voxel <= 4,
-              "planes_per_voxel",
+              "depth_sweep.planes_per_voxel",
               planes_per_voxel,
               "must be in 0.5 .. 4");
   CheckOption(window_radius >= 1 && window_radius <= 8,
-              "window_radius",
+              "depth_sweep.window_radius",
               window_radius,
               "must be in 1 .. 8");
   CheckOption(min_score > 0 && min_score < 1,
-              "min_score",
+              "depth_sweep.min_score",
               min_score,
               "must lie between 0 and 1");
 }

@@ -168,6 +168,19 @@ TEST_F(OctahedralMesher, EveryConsistencyReconstructs) {
   }
 }
 
+// Three groups have an option of this name.
+TEST_F(OctahedralMesher, ErrorsNameTheOptionOfTheRightGroup) {
+  for (const char* option : {"OctahedralMeshing.max_angle",
+                             "DepthSweep.max_angle",
+                             "Refinement.max_angle"}) {
+    const ProgramResult result = RunMesher({std::string("--") + option, "95"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err,
+                HasSubstr(std::string("--") + option + " = 95: must"));
+    EXPECT_FALSE(fs::exists(Result(".ply")));
+  }
+}
+
 TEST_F(OctahedralMesher, VisualHullAlone) {
   fs::remove_all(Workspace() / "images");  // masks are enough
   fs::create_directories(Workspace() / "images");

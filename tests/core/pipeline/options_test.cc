@@ -66,7 +66,7 @@ TEST(ReconstructionOptions, AreRejectedWithFieldValueAndConstraint) {
   EXPECT_THAT(Refusal([](auto* o) { o->evidence.ballooning = -1; }),
               StartsWith("ballooning = -1"));
   EXPECT_THAT(Refusal([](auto* o) { o->evidence.sweep.num_neighbors = 1; }),
-              StartsWith("num_neighbors = 1"));
+              StartsWith("depth_sweep.num_neighbors = 1"));
   EXPECT_NE(Refusal([](auto* o) { o->smoothing.lambda = 2; }), "accepted");
   EXPECT_THAT(Refusal([](auto* o) { o->refinement.smoothness = 0; }),
               StartsWith("refinement.smoothness = 0"));

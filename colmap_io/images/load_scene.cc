@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <opencv2/core.hpp>
@@ -15,6 +16,7 @@
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/image_header.h"
 #include "colmap_io/images/mask_content.h"
+#include "colmap_io/images/mask_margin.h"
 #include "colmap_io/images/reduce_mask.h"
 #include "colmap_io/images/scene_points.h"
 #include "colmap_io/images/undistort.h"
@@ -147,7 +149,8 @@ void Loader::ForEachCandidate(std::string_view phase,
 
 View Loader::ReadReducedMask(Candidate* candidate) const {
   const std::string name = candidate->files.mask_file.string();
-  const cv::Mat mask = ReadMask(candidate->files.mask_file);
+  const cv::Mat mask =
+      WithMargin(ReadMask(candidate->files.mask_file), options_.mask_margin);
   candidate->mask_camera =
       mask_cameras_.Find(*candidate->files.image,
                          *candidate->files.camera,
@@ -271,11 +274,12 @@ void Loader::PlanWindows() {
 void Loader::ReadView(const Candidate& candidate, View* view) const {
   // Views are loaded side by side; each by one thread.
   const Context alone(1);
-  view->mask = Undistort(ReadMask(candidate.files.mask_file),
-                         candidate.mask_camera,
-                         view->camera,
-                         255,
-                         alone);
+  view->mask = Undistort(
+      WithMargin(ReadMask(candidate.files.mask_file), options_.mask_margin),
+      candidate.mask_camera,
+      view->camera,
+      255,
+      alone);
   if (!options_.load_images) {
     return;
   }
@@ -298,6 +302,10 @@ void Loader::ReadViews() {
 void LoadSceneOptions::Check() const {
   region.Check();
   window.Check();
+  CheckOption(std::abs(mask_margin) <= kMaxMaskMargin,
+              "mask_margin",
+              mask_margin,
+              fmt::format("must be in -{0} .. {0}", kMaxMaskMargin));
   CheckOption(decode_budget > 0,
               "decode_budget",
               decode_budget,

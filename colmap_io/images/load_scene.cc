@@ -91,6 +91,7 @@ class Loader {
   void FindCandidates();
   void ReadReducedMasks();
   // Empty for a mask without outline.
+  cv::Mat ReadMaskOf(const Candidate& candidate) const;
   View ReadReducedMask(Candidate* candidate) const;
   void LeaveOutMasksWithoutOutline();
   void PlanWindows();
@@ -147,10 +148,13 @@ void Loader::ForEachCandidate(std::string_view phase,
               body);
 }
 
+cv::Mat Loader::ReadMaskOf(const Candidate& candidate) const {
+  return WithMargin(ReadMask(candidate.files.mask_file), options_.mask_margin);
+}
+
 View Loader::ReadReducedMask(Candidate* candidate) const {
   const std::string name = candidate->files.mask_file.string();
-  const cv::Mat mask =
-      WithMargin(ReadMask(candidate->files.mask_file), options_.mask_margin);
+  const cv::Mat mask = ReadMaskOf(*candidate);
   candidate->mask_camera =
       mask_cameras_.Find(*candidate->files.image,
                          *candidate->files.camera,
@@ -275,11 +279,7 @@ void Loader::ReadView(const Candidate& candidate, View* view) const {
   // Views are loaded side by side; each by one thread.
   const Context alone(1);
   view->mask = Undistort(
-      WithMargin(ReadMask(candidate.files.mask_file), options_.mask_margin),
-      candidate.mask_camera,
-      view->camera,
-      255,
-      alone);
+      ReadMaskOf(candidate), candidate.mask_camera, view->camera, 255, alone);
   if (!options_.load_images) {
     return;
   }

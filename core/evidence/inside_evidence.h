@@ -20,8 +20,7 @@ struct InsideEvidenceOptions {
   int min_agreeing_views = 2;
   // Evidence a voxel, in units of the graph's weights: what every voxel of the
   // hull has for inside unless a view has found a surface right there (so
-  // unseen parts keep the hull and thin limbs survive), and what one view's
-  // word is worth.
+  // unseen parts keep the hull), and what one view's word is worth.
   double ballooning = 0.01;
   double matter_weight = 0.5;  // a view with its surface just before the voxel
   // A view that sees through the voxel; the first one counts half.

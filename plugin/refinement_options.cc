@@ -6,8 +6,8 @@ namespace {
 Json RoundToJson(const RoundSummary& round) {
   return {{"scale", round.scale},
           {"range", round.range},
-          {"seen_vertices", round.num_seen},
-          {"tried", round.num_tried},
+          {"places", round.num_places},
+          {"seen_places", round.num_seen},
           {"measured", round.num_measured},
           {"silhouette_targets", round.num_rim_targets},
           {"mean_displacement", round.mean_displacement},
@@ -75,7 +75,6 @@ Json RefinementToJson(const RefineSummary& summary) {
   }
   return {{"pixel_size", summary.pixel_size},
           {"vertices", summary.num_vertices},
-          {"seen_vertices", summary.num_seen},
           {"moved_vertices", summary.num_moved},
           {"withdrawn_vertices", summary.num_withdrawn},
           {"mean_displacement", summary.mean_displacement},

@@ -10,7 +10,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 8192;
+constexpr size_t kGrain = 4096;
 // More would be a mesh much finer than the radius: the nearest ones will do.
 constexpr size_t kMaxNeighbors = 160;
 constexpr size_t kMinNeighbors = 8;
@@ -144,15 +144,17 @@ LocalSurface Fit(const IndexedMesh& mesh,
 
 }  // namespace
 
-std::vector<LocalSurface> FitLocalSurfaces(const IndexedMesh& mesh,
-                                           const VertexCorners& neighbors,
-                                           double radius,
-                                           const Context& context) {
-  std::vector<LocalSurface> surfaces(mesh.positions.size());
+std::vector<LocalSurface> FitLocalSurfaces(
+    const IndexedMesh& mesh,
+    const VertexCorners& neighbors,
+    const std::vector<uint32_t>& vertices,
+    double radius,
+    const Context& context) {
+  std::vector<LocalSurface> surfaces(vertices.size());
   ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
     Neighborhood neighborhood(mesh, neighbors);
-    for (size_t v = begin; v < end; ++v) {
-      surfaces[v] = Fit(mesh, neighborhood.Gather(uint32_t(v), radius), radius);
+    for (size_t i = begin; i < end; ++i) {
+      surfaces[i] = Fit(mesh, neighborhood.Gather(vertices[i], radius), radius);
     }
   });
   return surfaces;

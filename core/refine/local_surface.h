@@ -30,13 +30,15 @@ struct LocalSurface {
   }
 };
 
-// One a vertex of `mesh`, which has normals, by weighted least squares over
-// the vertices that are within `radius` and connected with it there.
-// `neighbors` are those of FindVertexNeighbors. A vertex with too few
+// One for each of `vertices` of `mesh`, which has normals, by weighted least
+// squares over the vertices that are within `radius` and connected with it
+// there. `neighbors` are those of FindVertexNeighbors. A vertex with too few
 // neighbours gets its tangent plane.
-std::vector<LocalSurface> FitLocalSurfaces(const IndexedMesh& mesh,
-                                           const VertexCorners& neighbors,
-                                           double radius,
-                                           const Context& context);
+std::vector<LocalSurface> FitLocalSurfaces(
+    const IndexedMesh& mesh,
+    const VertexCorners& neighbors,
+    const std::vector<uint32_t>& vertices,
+    double radius,
+    const Context& context);
 
 }  // namespace octacut

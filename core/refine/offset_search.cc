@@ -68,18 +68,17 @@ std::vector<OffsetMeasurement> SearchOffsets(
     const ViewSet& views,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<ChosenViews>& choices,
-    const std::vector<uint32_t>& vertices,
     const OffsetSearch& search,
     const Context& context,
     Phase* phase) {
-  std::vector<OffsetMeasurement> measurements(vertices.size());
+  std::vector<OffsetMeasurement> measurements(surfaces.size());
   const int half = int(std::lround(search.range / search.step));
-  ParallelFor(context, vertices.size(), kGrain, [&](size_t begin, size_t end) {
+  ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
     SurfacePatch patch(views, search.patch_radius, float(search.pixel_noise));
     std::vector<float> scores(2 * size_t(half) + 1);
     for (size_t i = begin; i < end; ++i) {
-      const LocalSurface& surface = surfaces[vertices[i]];
-      const ChosenViews& chosen = choices[vertices[i]];
+      const LocalSurface& surface = surfaces[i];
+      const ChosenViews& chosen = choices[i];
       if (chosen.count < 2) {
         continue;
       }

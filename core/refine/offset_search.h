@@ -28,14 +28,13 @@ struct OffsetMeasurement {
   float score_before = 0;  // at offset 0
 };
 
-// One for each of `vertices`, which choose from `surfaces` and `choices`. There
-// is no offset where fewer than two views see, where the best score is too low
-// or at the end of the range, or where a second peak is nearly as high.
+// One for each of `surfaces`, which are seen by `choices`. There is no offset
+// where fewer than two views see, where the best score is too low or at the end
+// of the range, or where a second peak is nearly as high.
 std::vector<OffsetMeasurement> SearchOffsets(
     const ViewSet& views,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<ChosenViews>& choices,
-    const std::vector<uint32_t>& vertices,
     const OffsetSearch& search,
     const Context& context,
     Phase* phase);

@@ -47,10 +47,6 @@ void RefineOptions::Check() const {
               "refinement.smoothness",
               smoothness,
               "must be positive and at most 10000");
-  CheckOption(keep_bend >= 0 && keep_bend <= 1,
-              "refinement.keep_bend",
-              keep_bend,
-              "must be in 0 .. 1");
   CheckOption(outlier_scale > 0,
               "refinement.outlier_scale",
               outlier_scale,

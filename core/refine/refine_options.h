@@ -27,9 +27,6 @@ struct RefineOptions {
   double pixel_noise = 1;
   // Weight of the surface's bend, against an offset that is known to a pixel.
   double smoothness = 30;
-  // Share of the bend of the smooth pieces that is kept: 0 flattens what no
-  // view can tell, 1 keeps its shape.
-  double keep_bend = 1;
   // Offsets that are wrong by more than this many standard deviations weigh
   // like outliers.
   double outlier_scale = 2;

@@ -10,20 +10,24 @@
 #include "core/mesh/normals.h"
 #include "core/raycast/ray_scene.h"
 #include "core/refine/local_surface.h"
+#include "core/refine/move_vertices.h"
 #include "core/refine/offset_search.h"
+#include "core/refine/place_planes.h"
 #include "core/refine/rim_targets.h"
 #include "core/refine/solve_offsets.h"
-#include "core/refine/spread_vertices.h"
+#include "core/refine/surface_places.h"
 
 namespace octacut {
 namespace {
 
-// Rings of unseen vertices around seen ones that may move along with them.
-constexpr int kBlendRings = 8;
+// Rings of unseen places around seen ones that may move along with them.
+constexpr int kBlendRings = 2;
 // Rays begin this far before the surface, in edges of the mesh.
 constexpr double kClearance = 1.5;
 // A piece of the surface needs some triangles, however large they are.
 constexpr double kMinFitEdges = 2.5;
+// How far a place speaks of vertices, in distances between places.
+constexpr double kReach = 1.3;
 
 double MeanEdge(const IndexedMesh& mesh) {
   double sum = 0;
@@ -35,6 +39,19 @@ double MeanEdge(const IndexedMesh& mesh) {
     }
   }
   return sum / double(3 * mesh.triangles.size());
+}
+
+// Mean distance between neighbouring places.
+double MeanSpacing(const IndexedMesh& mesh, const SurfacePlaces& places) {
+  double sum = 0;
+  for (size_t i = 0; i < places.vertices.size(); ++i) {
+    for (const uint32_t next : places.neighbors.Of(i)) {
+      sum += (mesh.positions[places.vertices[i]] -
+              mesh.positions[places.vertices[next]])
+                 .norm();
+    }
+  }
+  return sum / double(std::max<size_t>(places.neighbors.corners.size(), 1));
 }
 
 std::vector<uint8_t> Dilate(std::vector<uint8_t> set,
@@ -51,9 +68,10 @@ std::vector<uint8_t> Dilate(std::vector<uint8_t> set,
   return set;
 }
 
-// What is known of the surface before anything is measured.
+// What is known of the surface, at every place, before anything is measured.
 struct SeenSurface {
-  double edge;
+  double edge;  // of the mesh
+  SurfacePlaces places;
   std::vector<LocalSurface> surfaces;
   RayScene rays;
   std::vector<ChosenViews> choices;
@@ -62,6 +80,7 @@ struct SeenSurface {
 
 SeenSurface LookAtSurface(const ViewSet& views,
                           const VertexCorners& neighbors,
+                          double spacing,
                           double fit_radius,
                           const RefineOptions& options,
                           const Context& context,
@@ -70,13 +89,15 @@ SeenSurface LookAtSurface(const ViewSet& views,
   Stopwatch stopwatch;
   mesh->normals = ComputeVertexNormals(*mesh, context);
   const double edge = MeanEdge(*mesh);
+  SurfacePlaces places = SpreadPlaces(*mesh, neighbors, spacing);
+  std::vector<LocalSurface> surfaces =
+      FitLocalSurfaces(*mesh,
+                       neighbors,
+                       places.vertices,
+                       std::max(fit_radius, kMinFitEdges * edge),
+                       context);
   SeenSurface seen{
-      edge,
-      FitLocalSurfaces(
-          *mesh, neighbors, std::max(fit_radius, kMinFitEdges * edge), context),
-      RayScene(*mesh),
-      {},
-      {}};
+      edge, std::move(places), std::move(surfaces), RayScene(*mesh), {}, {}};
   summary->fit_seconds = stopwatch.Lap();
   seen.choices = ChooseViews(views,
                              seen.rays,
@@ -88,6 +109,7 @@ SeenSurface LookAtSurface(const ViewSet& views,
     seen.is_seen.push_back(chosen.count >= 2);
     summary->num_seen += chosen.count >= 2 ? 1 : 0;
   }
+  summary->num_places = seen.choices.size();
   summary->view_seconds = stopwatch.Lap();
   return seen;
 }
@@ -103,91 +125,71 @@ OffsetSearch MakeSearch(const RoundPlan& plan, const RefineOptions& options) {
   return search;
 }
 
-// Vertices and what smooth pieces say of them; nothing measured yet. Lengths
-// in pixels.
-OffsetProblem MakeProblem(const IndexedMesh& mesh,
-                          const VertexCorners& neighbors,
-                          const SeenSurface& seen,
-                          double keep_bend,
-                          double pixel) {
-  const size_t count = mesh.positions.size();
+// Lengths in pixels.
+OffsetProblem MakeProblem(const SeenSurface& seen,
+                          const std::vector<OffsetMeasurement>& measurements,
+                          double pixel,
+                          double scale,
+                          RoundSummary* summary) {
   OffsetProblem problem;
-  problem.positions.resize(count);
-  problem.normals.resize(count);
-  problem.targets.resize(count);
-  problem.weights.resize(count);
-  problem.bends.resize(count);
-  std::vector<Eigen::Vector3d> smooth(count);
-  for (size_t v = 0; v < count; ++v) {
-    const LocalSurface& surface = seen.surfaces[v];
-    problem.positions[v] = mesh.positions[v] / pixel;
-    problem.normals[v] = surface.normal.cast<double>();
-    problem.targets[v] = seen.is_seen[v] ? float(surface.height / pixel) : 0;
-    smooth[v] = problem.positions[v] + problem.targets[v] * problem.normals[v];
+  for (size_t i = 0; i < measurements.size(); ++i) {
+    const OffsetMeasurement& measurement = measurements[i];
+    problem.normals.push_back(seen.surfaces[i].normal);
+    problem.targets.push_back(float(measurement.offset / pixel));
+    problem.weights.push_back(float(measurement.weight / scale));
+    summary->num_measured += measurement.weight > 0 ? 1 : 0;
   }
-  for (size_t v = 0; v < count; ++v) {
-    // Where nobody sees the surface it keeps its shape, steps and all.
-    const auto& from = seen.is_seen[v] ? smooth : problem.positions;
-    const std::span<const uint32_t> around = neighbors.Of(v);
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (const uint32_t next : around) {
-      sum += from[next] - from[v];
-    }
-    problem.bends[v] = float((seen.is_seen[v] ? keep_bend : 1.0) *
-                             problem.normals[v].dot(sum) /
-                             double(std::max<size_t>(around.size(), 1)));
-  }
-  problem.is_free = Dilate(seen.is_seen, neighbors, kBlendRings);
+  problem.is_free = Dilate(seen.is_seen, seen.places.neighbors, kBlendRings);
   return problem;
 }
 
-void AddMeasurements(const std::vector<uint32_t>& vertices,
-                     const std::vector<OffsetMeasurement>& measurements,
-                     double pixel,
-                     double scale,
-                     OffsetProblem* problem,
-                     RoundSummary* summary) {
-  summary->num_tried = vertices.size();
-  for (size_t i = 0; i < vertices.size(); ++i) {
-    if (measurements[i].weight > 0) {
-      problem->targets[vertices[i]] += float(measurements[i].offset / pixel);
-      problem->weights[vertices[i]] = float(measurements[i].weight / scale);
-      ++summary->num_measured;
-    }
-  }
-}
-
 void AddRimTargets(std::vector<EdgeTarget> targets,
-                   const SeenSurface& seen,
                    double weight,
                    double pixel,
                    OffsetProblem* problem,
                    RoundSummary* summary) {
   for (EdgeTarget& target : targets) {
-    const auto& [a, b] = target.vertices;
-    const float height = (1 - target.fraction) * seen.surfaces[a].height +
-                         target.fraction * seen.surfaces[b].height;
-    target.target = float((target.target + height) / pixel);
+    target.target = float(target.target / pixel);
     target.weight = float(weight);
   }
   summary->num_rim_targets = targets.size();
   problem->edge_targets = std::move(targets);
 }
 
-void Move(const OffsetProblem& problem,
-          const std::vector<double>& offsets,
-          double pixel,
-          IndexedMesh* mesh,
-          RoundSummary* summary) {
-  size_t num_free = 0;
-  for (size_t v = 0; v < offsets.size(); ++v) {
-    if (problem.is_free[v]) {
-      mesh->positions[v] += offsets[v] * pixel * problem.normals[v];
-      summary->mean_displacement += std::abs(offsets[v]);
-      ++num_free;
-    }
+// Solves, and moves the vertices along.
+void MovePlaces(SeenSurface seen,
+                OffsetProblem problem,
+                double pixel,
+                double scale,
+                const RefineOptions& options,
+                const Context& context,
+                IndexedMesh* mesh,
+                RoundSummary* summary) {
+  const VertexCorners& neighbors = seen.places.neighbors;
+  const PlacePlanes planes = FitPlacePlanes(seen.surfaces, neighbors);
+  problem.shares = planes.shares;
+  for (const float spacing : planes.spacings) {
+    problem.spacings.push_back(float(spacing / pixel));
   }
-  summary->mean_displacement /= double(std::max<size_t>(num_free, 1));
+  const double mean_spacing =
+      std::max(MeanSpacing(*mesh, seen.places), seen.edge);
+  SolveOffsetsOptions solving;
+  solving.smoothness = options.smoothness;
+  solving.outlier_scale = options.outlier_scale;
+  MovedPlaces moved;
+  moved.offsets = SolveOffsets(problem, neighbors, solving, context);
+  for (double& offset : moved.offsets) {
+    offset *= pixel;
+  }
+  moved.slopes = planes.Slopes(moved.offsets, neighbors);
+  moved.surfaces = std::move(seen.surfaces);
+  moved.is_free = std::move(problem.is_free);
+  // The pieces of a coarse round are too large to tell the shape between them.
+  moved.is_smooth = scale > 1 ? std::vector<uint8_t>(seen.is_seen.size())
+                              : std::move(seen.is_seen);
+  summary->mean_displacement =
+      MoveVertices(seen.places, moved, kReach * mean_spacing, context, mesh) /
+      pixel;
 }
 
 }  // namespace
@@ -203,57 +205,54 @@ RoundSummary RefineOnce(const ViewSet& views,
   summary.scale = plan.scale;
   summary.range = plan.range * plan.scale;
   const double round_pixel = plan.scale * pixel;
-  const SeenSurface seen = LookAtSurface(views,
-                                         neighbors,
-                                         options.fit_radius * round_pixel,
-                                         options,
-                                         context,
-                                         mesh,
-                                         &summary);
+  const double spacing = options.measure_spacing * round_pixel;
+  SeenSurface seen = LookAtSurface(views,
+                                   neighbors,
+                                   spacing,
+                                   options.fit_radius * round_pixel,
+                                   options,
+                                   context,
+                                   mesh,
+                                   &summary);
   Stopwatch stopwatch;
-  OffsetProblem problem =
-      MakeProblem(*mesh, neighbors, seen, options.keep_bend, pixel);
-  const std::vector<uint32_t> vertices = SpreadVertices(
-      *mesh, neighbors, seen.is_seen, options.measure_spacing * round_pixel);
+  OffsetProblem problem;
   {
     Phase phase(context,
                 fmt::format("refinement within {:.2g} pixels", summary.range),
-                vertices.size());
-    AddMeasurements(vertices,
-                    SearchOffsets(views,
-                                  seen.surfaces,
-                                  seen.choices,
-                                  vertices,
-                                  MakeSearch(plan, options),
-                                  context,
-                                  &phase),
-                    pixel,
-                    plan.scale,
-                    &problem,
-                    &summary);
+                seen.surfaces.size());
+    problem = MakeProblem(seen,
+                          SearchOffsets(views,
+                                        seen.surfaces,
+                                        seen.choices,
+                                        MakeSearch(plan, options),
+                                        context,
+                                        &phase),
+                          pixel,
+                          plan.scale,
+                          &summary);
   }
   summary.search_seconds = stopwatch.Lap();
   if (options.silhouette_weight > 0) {
-    AddRimTargets(
-        FindRimTargets(
-            views, seen.rays, seen.surfaces, neighbors, summary.range, context),
-        seen,
-        options.silhouette_weight,
-        pixel,
-        &problem,
-        &summary);
+    AddRimTargets(FindRimTargets(views,
+                                 seen.rays,
+                                 seen.surfaces,
+                                 seen.places.neighbors,
+                                 summary.range,
+                                 context),
+                  options.silhouette_weight,
+                  pixel,
+                  &problem,
+                  &summary);
   }
   summary.silhouette_seconds = stopwatch.Lap();
-  SolveOffsetsOptions solving;
-  // A bend over an edge goes with the square of its length, and there are as
-  // many fewer: so the weight means the same for any mesh.
-  solving.smoothness = options.smoothness * pixel / seen.edge;
-  solving.outlier_scale = options.outlier_scale;
-  Move(problem,
-       SolveOffsets(problem, neighbors, solving, context),
-       pixel,
-       mesh,
-       &summary);
+  MovePlaces(std::move(seen),
+             std::move(problem),
+             pixel,
+             plan.scale,
+             options,
+             context,
+             mesh,
+             &summary);
   summary.solve_seconds = stopwatch.Lap();
   return summary;
 }
@@ -267,19 +266,17 @@ double MeanAgreement(const ViewSet& views,
   RoundSummary summary;
   const SeenSurface seen = LookAtSurface(views,
                                          neighbors,
+                                         2 * options.measure_spacing * pixel,
                                          options.fit_radius * pixel,
                                          options,
                                          context,
                                          mesh,
                                          &summary);
-  const std::vector<uint32_t> vertices = SpreadVertices(
-      *mesh, neighbors, seen.is_seen, 2 * options.measure_spacing * pixel);
-  Phase phase(context, "agreement of the views", vertices.size());
+  Phase phase(context, "agreement of the views", seen.surfaces.size());
   const std::vector<OffsetMeasurement> measurements =
       SearchOffsets(views,
                     seen.surfaces,
                     seen.choices,
-                    vertices,
                     MakeSearch({1, 0}, options),
                     context,
                     &phase);
@@ -287,7 +284,7 @@ double MeanAgreement(const ViewSet& views,
   for (const OffsetMeasurement& measurement : measurements) {
     sum += measurement.score_before;
   }
-  return sum / double(std::max<size_t>(vertices.size(), 1));
+  return sum / double(std::max<size_t>(summary.num_seen, 1));
 }
 
 }  // namespace octacut

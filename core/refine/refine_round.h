@@ -13,11 +13,11 @@
 namespace octacut {
 
 struct RoundSummary {
-  double scale = 0;         // size of the round's pixels in those of the views
-  double range = 0;         // of the search, pixels of the views
-  size_t num_seen = 0;      // vertices that at least two views see
-  size_t num_tried = 0;     // places where an offset was looked for
-  size_t num_measured = 0;  // of them, where one was found
+  double scale = 0;  // size of the round's pixels in those of the views
+  double range = 0;  // of the search, pixels of the views
+  size_t num_places = 0;
+  size_t num_seen = 0;           // of them, by at least two views
+  size_t num_measured = 0;       // of them, where an offset was found
   size_t num_rim_targets = 0;    // from silhouettes
   double mean_displacement = 0;  // of the vertices that may move, pixels
   double fit_seconds = 0;

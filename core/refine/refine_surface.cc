@@ -109,7 +109,6 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   summary.agreement_after =
       MeanAgreement(views, neighbors, pixel, options, context, &unit);
   SummarizeMoves(start, unit, pixel, &summary);
-  summary.num_seen = summary.rounds.back().num_seen;
   for (size_t v = 0; v < start.size(); ++v) {
     if (unit.positions[v] != start[v]) {
       mesh.positions[v] = cube.min_corner + cube.edge * unit.positions[v];

@@ -17,7 +17,6 @@ namespace octacut {
 struct RefineSummary {
   double pixel_size = 0;  // of the views at the surface, world units
   size_t num_vertices = 0;
-  size_t num_seen = 0;  // by at least two views
   size_t num_moved = 0;
   double mean_displacement = 0;  // of the moved ones, pixels
   double max_displacement = 0;

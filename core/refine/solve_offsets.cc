@@ -14,9 +14,9 @@ constexpr int kMaxNewtonSteps = 4;
 constexpr int kMaxLinearIterations = 40;
 
 // scale * (offset - target)
-class VertexCost final : public ceres::SizedCostFunction<1, 1> {
+class PlaceCost final : public ceres::SizedCostFunction<1, 1> {
  public:
-  VertexCost(double scale, double target) : scale_(scale), target_(target) {}
+  PlaceCost(double scale, double target) : scale_(scale), target_(target) {}
   bool Evaluate(double const* const* parameters,
                 double* residuals,
                 double** jacobians) const override {
@@ -32,7 +32,7 @@ class VertexCost final : public ceres::SizedCostFunction<1, 1> {
   double target_;
 };
 
-// A linear function of some vertices' offsets.
+// A linear function of some places' offsets.
 class LinearCost final : public ceres::CostFunction {
  public:
   LinearCost(std::vector<double> factors, double constant)
@@ -86,7 +86,7 @@ class Builder {
 
   ceres::Problem* Build() {
     for (size_t v = 0; v < offsets_.size(); ++v) {
-      AddVertex(v);
+      AddPlace(v);
       AddBend(v);
     }
     for (const EdgeTarget& target : input_.edge_targets) {
@@ -103,41 +103,36 @@ class Builder {
     return options;
   }
 
-  void AddVertex(size_t v) {
+  void AddPlace(size_t v) {
     if (!input_.is_free[v]) {
       return;
     }
     if (input_.weights[v] > 0) {
       problem_.AddResidualBlock(
-          new VertexCost(input_.weights[v], input_.targets[v]),
+          new PlaceCost(input_.weights[v], input_.targets[v]),
           &loss_,
           &offsets_[v]);
     } else {
       problem_.AddResidualBlock(
-          new VertexCost(options_.anchor, input_.targets[v]),
+          new PlaceCost(options_.anchor, input_.targets[v]),
           nullptr,
           &offsets_[v]);
     }
   }
 
-  // The bend at v is linear in the offsets of v and its neighbours; those that
-  // stay have offset zero.
   void AddBend(size_t v) {
     const std::span<const uint32_t> around = neighbors_.Of(v);
     if (around.empty()) {
       return;
     }
-    const double scale = options_.smoothness;
-    const double share = scale / double(around.size());
-    const Eigen::Vector3d& normal = input_.normals[v];
-    double constant = -scale * double(input_.bends[v]);
+    const double scale = options_.smoothness / double(input_.spacings[v]);
     std::vector<double> factors;
     std::vector<double*> blocks;
-    for (const uint32_t next : around) {
-      constant +=
-          share * normal.dot(input_.positions[next] - input_.positions[v]);
+    for (size_t i = 0; i < around.size(); ++i) {
+      const uint32_t next = around[i];
       if (input_.is_free[next]) {
-        factors.push_back(share * normal.dot(input_.normals[next]));
+        factors.push_back(scale * input_.shares[neighbors_.offsets[v] + i] *
+                          input_.normals[v].dot(input_.normals[next]));
         blocks.push_back(&offsets_[next]);
       }
     }
@@ -147,7 +142,7 @@ class Builder {
     }
     if (!blocks.empty()) {
       problem_.AddResidualBlock(
-          new LinearCost(std::move(factors), constant), nullptr, blocks);
+          new LinearCost(std::move(factors), 0), nullptr, blocks);
     }
   }
 
@@ -156,9 +151,9 @@ class Builder {
     std::vector<double*> blocks;
     const std::array<float, 2> shares = {1 - target.fraction, target.fraction};
     for (int i = 0; i < 2; ++i) {
-      if (input_.is_free[target.vertices[i]]) {
+      if (input_.is_free[target.places[i]]) {
         factors.push_back(double(target.weight) * shares[i]);
-        blocks.push_back(&offsets_[target.vertices[i]]);
+        blocks.push_back(&offsets_[target.places[i]]);
       }
     }
     if (!blocks.empty()) {
@@ -204,14 +199,14 @@ std::vector<double> SolveOffsets(const OffsetProblem& problem,
                                  const VertexCorners& neighbors,
                                  const SolveOffsetsOptions& options,
                                  const Context& context) {
-  std::vector<double> offsets(problem.positions.size(), 0);
+  std::vector<double> offsets(problem.normals.size(), 0);
   Builder builder(problem, neighbors, options, &offsets);
   ceres::Problem* ceres_problem = builder.Build();
   if (ceres_problem->NumResidualBlocks() == 0) {
     return offsets;
   }
   context.ThrowIfCancelled();
-  const Phase phase(context, "offsets of all vertices");
+  const Phase phase(context, "offsets of all places");
   StopWhenCancelled callback(context);
   ceres::Solver::Summary summary;
   ceres::Solve(SolverOptions(&callback), ceres_problem, &summary);

@@ -1,5 +1,5 @@
 // From what views and silhouettes measure here and there to one smooth,
-// robust offset a vertex: a sparse non-linear least-squares problem (Ceres).
+// robust offset a place: a sparse non-linear least-squares problem (Ceres).
 #pragma once
 
 #include <array>
@@ -12,33 +12,34 @@
 
 namespace octacut {
 
-// weight * (fraction of the way from one vertex's offset to the other's -
+// weight * (fraction of the way from one place's offset to the other's -
 // target) shall vanish.
 struct EdgeTarget {
-  std::array<uint32_t, 2> vertices;
-  float fraction;  // 0: of the first vertex, 1: of the second
+  std::array<uint32_t, 2> places;
+  float fraction;  // 0: of the first place, 1: of the second
   float target;
   float weight;
 };
 
+// Offsets of places along their normals.
 struct OffsetProblem {
-  // Vertex v goes to positions[v] + offset * normals[v]. The unit of all
-  // lengths is that of the offsets.
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<Eigen::Vector3d> normals;
-  // 0: the vertex stays.
+  std::vector<Eigen::Vector3f> normals;
+  // 0: the place stays.
   std::vector<uint8_t> is_free;
   // weights[v] * (offset - targets[v]) shall vanish, robustly; weight 0: none.
   std::vector<float> targets;
   std::vector<float> weights;
   std::vector<EdgeTarget> edge_targets;
-  // The bend of the surface at v: how far the mean of its neighbours is above
-  // it, along its normal.
-  std::vector<float> bends;
+  // As in PlacePlanes, spacings in the unit of the offsets.
+  std::vector<float> shares;
+  std::vector<float> spacings;
 };
 
 struct SolveOffsetsOptions {
-  // Of the difference between a bend and what it should be.
+  // Of the bend that the offsets add to the surface: how far the plane through
+  // those of its neighbours is above a place. Over the spacing there, so the
+  // weight means the same for any: a bend goes with its square, and there are
+  // as many fewer.
   double smoothness = 4;
   // Of an offset that nothing is known of.
   double anchor = 0.02;
@@ -46,8 +47,8 @@ struct SolveOffsetsOptions {
   double outlier_scale = 1;
 };
 
-// The offsets, zero for vertices that stay; the same bytes for any number of
-// threads.
+// The offsets, zero for places that stay; the same bytes for any number of
+// threads. `neighbors` are those of SurfacePlaces.
 std::vector<double> SolveOffsets(const OffsetProblem& problem,
                                  const VertexCorners& neighbors,
                                  const SolveOffsetsOptions& options,

@@ -17,8 +17,12 @@ IndexedMesh WithNormals(IndexedMesh mesh) {
 TEST(LocalSurface, FindsCurvatureAndNormalOfASphere) {
   const double radius = 0.4;
   const IndexedMesh mesh = WithNormals(Sphere(40, radius));
-  const std::vector<LocalSurface> surfaces = FitLocalSurfaces(
-      mesh, testing::RefineScene::Neighbors(mesh), 0.06, Context(2));
+  const std::vector<LocalSurface> surfaces =
+      FitLocalSurfaces(mesh,
+                       testing::RefineScene::Neighbors(mesh),
+                       testing::AllVertices(mesh),
+                       0.06,
+                       Context(2));
   ASSERT_EQ(surfaces.size(), mesh.positions.size());
   for (size_t v = 0; v < surfaces.size(); ++v) {
     const LocalSurface& surface = surfaces[v];
@@ -39,8 +43,12 @@ TEST(LocalSurface, LooksThroughNoise) {
       WithNormals(Sphere(40, [&](const Eigen::Vector3d& p) -> Eigen::Vector3d {
         return (0.4 + random.Uniform(-noise, noise)) * p;
       }));
-  const std::vector<LocalSurface> surfaces = FitLocalSurfaces(
-      mesh, testing::RefineScene::Neighbors(mesh), 0.08, Context(2));
+  const std::vector<LocalSurface> surfaces =
+      FitLocalSurfaces(mesh,
+                       testing::RefineScene::Neighbors(mesh),
+                       testing::AllVertices(mesh),
+                       0.08,
+                       Context(2));
   double before = 0, after = 0;
   for (size_t v = 0; v < surfaces.size(); ++v) {
     before += std::abs(mesh.positions[v].norm() - 0.4);
@@ -54,10 +62,29 @@ TEST(LocalSurface, LooksThroughNoise) {
   EXPECT_LT(after, before / 3);
 }
 
+TEST(LocalSurface, IsFittedWhereAskedFor) {
+  const IndexedMesh mesh = WithNormals(Sphere(10, 1));
+  const VertexCorners neighbors = testing::RefineScene::Neighbors(mesh);
+  const std::vector<LocalSurface> all = FitLocalSurfaces(
+      mesh, neighbors, testing::AllVertices(mesh), 0.3, Context(1));
+  const std::vector<uint32_t> some = {3, 50, 51};
+  const std::vector<LocalSurface> surfaces =
+      FitLocalSurfaces(mesh, neighbors, some, 0.3, Context(2));
+  ASSERT_EQ(surfaces.size(), some.size());
+  for (size_t i = 0; i < some.size(); ++i) {
+    EXPECT_EQ(surfaces[i].center, all[some[i]].center);
+    EXPECT_EQ(surfaces[i].uu, all[some[i]].uu);
+  }
+}
+
 TEST(LocalSurface, IsThePlaneOfAVertexWithFewNeighbors) {
   const IndexedMesh mesh = WithNormals(Cube(1));
-  const std::vector<LocalSurface> surfaces = FitLocalSurfaces(
-      mesh, testing::RefineScene::Neighbors(mesh), 0.1, Context(1));
+  const std::vector<LocalSurface> surfaces =
+      FitLocalSurfaces(mesh,
+                       testing::RefineScene::Neighbors(mesh),
+                       testing::AllVertices(mesh),
+                       0.1,
+                       Context(1));
   for (size_t v = 0; v < surfaces.size(); ++v) {
     EXPECT_EQ(surfaces[v].center, mesh.positions[v].cast<float>());
     EXPECT_LT((surfaces[v].normal - mesh.normals[v]).norm(), 1e-6);

@@ -22,27 +22,21 @@ class OffsetSearchTest : public ::testing::Test {
     const IndexedMesh mesh = scene_->ToUnitMesh(RefineScene::Mesh(
         16, [&](const auto&) { return pixels * scene_->Pixel(); }));
     const std::vector<LocalSurface> surfaces =
-        FitLocalSurfaces(mesh, RefineScene::Neighbors(mesh), 0.1, Context(2));
+        FitLocalSurfaces(mesh,
+                         RefineScene::Neighbors(mesh),
+                         testing::AllVertices(mesh),
+                         0.1,
+                         Context(2));
     const std::vector<ChosenViews> choices = ChooseViews(scene_->test.views,
                                                          RayScene(mesh),
                                                          surfaces,
                                                          0.02,
                                                          ViewChoiceOptions(),
                                                          Context(2));
-    std::vector<uint32_t> vertices;
-    for (uint32_t v = 0; v < mesh.positions.size(); ++v) {
-      vertices.push_back(v);
-    }
     const Context context(2);
     Phase phase(context, "test");
-    std::vector<OffsetMeasurement> measurements =
-        SearchOffsets(scene_->test.views,
-                      surfaces,
-                      choices,
-                      vertices,
-                      search,
-                      context,
-                      &phase);
+    std::vector<OffsetMeasurement> measurements = SearchOffsets(
+        scene_->test.views, surfaces, choices, search, context, &phase);
     for (OffsetMeasurement& measurement : measurements) {
       measurement.offset *=
           float(scene_->test.region.cube.edge / scene_->Pixel());

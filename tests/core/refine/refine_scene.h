@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "core/mesh/normals.h"
@@ -12,6 +13,12 @@
 #include "tests/core/views/test_scene.h"
 
 namespace octacut::testing {
+
+inline std::vector<uint32_t> AllVertices(const IndexedMesh& mesh) {
+  std::vector<uint32_t> vertices(mesh.positions.size());
+  std::iota(vertices.begin(), vertices.end(), 0u);
+  return vertices;
+}
 
 struct RefineScene {
   static constexpr double kRadius = 0.8;  // world units, around the origin

@@ -19,12 +19,14 @@ class RimTargets : public ::testing::Test {
   std::vector<EdgeTarget> Find(const IndexedMesh& mesh,
                                const RayScene& rays) const {
     const VertexCorners neighbors = RefineScene::Neighbors(mesh);
-    return FindRimTargets(scene_->test.views,
-                          rays,
-                          FitLocalSurfaces(mesh, neighbors, 0.05, Context(2)),
-                          neighbors,
-                          4,
-                          Context(2));
+    return FindRimTargets(
+        scene_->test.views,
+        rays,
+        FitLocalSurfaces(
+            mesh, neighbors, testing::AllVertices(mesh), 0.05, Context(2)),
+        neighbors,
+        4,
+        Context(2));
   }
   IndexedMesh Larger(double pixels) const {
     return scene_->ToUnitMesh(RefineScene::Mesh(

@@ -5,6 +5,7 @@
 #include <atomic>
 
 #include "core/base/error.h"
+#include "core/refine/place_planes.h"
 #include "tests/core/refine/refine_scene.h"
 
 namespace octacut {
@@ -12,8 +13,8 @@ namespace {
 
 using testing::Random;
 
-// A unit sphere that may move along its normals, nothing measured: its bends
-// are as they are.
+// The vertices of a sphere as places that may move along its normals, nothing
+// measured.
 struct SphereProblem {
   IndexedMesh mesh = Sphere(16, 20);
   VertexCorners neighbors = testing::RefineScene::Neighbors(mesh);
@@ -21,19 +22,20 @@ struct SphereProblem {
 
   SphereProblem() {
     const size_t count = mesh.positions.size();
-    problem.positions = mesh.positions;
     problem.is_free.assign(count, 1);
     problem.targets.assign(count, 0);
     problem.weights.assign(count, 0);
-    for (size_t v = 0; v < count; ++v) {
-      problem.normals.push_back(mesh.positions[v].normalized());
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const uint32_t next : neighbors.Of(v)) {
-        sum += mesh.positions[next] - mesh.positions[v];
-      }
-      problem.bends.push_back(
-          float(problem.normals[v].dot(sum) / double(neighbors.Of(v).size())));
+    for (const Eigen::Vector3d& position : mesh.positions) {
+      problem.normals.push_back(position.normalized().cast<float>());
     }
+    IndexedMesh with_normals = mesh;
+    with_normals.normals = problem.normals;
+    const PlacePlanes planes = FitPlacePlanes(
+        FitLocalSurfaces(
+            with_normals, neighbors, testing::AllVertices(mesh), 4, Context(1)),
+        neighbors);
+    problem.shares = planes.shares;
+    problem.spacings = planes.spacings;
   }
   std::vector<double> Solve(const Context& context = Context(2)) const {
     return SolveOffsets(problem, neighbors, SolveOffsetsOptions(), context);

@@ -18,8 +18,11 @@ class ViewChoice : public ::testing::Test {
   static void TearDownTestSuite() { delete scene_; }
 
   std::vector<LocalSurface> Fit(const IndexedMesh& mesh) const {
-    return FitLocalSurfaces(
-        mesh, RefineScene::Neighbors(mesh), 0.03, Context(2));
+    return FitLocalSurfaces(mesh,
+                            RefineScene::Neighbors(mesh),
+                            testing::AllVertices(mesh),
+                            0.03,
+                            Context(2));
   }
   const ViewSet& Views() const { return scene_->test.views; }
 

@@ -1,0 +1,30 @@
+// Places spread evenly over a mesh, some vertices apart: patches of
+// neighbouring vertices overlap so far that it is enough to measure at one of
+// several and to solve for one unknown there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/indexed_mesh.h"
+#include "core/mesh/vertex_corners.h"
+
+namespace octacut {
+
+struct SurfacePlaces {
+  std::vector<uint32_t> vertices;  // of the mesh, ascending; one a place
+  // Of every vertex of the mesh the closest place that reaches it.
+  std::vector<uint32_t> place_of;
+  // Of every place those whose vertices are joined with its own by an edge,
+  // ascending.
+  VertexCorners neighbors;
+};
+
+// No two places are within `distance` of each other along the edges of the
+// mesh, and every vertex is within `distance` of one. `neighbors` are those of
+// FindVertexNeighbors.
+SurfacePlaces SpreadPlaces(const IndexedMesh& mesh,
+                           const VertexCorners& neighbors,
+                           double distance);
+
+}  // namespace octacut

@@ -27,12 +27,13 @@ class BoxTree {
   // Calls visit(other) for the leaves after `leaf` whose boxes touch its own.
   template <typename Visit>
   void ForLaterNeighbors(size_t leaf, const Visit& visit) const {
-    if (!levels_.empty()) {
-      const size_t top = levels_.size() - 1;
-      for (size_t node = 0; node < levels_[top].size(); ++node) {
-        Descend(levels_[0][leaf], leaf, top, node, visit);
-      }
-    }
+    VisitFrom(leaf + 1, levels_[0][leaf], visit);
+  }
+
+  // The same of all leaves, `leaf` among them.
+  template <typename Visit>
+  void ForNeighbors(size_t leaf, const Visit& visit) const {
+    VisitFrom(0, levels_[0][leaf], visit);
   }
 
  private:
@@ -51,15 +52,23 @@ class BoxTree {
            a.min[2] <= b.max[2] && b.min[2] <= a.max[2];
   }
 
+  // Leaves from `first` on whose boxes touch `box`.
+  template <typename Visit>
+  void VisitFrom(size_t first, const Box& box, const Visit& visit) const {
+    const size_t top = levels_.size() - 1;
+    for (size_t node = 0; node < levels_[top].size(); ++node) {
+      Descend(box, first, top, node, visit);
+    }
+  }
+
   template <typename Visit>
   void Descend(const Box& box,
-               size_t leaf,
+               size_t first,
                size_t level,
                size_t node,
                const Visit& visit) const {
-    // The last leaf below the node must come after ours.
     const size_t leaves_end = (node + 1) << (kLogFanOut * level);
-    if (leaves_end <= leaf + 1 || !Touch(box, levels_[level][node])) {
+    if (leaves_end <= first || !Touch(box, levels_[level][node])) {
       return;
     }
     if (level == 0) {
@@ -69,7 +78,7 @@ class BoxTree {
     const size_t end =
         std::min(levels_[level - 1].size(), (node + 1) * kFanOut);
     for (size_t child = node * kFanOut; child < end; ++child) {
-      Descend(box, leaf, level - 1, child, visit);
+      Descend(box, first, level - 1, child, visit);
     }
   }
 

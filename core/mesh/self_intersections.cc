@@ -114,4 +114,45 @@ SelfIntersections FindSelfIntersections(const IndexedMesh& mesh,
   return result;
 }
 
+std::vector<std::array<uint32_t, 2>> FindIntersectionsOfMarked(
+    const IndexedMesh& mesh,
+    const std::vector<uint8_t>& marked,
+    const Context& context) {
+  CheckIndices(mesh);
+  const BoxTree tree(mesh, MarkUsable(mesh, context), context);
+  Phase phase(context, "Find new self-intersections", tree.NumLeaves());
+  std::vector<std::vector<std::array<uint32_t, 2>>> chunks(
+      NumChunks(tree.NumLeaves(), kGrain));
+  ParallelChunks(
+      context,
+      tree.NumLeaves(),
+      kGrain,
+      [&](size_t chunk, size_t begin, size_t end) {
+        for (size_t leaf = begin; leaf < end; ++leaf) {
+          const uint32_t triangle = tree.Triangle(leaf);
+          if (!marked[triangle]) {
+            continue;
+          }
+          const TriangleCorners corners = CornersOf(mesh, triangle);
+          tree.ForNeighbors(leaf, [&](size_t other_leaf) {
+            const uint32_t other = tree.Triangle(other_leaf);
+            // Pairs of marked ones are found from the smaller.
+            if (other == triangle || (marked[other] && other < triangle) ||
+                !TrianglesIntersect(corners, CornersOf(mesh, other))) {
+              return;
+            }
+            chunks[chunk].push_back(
+                {std::min(triangle, other), std::max(triangle, other)});
+          });
+        }
+        phase.Advance(end - begin);
+      });
+  std::vector<std::array<uint32_t, 2>> pairs;
+  for (const auto& chunk : chunks) {
+    pairs.insert(pairs.end(), chunk.begin(), chunk.end());
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
 }  // namespace octacut

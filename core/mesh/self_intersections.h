@@ -30,4 +30,11 @@ SelfIntersections FindSelfIntersections(const IndexedMesh& mesh,
                                         const Context& context,
                                         size_t max_examples = 0);
 
+// All pairs, sorted, in which at least one triangle has a mark (one for each
+// triangle, not 0): what is new where only marked ones have moved.
+std::vector<std::array<uint32_t, 2>> FindIntersectionsOfMarked(
+    const IndexedMesh& mesh,
+    const std::vector<uint8_t>& marked,
+    const Context& context);
+
 }  // namespace octacut

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <numeric>
 
 #include "core/base/parallel.h"
@@ -71,18 +70,41 @@ size_t WithdrawIntoHull(const ViewSet& views,
   return std::accumulate(withdrawn.begin(), withdrawn.end(), size_t{0});
 }
 
-// The same.
+// Pairs of triangles that intersect, of which one at least has moved since the
+// search before.
+class NewIntersections {
+ public:
+  std::vector<std::array<uint32_t, 2>> Find(const IndexedMesh& mesh,
+                                            const Context& context) {
+    std::vector<uint8_t> has_moved(mesh.triangles.size(), 1);
+    if (!before_.empty()) {
+      for (size_t i = 0; i < has_moved.size(); ++i) {
+        const auto& corners = mesh.triangles[i];
+        has_moved[i] =
+            std::any_of(corners.begin(), corners.end(), [&](uint32_t v) {
+              return mesh.positions[v] != before_[v];
+            });
+      }
+    }
+    before_ = mesh.positions;
+    return FindIntersectionsOfMarked(mesh, has_moved, context);
+  }
+
+ private:
+  std::vector<Eigen::Vector3d> before_;
+};
+
+// Returns how many were moved back.
 size_t WithdrawFromIntersections(const std::vector<Eigen::Vector3d>& start,
                                  const Context& context,
+                                 NewIntersections* intersections,
                                  IndexedMesh* mesh) {
   const std::vector<Eigen::Vector3d> target = mesh->positions;
   std::vector<uint8_t> steps(start.size());
   size_t num_withdrawn = 0;
   while (true) {
-    const SelfIntersections found = FindSelfIntersections(
-        *mesh, context, std::numeric_limits<size_t>::max());
     std::vector<uint32_t> vertices;
-    for (const auto& pair : found.examples) {
+    for (const auto& pair : intersections->Find(*mesh, context)) {
       for (const uint32_t triangle : pair) {
         const auto& corners = mesh->triangles[triangle];
         vertices.insert(vertices.end(), corners.begin(), corners.end());
@@ -91,7 +113,8 @@ size_t WithdrawFromIntersections(const std::vector<Eigen::Vector3d>& start,
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()),
                    vertices.end());
-    // Those that are back at the start intersected there already.
+    // Those that are back at the start intersected there already; so pairs
+    // without any other need not be looked at again.
     std::erase_if(vertices, [&](uint32_t v) {
       return steps[v] + 1u == kFractions.size() || target[v] == start[v];
     });
@@ -116,6 +139,7 @@ size_t KeepValid(const ViewSet& views,
                  IndexedMesh* mesh) {
   size_t num_withdrawn =
       WithdrawIntoHull(views, start, tolerance, context, mesh);
+  NewIntersections intersections;
   size_t num_intersecting;
   do {
     num_withdrawn += WithdrawFromThinTriangles(mesh->triangles,
@@ -124,7 +148,8 @@ size_t KeepValid(const ViewSet& views,
                                                context,
                                                mesh->positions)
                          .num_withdrawn;
-    num_intersecting = WithdrawFromIntersections(start, context, mesh);
+    num_intersecting =
+        WithdrawFromIntersections(start, context, &intersections, mesh);
     num_withdrawn += num_intersecting;
     // What is moved back may be thin again, until all of it is at the start.
   } while (num_intersecting > 0);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t kGrain = 4096;
 // More would be a mesh much finer than the radius: the nearest ones will do.
-constexpr size_t kMaxNeighbors = 160;
+constexpr size_t kMaxNeighbors = 1024;
 constexpr size_t kMinNeighbors = 8;
 // Least cosine between the normals of a vertex and of what counts as the same
 // side of the surface.

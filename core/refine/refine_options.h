@@ -13,7 +13,7 @@ struct RefineOptions {
   int fine_rounds = 2;
   // Rounds before, each at half the resolution of the next; 0 .. 4.
   int coarse_rounds = 2;
-  double range = 2;
+  double range = 3;
   double step = 0.5;  // between tried offsets
   // Patches have (2 r + 1)^2 samples a pixel apart; 1 .. 4.
   int patch_radius = 4;
@@ -21,12 +21,12 @@ struct RefineOptions {
   double measure_spacing = 2;
   // Of the pieces of the surface that are taken for smooth.
   double fit_radius = 9;
-  double min_score = 0.3;  // of an accepted offset
+  double min_score = 0.2;  // of an accepted offset
   // Standard deviation of the images' noise, grey levels: contrast below it
   // counts as plain.
-  double pixel_noise = 1;
+  double pixel_noise = 0.5;
   // Weight of the surface's bend, against an offset that is known to a pixel.
-  double smoothness = 30;
+  double smoothness = 25;
   // Offsets that are wrong by more than this many standard deviations weigh
   // like outliers.
   double outlier_scale = 2;

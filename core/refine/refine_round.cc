@@ -160,7 +160,6 @@ void AddRimTargets(std::vector<EdgeTarget> targets,
 void MovePlaces(SeenSurface seen,
                 OffsetProblem problem,
                 double pixel,
-                double scale,
                 const RefineOptions& options,
                 const Context& context,
                 IndexedMesh* mesh,
@@ -184,9 +183,7 @@ void MovePlaces(SeenSurface seen,
   moved.slopes = planes.Slopes(moved.offsets, neighbors);
   moved.surfaces = std::move(seen.surfaces);
   moved.is_free = std::move(problem.is_free);
-  // The pieces of a coarse round are too large to tell the shape between them.
-  moved.is_smooth = scale > 1 ? std::vector<uint8_t>(seen.is_seen.size())
-                              : std::move(seen.is_seen);
+  moved.is_smooth = std::move(seen.is_seen);
   summary->mean_displacement =
       MoveVertices(seen.places, moved, kReach * mean_spacing, context, mesh) /
       pixel;
@@ -248,7 +245,6 @@ RoundSummary RefineOnce(const ViewSet& views,
   MovePlaces(std::move(seen),
              std::move(problem),
              pixel,
-             plan.scale,
              options,
              context,
              mesh,

@@ -59,7 +59,7 @@ void SurfacePatch::Place(const LocalSurface& surface,
     projected.level = &view.pyramid.LevelForFootprint(
         projection.Footprint(spacing, origin.z()));
     if (!IsBackground(projected)) {
-      projected.gain = 1 / std::sqrt(SampleView(projected, 0) + noise_);
+      projected.weight = chosen.weights[n];
       ++num_views_;
     }
   }
@@ -103,10 +103,15 @@ float SurfacePatch::SampleView(const Projected& projected, float offset) {
 float SurfacePatch::Score(float offset) {
   std::array<Float4, kMaxSamples> sums = {};
   float squares = 0;
+  float weights = 0;
+  float squared_weights = 0;
   for (int n = 0; n < num_views_; ++n) {
+    const float weight = projected_[n].weight;
     const float square = SampleView(projected_[n], offset);
-    const float gain = 1 / std::sqrt(square + noise_);
+    const float gain = weight / std::sqrt(square + noise_);
     squares += gain * gain * square;
+    weights += weight;
+    squared_weights += weight * weight;
     for (int s = 0; s < num_samples_; ++s) {
       sums[s] += gain * colors_[s];
     }
@@ -117,7 +122,7 @@ float SurfacePatch::Score(float offset) {
   }
   return num_views_ < 2 ? 0
                         : (SumChannels(square) - squares) /
-                              float(num_views_ * (num_views_ - 1));
+                              (weights * weights - squared_weights);
 }
 
 }  // namespace octacut

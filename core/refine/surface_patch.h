@@ -29,8 +29,8 @@ class SurfacePatch {
   int NumViews() const { return num_views_; }
 
   // Agreement of the views about the patch moved by `offset` along the normal:
-  // mean over pairs of views of the covariance of their colours, each less its
-  // mean and over its contrast at offset 0. At most about 1.
+  // mean over pairs of views of the correlation of their colours, weighted by
+  // the views' weights. At most 1.
   float Score(float offset);
 
  private:
@@ -39,7 +39,7 @@ class SurfacePatch {
   struct Projected {
     const PyramidLevel* level;
     Eigen::Vector3f step;
-    float gain;
+    float weight;
     alignas(16) std::array<float, kMaxSamples> x, y, z;
   };
 

@@ -82,6 +82,7 @@ ChosenViews Choose(const RayScene& rays,
       continue;
     }
     directions[chosen.count] = candidate.direction;
+    chosen.weights[chosen.count] = candidate.cosine;
     chosen.views[chosen.count++] = candidate.view;
     chosen.pixel += candidate.pixel;
     if (chosen.count == max_views) {

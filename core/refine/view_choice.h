@@ -14,7 +14,7 @@ namespace octacut {
 
 struct ViewChoiceOptions {
   // Views at more than this angle (degrees) to the normal do not count.
-  double max_angle = 65;
+  double max_angle = 80;
   // At most this many views a vertex, those most nearly frontal; 2 .. 24.
   int max_views = 16;
   // Between the directions of any two of them, degrees: nearly equal views
@@ -26,6 +26,8 @@ struct ViewChoiceOptions {
 struct ChosenViews {
   static constexpr int kMaxViews = 24;
   std::array<uint16_t, kMaxViews> views;  // most frontal first
+  // Cosines to the normal: what is foreshortened tells less.
+  std::array<float, kMaxViews> weights;
   uint8_t count = 0;
   float pixel = 0;  // mean size of their pixels at the vertex
 };

@@ -152,16 +152,17 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
                  summary,
                  options.max_grow_rounds > 0 ? &state : nullptr);
     stopwatch.Lap();
-    Crust grown = GrowCrust(hierarchy,
-                            crust,
-                            cut.labels,
-                            options.crust.crust_dilation,
-                            &summary->num_border_voxels,
-                            context);
-    summary->crust_seconds += stopwatch.Lap();
+    const std::vector<uint8_t> at_border =
+        CutAtBorder(crust, cut.labels, &summary->num_border_voxels);
     summary->num_grow_rounds = round;
-    if (round >= options.max_grow_rounds ||
-        grown.voxels.Size() == crust.voxels.Size()) {
+    if (round >= options.max_grow_rounds || summary->num_border_voxels == 0) {
+      summary->crust_seconds += stopwatch.Lap();
+      return {std::move(crust.voxels), std::move(cut.labels)};
+    }
+    Crust grown = GrowCrust(
+        hierarchy, crust, at_border, options.crust.crust_dilation, context);
+    summary->crust_seconds += stopwatch.Lap();
+    if (grown.voxels.Size() == crust.voxels.Size()) {
       return {std::move(crust.voxels), std::move(cut.labels)};
     }
     crust = std::move(grown);

@@ -1,7 +1,7 @@
 #include "core/visibility/surface_normals.h"
 
 #include "core/base/parallel.h"
-#include "core/grid/neighbors.h"
+#include "core/grid/voxel_walk.h"
 
 namespace octacut {
 namespace {
@@ -15,14 +15,14 @@ using NeighborValues = std::array<float, kNumFaces>;
 // Values of the six neighbours; where there is none, what the tie says.
 NeighborValues ValuesAcross(const std::vector<float>& values,
                             const std::vector<FaceTies>& ties,
-                            VoxelGrid::Index index,
-                            const NeighborIndices& neighbors) {
+                            const VoxelWalk& walk,
+                            const VoxelPlace& place) {
   NeighborValues result;
   for (int face = 0; face < kNumFaces; ++face) {
-    const VoxelGrid::Index n = neighbors[face];
+    const VoxelGrid::Index n = walk.Neighbor(place, face);
     result[face] = n != VoxelGrid::kNone
                        ? values[n]
-                       : ((ties[index] & InsideTie(face)) ? 1.0f : 0.0f);
+                       : ((ties[place.index] & InsideTie(face)) ? 1.0f : 0.0f);
   }
   return result;
 }
@@ -36,22 +36,14 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
                                              const Context& context) {
   std::vector<float> values = prior;
   std::vector<float> blurred(values.size());
+  const VoxelWalk walk(voxels);
   const auto for_all = [&](auto&& body) {
-    ParallelFor(context,
-                voxels.Bricks().size(),
-                kBrickGrain,
-                [&](size_t begin, size_t end) {
-                  ForEachWithNeighbors(
-                      voxels,
-                      begin,
-                      end,
-                      [&](VoxelGrid::Index index,
-                          MortonCode,
-                          const NeighborIndices& neighbors) {
-                        body(index,
-                             ValuesAcross(values, ties, index, neighbors));
-                      });
-                });
+    ParallelFor(
+        context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+          walk.ForEach(begin, end, [&](const VoxelPlace& place) {
+            body(place.index, ValuesAcross(values, ties, walk, place));
+          });
+        });
   };
   for (int step = 0; step < blur_steps; ++step) {
     for_all([&](VoxelGrid::Index index, const NeighborValues& across) {

@@ -1,6 +1,8 @@
 #include "core/pipeline/voxel_terms.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
@@ -12,6 +14,29 @@ namespace {
 
 constexpr size_t kBrickGrain = 64;
 
+// Normals of the voxels that `is_new` flags, one after the other.
+std::vector<Eigen::Vector3f> NormalsOf(const std::vector<uint8_t>& is_new,
+                                       const Crust& crust,
+                                       int blur_steps,
+                                       const Context& context) {
+  const size_t num_new =
+      size_t(std::count(is_new.begin(), is_new.end(), uint8_t{1}));
+  std::span<const uint8_t> wanted;
+  if (num_new < is_new.size()) {
+    wanted = is_new;
+  }
+  std::vector<Eigen::Vector3f> normals = EstimateNormals(
+      crust.voxels, crust.ties, crust.prior, blur_steps, context, wanted);
+  size_t next = 0;
+  for (size_t i = 0; i < is_new.size(); ++i) {
+    if (is_new[i]) {
+      normals[next++] = normals[i];
+    }
+  }
+  normals.resize(num_new);
+  return normals;
+}
+
 }  // namespace
 
 void ExtendTerms(const ViewSet& views,
@@ -22,26 +47,22 @@ void ExtendTerms(const ViewSet& views,
                  VoxelTerms* terms,
                  LevelSummary* summary) {
   Stopwatch stopwatch;
-  std::vector<Eigen::Vector3f> normals = EstimateNormals(
-      crust.voxels, crust.ties, crust.prior, options.normal_blur, context);
-  summary->visibility_seconds += stopwatch.Lap();
-
   VoxelTerms extended{crust.voxels,
                       std::vector<float>(crust.voxels.Size()),
                       std::vector<float>(crust.voxels.Size())};
   std::vector<uint8_t> is_new(crust.voxels.Size());
-  size_t num_new = 0;
   crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
     const VoxelGrid::Index before = terms->voxels.Find(code);
     is_new[index] = before == VoxelGrid::kNone;
-    if (is_new[index]) {
-      normals[num_new++] = normals[index];
-    } else {
+    if (!is_new[index]) {
       extended.phi[index] = terms->phi[before];
       extended.evidence[index] = terms->evidence[before];
     }
   });
-  normals.resize(num_new);
+  summary->crust_seconds += stopwatch.Lap();
+  const std::vector<Eigen::Vector3f> normals =
+      NormalsOf(is_new, crust, options.normal_blur, context);
+  summary->visibility_seconds += stopwatch.Lap();
   const VoxelGrid added = Subset(crust.voxels, is_new);
   const PhotoConsistency consistency = EstimateConsistency(
       views, added, normals, visibility, options.consistency, context);

@@ -7,6 +7,7 @@ namespace octacut {
 namespace {
 
 constexpr size_t kBrickGrain = 256;
+constexpr size_t kVoxelGrain = 8192;
 // Below this the gradient is rounding noise.
 constexpr float kSmallestGradient = 1e-4f;
 
@@ -27,36 +28,87 @@ NeighborValues ValuesAcross(const std::vector<float>& values,
   return result;
 }
 
+// What is within so many 6-neighbour steps of some voxels.
+struct Rings {
+  std::vector<VoxelPlace> places;  // the nearer ones first
+  std::vector<size_t> ends;        // of the places within k steps, by k
+};
+
+Rings RingsAround(const VoxelWalk& walk,
+                  std::span<const uint8_t> centers,
+                  int num_steps) {
+  Rings rings;
+  std::vector<uint8_t> found(centers.begin(), centers.end());
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
+    if (found[place.index]) {
+      rings.places.push_back(place);
+    }
+  });
+  rings.ends = {rings.places.size()};
+  for (size_t k = 0; int(rings.ends.size()) <= num_steps;) {
+    for (; k < rings.ends.back(); ++k) {
+      const VoxelPlace from = rings.places[k];
+      for (int face = 0; face < kNumFaces; ++face) {
+        const VoxelGrid::Index n = walk.Neighbor(from, face);
+        if (n != VoxelGrid::kNone && !found[n]) {
+          found[n] = 1;
+          rings.places.push_back(walk.Step(from, face));
+        }
+      }
+    }
+    rings.ends.push_back(rings.places.size());
+  }
+  return rings;
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
                                              const std::vector<FaceTies>& ties,
                                              const std::vector<float>& prior,
                                              int blur_steps,
-                                             const Context& context) {
+                                             const Context& context,
+                                             std::span<const uint8_t> wanted) {
   std::vector<float> values = prior;
   std::vector<float> blurred(values.size());
   const VoxelWalk walk(voxels);
-  const auto for_all = [&](auto&& body) {
-    ParallelFor(
-        context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
-          walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-            body(place.index, ValuesAcross(values, ties, walk, place));
-          });
-        });
+  const Rings rings =
+      wanted.empty() ? Rings() : RingsAround(walk, wanted, blur_steps);
+  const auto for_all_within = [&](int num_steps, auto&& body) {
+    const auto call = [&](const VoxelPlace& place) {
+      body(place.index, ValuesAcross(values, ties, walk, place));
+    };
+    if (wanted.empty()) {
+      ParallelFor(
+          context,
+          walk.NumBricks(),
+          kBrickGrain,
+          [&](size_t begin, size_t end) { walk.ForEach(begin, end, call); });
+      return;
+    }
+    ParallelFor(context,
+                rings.ends[size_t(num_steps)],
+                kVoxelGrain,
+                [&](size_t begin, size_t end) {
+                  for (size_t k = begin; k < end; ++k) {
+                    call(rings.places[k]);
+                  }
+                });
   };
+  // What is k steps away is needed until there are k steps left.
   for (int step = 0; step < blur_steps; ++step) {
-    for_all([&](VoxelGrid::Index index, const NeighborValues& across) {
-      float sum = values[index];
-      for (const float value : across) {
-        sum += value;
-      }
-      blurred[index] = sum / 7;
-    });
+    for_all_within(blur_steps - step,
+                   [&](VoxelGrid::Index index, const NeighborValues& across) {
+                     float sum = values[index];
+                     for (const float value : across) {
+                       sum += value;
+                     }
+                     blurred[index] = sum / 7;
+                   });
     values.swap(blurred);
   }
-  std::vector<Eigen::Vector3f> normals(values.size());
-  for_all([&](VoxelGrid::Index index, const NeighborValues& across) {
+  std::vector<Eigen::Vector3f> normals(values.size(), Eigen::Vector3f::Zero());
+  for_all_within(0, [&](VoxelGrid::Index index, const NeighborValues& across) {
     const Eigen::Vector3f outward(
         across[0] - across[1], across[2] - across[3], across[4] - across[5]);
     const float length = outward.norm();

@@ -91,6 +91,37 @@ TEST(EstimateNormals, AreZeroWithoutAGradient) {
   }
 }
 
+TEST(EstimateNormals, OfSomeVoxelsAreThoseAmongAll) {
+  const Crust crust = CrustOfBall();
+  // A patch, and single voxels elsewhere.
+  std::vector<uint8_t> wanted(crust.voxels.Size(), 0);
+  crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    wanted[index] = DecodeMorton(code).x() < 14 || index % 4001 == 0;
+  });
+  for (const int blur_steps : {0, 1, 5}) {
+    std::vector<Eigen::Vector3f> expected = EstimateNormals(
+        crust.voxels, crust.ties, crust.prior, blur_steps, Context(2));
+    size_t num_wanted = 0;
+    for (size_t i = 0; i < expected.size(); ++i) {
+      num_wanted += wanted[i];
+      if (!wanted[i]) {
+        expected[i].setZero();
+      }
+    }
+    ASSERT_GT(num_wanted, 100u);
+    ASSERT_LT(num_wanted, expected.size() / 4);
+    for (const int num_threads : {1, 3}) {
+      EXPECT_EQ(EstimateNormals(crust.voxels,
+                                crust.ties,
+                                crust.prior,
+                                blur_steps,
+                                Context(num_threads),
+                                wanted),
+                expected);
+    }
+  }
+}
+
 TEST(EstimateNormals, AreTheSameForAnyNumberOfThreads) {
   const Crust crust = CrustOfBall();
   const auto estimate = [&](int num_threads) {

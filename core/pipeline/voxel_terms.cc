@@ -1,6 +1,5 @@
 #include "core/pipeline/voxel_terms.h"
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -13,29 +12,6 @@ namespace octacut {
 namespace {
 
 constexpr size_t kBrickGrain = 64;
-
-// Normals of the voxels that `is_new` flags, one after the other.
-std::vector<Eigen::Vector3f> NormalsOf(const std::vector<uint8_t>& is_new,
-                                       const Crust& crust,
-                                       int blur_steps,
-                                       const Context& context) {
-  const size_t num_new =
-      size_t(std::count(is_new.begin(), is_new.end(), uint8_t{1}));
-  std::span<const uint8_t> wanted;
-  if (num_new < is_new.size()) {
-    wanted = is_new;
-  }
-  std::vector<Eigen::Vector3f> normals = EstimateNormals(
-      crust.voxels, crust.ties, crust.prior, blur_steps, context, wanted);
-  size_t next = 0;
-  for (size_t i = 0; i < is_new.size(); ++i) {
-    if (is_new[i]) {
-      normals[next++] = normals[i];
-    }
-  }
-  normals.resize(num_new);
-  return normals;
-}
 
 }  // namespace
 
@@ -51,17 +27,24 @@ void ExtendTerms(const ViewSet& views,
                       std::vector<float>(crust.voxels.Size()),
                       std::vector<float>(crust.voxels.Size())};
   std::vector<uint8_t> is_new(crust.voxels.Size());
+  bool all_new = true;
   crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
     const VoxelGrid::Index before = terms->voxels.Find(code);
     is_new[index] = before == VoxelGrid::kNone;
     if (!is_new[index]) {
+      all_new = false;
       extended.phi[index] = terms->phi[before];
       extended.evidence[index] = terms->evidence[before];
     }
   });
   summary->crust_seconds += stopwatch.Lap();
   const std::vector<Eigen::Vector3f> normals =
-      NormalsOf(is_new, crust, options.normal_blur, context);
+      EstimateNormals(crust.voxels,
+                      crust.ties,
+                      crust.prior,
+                      options.normal_blur,
+                      context,
+                      all_new ? std::span<const uint8_t>() : is_new);
   summary->visibility_seconds += stopwatch.Lap();
   const VoxelGrid added = Subset(crust.voxels, is_new);
   const PhotoConsistency consistency = EstimateConsistency(

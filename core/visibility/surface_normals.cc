@@ -28,6 +28,14 @@ NeighborValues ValuesAcross(const std::vector<float>& values,
   return result;
 }
 
+Eigen::Vector3f OutwardNormal(const NeighborValues& across) {
+  const Eigen::Vector3f outward(
+      across[0] - across[1], across[2] - across[3], across[4] - across[5]);
+  const float length = outward.norm();
+  return length > kSmallestGradient ? Eigen::Vector3f(outward / length)
+                                    : Eigen::Vector3f::Zero();
+}
+
 // What is within so many 6-neighbour steps of some voxels.
 struct Rings {
   std::vector<VoxelPlace> places;  // the nearer ones first
@@ -74,16 +82,21 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
   const VoxelWalk walk(voxels);
   const Rings rings =
       wanted.empty() ? Rings() : RingsAround(walk, wanted, blur_steps);
+  // Calls body(slot, index, values across) for what is so near to what is
+  // wanted; that itself has the slots of its normals.
   const auto for_all_within = [&](int num_steps, auto&& body) {
-    const auto call = [&](const VoxelPlace& place) {
-      body(place.index, ValuesAcross(values, ties, walk, place));
+    const auto call = [&](size_t slot, const VoxelPlace& place) {
+      body(slot, place.index, ValuesAcross(values, ties, walk, place));
     };
     if (wanted.empty()) {
-      ParallelFor(
-          context,
-          walk.NumBricks(),
-          kBrickGrain,
-          [&](size_t begin, size_t end) { walk.ForEach(begin, end, call); });
+      ParallelFor(context,
+                  walk.NumBricks(),
+                  kBrickGrain,
+                  [&](size_t begin, size_t end) {
+                    walk.ForEach(begin, end, [&](const VoxelPlace& place) {
+                      call(place.index, place);
+                    });
+                  });
       return;
     }
     ParallelFor(context,
@@ -91,31 +104,29 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
                 kVoxelGrain,
                 [&](size_t begin, size_t end) {
                   for (size_t k = begin; k < end; ++k) {
-                    call(rings.places[k]);
+                    call(k, rings.places[k]);
                   }
                 });
   };
   // What is k steps away is needed until there are k steps left.
   for (int step = 0; step < blur_steps; ++step) {
-    for_all_within(blur_steps - step,
-                   [&](VoxelGrid::Index index, const NeighborValues& across) {
-                     float sum = values[index];
-                     for (const float value : across) {
-                       sum += value;
-                     }
-                     blurred[index] = sum / 7;
-                   });
+    for_all_within(
+        blur_steps - step,
+        [&](size_t, VoxelGrid::Index index, const NeighborValues& across) {
+          float sum = values[index];
+          for (const float value : across) {
+            sum += value;
+          }
+          blurred[index] = sum / 7;
+        });
     values.swap(blurred);
   }
-  std::vector<Eigen::Vector3f> normals(values.size(), Eigen::Vector3f::Zero());
-  for_all_within(0, [&](VoxelGrid::Index index, const NeighborValues& across) {
-    const Eigen::Vector3f outward(
-        across[0] - across[1], across[2] - across[3], across[4] - across[5]);
-    const float length = outward.norm();
-    normals[index] = length > kSmallestGradient
-                         ? Eigen::Vector3f(outward / length)
-                         : Eigen::Vector3f::Zero();
-  });
+  std::vector<Eigen::Vector3f> normals(wanted.empty() ? values.size()
+                                                      : rings.ends.front());
+  for_all_within(
+      0, [&](size_t slot, VoxelGrid::Index, const NeighborValues& across) {
+        normals[slot] = OutwardNormal(across);
+      });
   return normals;
 }
 

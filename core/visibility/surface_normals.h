@@ -17,8 +17,8 @@ namespace octacut {
 // neighbours; interfaces of the crust count as all inside or all outside as
 // they are tied. Zero where there is no gradient, deep in the inside.
 //
-// With `wanted`, one flag a voxel, the normals of those alone, at a cost that
-// depends on how many there are; the others' are zero.
+// With `wanted`, one flag a voxel, the normals of those alone, one after the
+// other, at a cost that depends on how many there are.
 std::vector<Eigen::Vector3f> EstimateNormals(
     const VoxelGrid& voxels,
     const std::vector<FaceTies>& ties,

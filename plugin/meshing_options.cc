@@ -111,6 +111,9 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.hull_level",
               &meshing->hull.hull_level,
               "l0: the visual hull has (2^l0)^3 voxels");
+  options.Add("OctahedralMeshing.mask_tolerance",
+              &meshing->mask_tolerance,
+              "Pixels by which masks may be cut too close");
   options.Add("OctahedralMeshing.target_level",
               &meshing->target_level,
               "The mesh is cut from (2^level)^3 voxels");
@@ -126,6 +129,10 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.silhouette_weight",
               &meshing->energy.silhouette_weight,
               "Evidence for outside of voxels that are background in a view");
+  options.Add("OctahedralMeshing.mask_border_weight",
+              &meshing->energy.mask_border_weight,
+              "The same of voxels within mask_tolerance of the object, at l0, "
+              "of masks that depths confirm; halved a level");
   options.Add("OctahedralMeshing.unseen_weight",
               &meshing->energy.unseen_weight,
               "Evidence for inside of finer voxels that fewer than two views "

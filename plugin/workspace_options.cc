@@ -41,10 +41,6 @@ void DeclareLoadingOptions(OptionManager& options,
               &loading->original_path,
               "Model of the original photographs, for a dense folder whose "
               "masks are in their geometry");
-  options.Add("mask_margin",
-              &loading->mask_margin,
-              "Pixels by which the masks' objects are grown, or shrunk (< 0); "
-              "1 or 2 for masks that are cut too close");
   options.Add("skip_missing_images",
               &loading->skip_missing_images,
               "1: go on without images whose file is missing");

@@ -61,12 +61,14 @@ runs=$work/runs.jsonl
 
 # run_kind KIND RESOLUTION SOLVER...
 run_kind() {
-  local kind=$1 resolution=$2
+  local kind=$1 resolution=$2 repetitions=1
   shift 2
+  # Whatever else happens in a tenth of a second shows in a single run.
+  ((resolution <= 128)) && repetitions=5
   if ((resolution <= max_resolution)); then
     echo "$kind $resolution: $*" >&2
     "$bench" --kind "$kind" --resolution "$resolution" --solvers "$@" \
-      >>"$runs"
+      --repetitions $repetitions >>"$runs"
   fi
 }
 

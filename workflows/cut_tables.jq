@@ -18,6 +18,11 @@ def ratio($a; $b): if $a == null or $b == null then null else $a / $b end;
 # Stored instances: folder and file.
 def name: .instance | split("/") | .[-2:] | join("/") | rtrimstr(".oct");
 
+# Of an array of runs the one with the median of their seconds.
+def typical:
+  if . == null then null
+  else sort_by(.cpu_seconds) | .[(length - 1) / 2 | floor] end;
+
 def by_instance:
   reduce .[] as $run ([];
     ($run | name) as $name
@@ -26,9 +31,9 @@ def by_instance:
         .[if ($run.num_threads // 1) > 1 then "threads" else $run.solver end]
           += [$run]
       else . end))
-  | map(. as $all | . + {single: .octacut, octacut: .octacut[0], boost: .boost[0],
-                         opencv: .opencv[0], tasks: .tasks[0],
-                         lean: .["octacut lean"][0]});
+  | map(. + {single: .octacut, octacut: .octacut | typical,
+             boost: .boost | typical, opencv: .opencv | typical,
+             tasks: .tasks | typical, lean: .["octacut lean"] | typical});
 
 def cpu: if . == null then null else .cpu_seconds_per_mvoxel end;
 
@@ -85,11 +90,12 @@ map(select(.solver == "growing")) as $growing
   "",
   $machine + ".",
   "",
-  "CPU seconds per million voxels on one thread, building included; bytes of a",
-  "process' growth at its peak and of the grid's index, a voxel; each run in a",
-  "process of its own. Boost: `boykov_kolmogorov_max_flow` on a compressed sparse",
-  "row graph of 20 bytes an arc. OpenCV: `detail::GCGraph<double>`. The last",
-  "column: the same flow and the same labels as Boost.",
+  "CPU seconds per million voxels on one thread, building included, the median of",
+  "five runs up to 128^3; bytes of a process' growth at its peak and of the grid's",
+  "index, a voxel; each run in a process of its own. Boost:",
+  "`boykov_kolmogorov_max_flow` on a compressed sparse row graph of 20 bytes an",
+  "arc. OpenCV: `detail::GCGraph<double>`. The last column: the same flow and the",
+  "same labels as Boost.",
   "",
   table(["instance", "Mvoxels", "nodes a voxel", "octacut s/M", "Boost s/M",
          "OpenCV s/M", "octacut / Boost", "octacut B", "Boost B", "OpenCV B",

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <functional>
 #include <map>
 #include <opencv2/core.hpp>
@@ -16,11 +15,11 @@
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/image_header.h"
 #include "colmap_io/images/mask_content.h"
-#include "colmap_io/images/mask_margin.h"
 #include "colmap_io/images/reduce_mask.h"
 #include "colmap_io/images/scene_points.h"
 #include "colmap_io/images/undistort.h"
 #include "colmap_io/images/view_files.h"
+#include "colmap_io/model/camera_projector.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 
@@ -91,7 +90,6 @@ class Loader {
   void FindCandidates();
   void ReadReducedMasks();
   // Empty for a mask without outline.
-  cv::Mat ReadMaskOf(const Candidate& candidate) const;
   View ReadReducedMask(Candidate* candidate) const;
   void LeaveOutMasksWithoutOutline();
   void PlanWindows();
@@ -148,13 +146,9 @@ void Loader::ForEachCandidate(std::string_view phase,
               body);
 }
 
-cv::Mat Loader::ReadMaskOf(const Candidate& candidate) const {
-  return WithMargin(ReadMask(candidate.files.mask_file), options_.mask_margin);
-}
-
 View Loader::ReadReducedMask(Candidate* candidate) const {
   const std::string name = candidate->files.mask_file.string();
-  const cv::Mat mask = ReadMaskOf(*candidate);
+  const cv::Mat mask = ReadMask(candidate->files.mask_file);
   candidate->mask_camera =
       mask_cameras_.Find(*candidate->files.image,
                          *candidate->files.camera,
@@ -179,6 +173,8 @@ View Loader::ReadReducedMask(Candidate* candidate) const {
   view.camera = reduced.camera;
   view.cam_from_world = candidate->files.image->CamFromWorld();
   view.mask = std::move(reduced.mask);
+  view.scale = reduced.camera.fx /
+               CameraProjector(candidate->mask_camera).Intrinsics().fx;
   return view;
 }
 
@@ -253,6 +249,8 @@ void Loader::PlanWindows() {
       view.name = candidate.files.image->name;
       view.camera = *window;
       view.cam_from_world = candidate.files.image->CamFromWorld();
+      view.scale =
+          window->fx / CameraProjector(*candidate.files.camera).Intrinsics().fx;
       kept.push_back(candidate);
       windows.push_back(*window);
     }
@@ -278,8 +276,11 @@ void Loader::PlanWindows() {
 void Loader::ReadView(const Candidate& candidate, View* view) const {
   // Views are loaded side by side; each by one thread.
   const Context alone(1);
-  view->mask = Undistort(
-      ReadMaskOf(candidate), candidate.mask_camera, view->camera, 255, alone);
+  view->mask = Undistort(ReadMask(candidate.files.mask_file),
+                         candidate.mask_camera,
+                         view->camera,
+                         255,
+                         alone);
   if (!options_.load_images) {
     return;
   }
@@ -302,10 +303,6 @@ void Loader::ReadViews() {
 void LoadSceneOptions::Check() const {
   region.Check();
   window.Check();
-  CheckOption(std::abs(mask_margin) <= kMaxMaskMargin,
-              "mask_margin",
-              mask_margin,
-              fmt::format("must be in -{0} .. {0}", kMaxMaskMargin));
   CheckOption(decode_budget > 0,
               "decode_budget",
               decode_budget,

@@ -16,9 +16,6 @@ namespace octacut {
 struct LoadSceneOptions {
   WorkspaceOptions workspace;
   MaskGeometry mask_geometry = MaskGeometry::kAuto;
-  // Pixels by which the masks' objects are grown, or shrunk (< 0), as they are
-  // read; -64 .. 64.
-  int mask_margin = 0;
   // Model of the original photographs, for a dense folder whose masks are in
   // their geometry; empty: looked for in ../sparse and ../../sparse.
   std::filesystem::path original_path;

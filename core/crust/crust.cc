@@ -4,7 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/crust/medial_voxels.h"
 #include "core/grid/morphology.h"
-#include "core/grid/neighbors.h"
+#include "core/grid/voxel_walk.h"
 
 namespace octacut {
 namespace {
@@ -16,33 +16,28 @@ void TieInterfaces(const LabelHierarchy& hierarchy,
                    Crust* crust) {
   const VoxelGrid& voxels = crust->voxels;
   const int level = voxels.Level();
+  const VoxelWalk walk(voxels);
   crust->ties.assign(voxels.Size(), 0);
-  ParallelFor(context,
-              voxels.Bricks().size(),
-              kBrickGrain,
-              [&](size_t begin, size_t end) {
-                ForEachWithNeighbors(
-                    voxels,
-                    begin,
-                    end,
-                    [&](VoxelGrid::Index index,
-                        MortonCode code,
-                        const NeighborIndices& neighbors) {
-                      for (int face = 0; face < kNumFaces; ++face) {
-                        if (neighbors[face] != VoxelGrid::kNone) {
-                          continue;
-                        }
-                        const Eigen::Vector3i across =
-                            NeighborVoxel(DecodeMorton(code), face);
-                        const bool inside =
-                            (across.array() >= 0).all() &&
-                            (across.array() < voxels.Resolution()).all() &&
-                            hierarchy.InsideFraction(across, level) > 0.5f;
-                        crust->ties[index] |=
-                            inside ? InsideTie(face) : OutsideTie(face);
-                      }
-                    });
-              });
+  const auto tie_face = [&](const VoxelPlace& place, int face) {
+    if (walk.Neighbor(place, face) != VoxelGrid::kNone) {
+      return;
+    }
+    const MortonCode code =
+        VoxelGrid::CodeOf(voxels.Bricks()[place.brick], int(place.bit));
+    const Eigen::Vector3i across = NeighborVoxel(DecodeMorton(code), face);
+    const bool inside = (across.array() >= 0).all() &&
+                        (across.array() < voxels.Resolution()).all() &&
+                        hierarchy.InsideFraction(across, level) > 0.5f;
+    crust->ties[place.index] |= inside ? InsideTie(face) : OutsideTie(face);
+  };
+  ParallelFor(
+      context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+        walk.ForEach(begin, end, [&](const VoxelPlace& place) {
+          for (int face = 0; face < kNumFaces; ++face) {
+            tie_face(place, face);
+          }
+        });
+      });
 }
 
 void EstimatePrior(const LabelHierarchy& hierarchy,
@@ -105,36 +100,34 @@ Crust RefineCrust(const LabelHierarchy& hierarchy,
       hierarchy, Dilate(proxy, options.crust_dilation, context), context);
 }
 
+std::vector<uint8_t> CutAtBorder(const Crust& crust,
+                                 const std::vector<FaceLabels>& labels,
+                                 size_t* num_voxels) {
+  const VoxelWalk walk(crust.voxels);
+  std::vector<uint8_t> at_border(crust.voxels.Size(), 0);
+  *num_voxels = 0;
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
+    if (!IsCut(labels[place.index])) {
+      return;
+    }
+    for (int face = 0; face < kNumFaces; ++face) {
+      if (walk.Neighbor(place, face) == VoxelGrid::kNone) {
+        at_border[place.index] = 1;
+      }
+    }
+    *num_voxels += at_border[place.index];
+  });
+  return at_border;
+}
+
 Crust GrowCrust(const LabelHierarchy& hierarchy,
                 const Crust& crust,
-                const std::vector<FaceLabels>& labels,
+                const std::vector<uint8_t>& from,
                 int steps,
-                size_t* num_border,
                 const Context& context) {
-  std::vector<uint8_t> grow(crust.voxels.Size(), 0);
-  *num_border = 0;
-  ForEachWithNeighbors(crust.voxels,
-                       0,
-                       crust.voxels.Bricks().size(),
-                       [&](VoxelGrid::Index index,
-                           MortonCode,
-                           const NeighborIndices& neighbors) {
-                         if (!IsCut(labels[index])) {
-                           return;
-                         }
-                         for (int face = 0; face < kNumFaces; ++face) {
-                           if (neighbors[face] == VoxelGrid::kNone) {
-                             grow[index] = 1;
-                           }
-                         }
-                         *num_border += grow[index];
-                       });
-  if (*num_border == 0) {
-    return crust;
-  }
   return MakeCrust(
       hierarchy,
-      Union(crust.voxels, Dilate(Subset(crust.voxels, grow), steps, context)),
+      Union(crust.voxels, Dilate(Subset(crust.voxels, from), steps, context)),
       context);
 }
 

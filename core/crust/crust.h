@@ -41,14 +41,17 @@ Crust RefineCrust(const LabelHierarchy& hierarchy,
                   const CrustOptions& options,
                   const Context& context);
 
-// `crust` grown by `steps` dilations around the cut voxels that touch its
-// border; the number of voxels grown from comes back in `num_border`. The same
-// crust when there is none.
+// The cut voxels that touch the crust's border, as one flag a voxel; their
+// number comes back in `num_voxels`.
+std::vector<uint8_t> CutAtBorder(const Crust& crust,
+                                 const std::vector<FaceLabels>& labels,
+                                 size_t* num_voxels);
+
+// `crust` grown by `steps` dilations around the voxels that `from` flags.
 Crust GrowCrust(const LabelHierarchy& hierarchy,
                 const Crust& crust,
-                const std::vector<FaceLabels>& labels,
+                const std::vector<uint8_t>& from,
                 int steps,
-                size_t* num_border,
                 const Context& context);
 
 }  // namespace octacut

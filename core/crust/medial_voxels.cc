@@ -1,9 +1,10 @@
 #include "core/crust/medial_voxels.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "core/base/parallel.h"
-#include "core/grid/neighbors.h"
+#include "core/grid/voxel_walk.h"
 
 namespace octacut {
 namespace {
@@ -13,50 +14,49 @@ constexpr int kMaxDepth = 12;
 constexpr FaceTies kAllOutside = 0x3f;
 constexpr FaceTies kAllInside = 0x3f << 6;
 
+// Whether any of a voxel's neighbours is one that `fits`.
+template <typename Fits>
+bool AnyNeighbor(const VoxelWalk& walk, const VoxelPlace& place, Fits&& fits) {
+  for (int face = 0; face < kNumFaces; ++face) {
+    const VoxelGrid::Index n = walk.Neighbor(place, face);
+    if (n != VoxelGrid::kNone && fits(n)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // Depth of each voxel below the prior surface, signed: +k is k voxels into
 // the inside, -k into the outside; interfaces of the crust count as deep as
 // their neighbours allow (distance is measured within the crust).
-std::vector<int8_t> SignedDepth(const VoxelGrid& voxels,
+std::vector<int8_t> SignedDepth(const VoxelWalk& walk,
                                 const std::vector<float>& prior,
                                 const Context& context) {
-  std::vector<int8_t> depth(voxels.Size(), 0);
+  std::vector<int8_t> depth(prior.size(), 0);
   const auto sign = [&](VoxelGrid::Index i) {
     return prior[i] > 0.5f ? 1 : -1;
   };
   std::vector<int8_t> next(depth.size());
   for (int step = 1; step <= kMaxDepth; ++step) {
     context.ThrowIfCancelled();
-    std::vector<uint8_t> changed(NumChunks(voxels.Bricks().size(), kBrickGrain),
-                                 0);
+    std::vector<uint8_t> changed(NumChunks(walk.NumBricks(), kBrickGrain), 0);
     next = depth;
-    ParallelChunks(
-        context,
-        voxels.Bricks().size(),
-        kBrickGrain,
-        [&](size_t chunk, size_t begin, size_t end) {
-          ForEachWithNeighbors(
-              voxels,
-              begin,
-              end,
-              [&](VoxelGrid::Index index,
-                  MortonCode,
-                  const NeighborIndices& neighbors) {
-                if (depth[index] != 0) {
-                  return;
-                }
-                for (const VoxelGrid::Index n : neighbors) {
-                  const bool reached =
-                      n != VoxelGrid::kNone &&
-                      (step == 1 ? sign(n) != sign(index)
-                                 : sign(n) == sign(index) && depth[n] != 0);
-                  if (reached) {
-                    next[index] = int8_t(step * sign(index));
-                    changed[chunk] = 1;
-                    return;
-                  }
-                }
-              });
-        });
+    ParallelChunks(context,
+                   walk.NumBricks(),
+                   kBrickGrain,
+                   [&](size_t chunk, size_t begin, size_t end) {
+                     walk.ForEach(begin, end, [&](const VoxelPlace& place) {
+                       const int own = sign(place.index);
+                       if (depth[place.index] == 0 &&
+                           AnyNeighbor(walk, place, [&](VoxelGrid::Index n) {
+                             return step == 1 ? sign(n) != own
+                                              : sign(n) == own && depth[n] != 0;
+                           })) {
+                         next[place.index] = int8_t(step * own);
+                         changed[chunk] = 1;
+                       }
+                     });
+                   });
     depth.swap(next);
     if (std::find(changed.begin(), changed.end(), 1) == changed.end()) {
       break;
@@ -66,47 +66,58 @@ std::vector<int8_t> SignedDepth(const VoxelGrid& voxels,
 }
 
 // Spreads `flags` by one 6-neighbour step within each sign of the depth.
-void Spread(const VoxelGrid& voxels,
+void Spread(const VoxelWalk& walk,
             const std::vector<int8_t>& depth,
             const Context& context,
             std::vector<uint8_t>* flags) {
   const std::vector<uint8_t> before = *flags;
-  ParallelFor(context,
-              voxels.Bricks().size(),
-              kBrickGrain,
-              [&](size_t begin, size_t end) {
-                ForEachWithNeighbors(
-                    voxels,
-                    begin,
-                    end,
-                    [&](VoxelGrid::Index index,
-                        MortonCode,
-                        const NeighborIndices& neighbors) {
-                      for (const VoxelGrid::Index n : neighbors) {
-                        if (n != VoxelGrid::kNone && before[n] &&
-                            (depth[n] > 0) == (depth[index] > 0)) {
-                          (*flags)[index] = 1;
-                        }
-                      }
-                    });
-              });
+  ParallelFor(
+      context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+        walk.ForEach(begin, end, [&](const VoxelPlace& place) {
+          const bool inside = depth[place.index] > 0;
+          if (!before[place.index] &&
+              AnyNeighbor(walk, place, [&](VoxelGrid::Index n) {
+                return before[n] && (depth[n] > 0) == inside;
+              })) {
+            (*flags)[place.index] = 1;
+          }
+        });
+      });
 }
 
 // Voxels from which an interface of their own kind can be reached in as many
 // steps as the crust is deep: there the interface is the seed.
-std::vector<uint8_t> NearOwnInterface(const VoxelGrid& voxels,
+std::vector<uint8_t> NearOwnInterface(const VoxelWalk& walk,
                                       const std::vector<int8_t>& depth,
                                       const std::vector<FaceTies>& ties,
                                       const Context& context) {
-  std::vector<uint8_t> near(voxels.Size());
+  std::vector<uint8_t> near(depth.size());
   for (size_t i = 0; i < near.size(); ++i) {
     near[i] = (ties[i] & (depth[i] > 0 ? kAllInside : kAllOutside)) != 0;
   }
   constexpr int kReach = 4;
   for (int step = 0; step < kReach; ++step) {
-    Spread(voxels, depth, context, &near);
+    Spread(walk, depth, context, &near);
   }
   return near;
+}
+
+// +1 for medial voxels of the inside, -1 for those of the outside, else 0.
+std::vector<int8_t> FindMedial(const VoxelWalk& walk,
+                               const std::vector<int8_t>& depth,
+                               const std::vector<uint8_t>& near) {
+  std::vector<int8_t> medial(depth.size(), 0);
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
+    const int8_t own = depth[place.index];
+    if (std::abs(own) >= 2 && !near[place.index] &&
+        !AnyNeighbor(walk, place, [&](VoxelGrid::Index n) {
+          return (depth[n] > 0) == (own > 0) &&
+                 std::abs(depth[n]) > std::abs(own);
+        })) {
+      medial[place.index] = own > 0 ? 1 : -1;
+    }
+  });
+  return medial;
 }
 
 }  // namespace
@@ -115,54 +126,23 @@ size_t TieMedialVoxels(const VoxelGrid& voxels,
                        const std::vector<float>& prior,
                        const Context& context,
                        std::vector<FaceTies>* ties) {
-  const std::vector<int8_t> depth = SignedDepth(voxels, prior, context);
-  const std::vector<uint8_t> near =
-      NearOwnInterface(voxels, depth, *ties, context);
-  std::vector<int8_t> medial(voxels.Size(), 0);
-  ForEachWithNeighbors(voxels,
-                       0,
-                       voxels.Bricks().size(),
-                       [&](VoxelGrid::Index index,
-                           MortonCode,
-                           const NeighborIndices& neighbors) {
-                         const int own = std::abs(depth[index]);
-                         if (own < 2 || near[index]) {
-                           return;
-                         }
-                         for (const VoxelGrid::Index n : neighbors) {
-                           if (n != VoxelGrid::kNone &&
-                               (depth[n] > 0) == (depth[index] > 0) &&
-                               std::abs(depth[n]) > own) {
-                             return;
-                           }
-                         }
-                         medial[index] = depth[index] > 0 ? 1 : -1;
-                       });
+  const VoxelWalk walk(voxels);
+  const std::vector<int8_t> depth = SignedDepth(walk, prior, context);
+  const std::vector<int8_t> medial =
+      FindMedial(walk, depth, NearOwnInterface(walk, depth, *ties, context));
   size_t count = 0;
-  ForEachWithNeighbors(
-      voxels,
-      0,
-      voxels.Bricks().size(),
-      [&](VoxelGrid::Index index,
-          MortonCode,
-          const NeighborIndices& neighbors) {
-        if (medial[index] == 0) {
-          return;
-        }
-        // A face shared with a voxel that is tied the other way stays free.
-        const FaceTies other = medial[index] > 0 ? kAllOutside : kAllInside;
-        if ((*ties)[index] & other) {
-          return;
-        }
-        for (int face = 0; face < kNumFaces; ++face) {
-          const VoxelGrid::Index n = neighbors[face];
-          if (n != VoxelGrid::kNone && medial[n] == -medial[index]) {
-            return;
-          }
-        }
-        (*ties)[index] |= medial[index] > 0 ? kAllInside : kAllOutside;
-        ++count;
-      });
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
+    const int8_t own = medial[place.index];
+    // A face shared with a voxel that is tied the other way stays free.
+    const FaceTies other = own > 0 ? kAllOutside : kAllInside;
+    if (own != 0 && ((*ties)[place.index] & other) == 0 &&
+        !AnyNeighbor(walk, place, [&](VoxelGrid::Index n) {
+          return medial[n] == -own;
+        })) {
+      (*ties)[place.index] |= own > 0 ? kAllInside : kAllOutside;
+      ++count;
+    }
+  });
   return count;
 }
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "core/cut/octahedron.h"
-#include "core/cut/voxel_walk.h"
+#include "core/grid/voxel_walk.h"
 
 namespace octacut {
 

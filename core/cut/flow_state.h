@@ -29,7 +29,7 @@
 #include "core/cut/growable_array.h"
 #include "core/cut/octahedral_cut.h"
 #include "core/cut/octahedron.h"
-#include "core/cut/voxel_walk.h"
+#include "core/grid/voxel_walk.h"
 
 namespace octacut {
 

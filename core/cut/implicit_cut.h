@@ -9,7 +9,7 @@
 
 #include "core/cut/fixed_point.h"
 #include "core/cut/octahedral_cut.h"
-#include "core/cut/voxel_walk.h"
+#include "core/grid/voxel_walk.h"
 
 namespace octacut {
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <Eigen/Core>
 #include <vector>
 
 #include "core/base/context.h"
@@ -34,6 +35,10 @@ struct SweptDepthMap {
   std::vector<float> depths;  // unit coordinates; 0 where nothing was found
   std::vector<float> scores;  // correlation, min_score .. 1
 
+  // Homogeneous pixel coordinates of a sample's centre.
+  Eigen::Vector3f Pixel(int x, int y) const {
+    return {(float(x) + 0.5f) / scale, (float(y) + 0.5f) / scale, 1};
+  }
   // Depth at pixel coordinates of the view; 0 for none.
   float DepthAt(float u, float v) const {
     const int x = int(u * scale);

@@ -5,6 +5,7 @@
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
+#include "core/evidence/mask_trust.h"
 
 namespace octacut {
 namespace {
@@ -43,11 +44,8 @@ std::vector<SweptDepthMap> KeepAgreeing(
           if (depth == 0) {
             continue;
           }
-          const Eigen::Vector3f pixel((float(x) + 0.5f) / maps[i].scale,
-                                      (float(y) + 0.5f) / maps[i].scale,
-                                      1);
           const Eigen::Vector3f point =
-              projection.center + depth * (rays * pixel);
+              projection.center + depth * (rays * maps[i].Pixel(x, y));
           int agreeing = 0;
           for (const int j : neighbors[i]) {
             const Eigen::Vector3f h = views[j].projection.Homogeneous(point);
@@ -148,6 +146,7 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   const std::vector<SweptDepthMap> agreeing = KeepAgreeing(
       views, swept, neighbors, voxel, options.min_agreeing_views, context);
   InsideEvidence evidence;
+  evidence.mask_trust = EstimateMaskTrust(views, agreeing, context);
   evidence.values.resize(hull.Size());
   ParallelFor(context,
               hull.Bricks().size(),

@@ -41,7 +41,8 @@ struct InsideEvidenceSummary {
 };
 
 struct InsideEvidence {
-  std::vector<float> values;  // one a hull voxel; > 0 speaks for inside
+  std::vector<float> values;      // one a hull voxel; > 0 speaks for inside
+  std::vector<float> mask_trust;  // one a view, as EstimateMaskTrust has it
   InsideEvidenceSummary summary;
 };
 

@@ -38,7 +38,7 @@ VoxelGrid VoxelGrid::FromBricks(int level, std::vector<Brick> bricks) {
           "a grid of level {} holds more than {} voxels", level, kNone - 64));
     }
     brick.first = Index(grid.size_);
-    grid.size_ += std::popcount(brick.mask);
+    grid.size_ += CountBits(brick.mask);
   }
   if (!grid.bricks_.empty()) {
     grid.table_.assign(std::bit_ceil(grid.bricks_.size() * 2), kNone);

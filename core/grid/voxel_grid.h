@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/grid/count_bits.h"
 #include "core/grid/face.h"
 #include "core/grid/morton.h"
 
@@ -70,7 +71,7 @@ class VoxelGrid {
       return kNone;
     }
     return bricks_[brick].first +
-           Index(std::popcount(mask & ((uint64_t{1} << bit) - 1)));
+           Index(CountBits(mask & ((uint64_t{1} << bit) - 1)));
   }
 
   // Calls body(index, voxel coordinates) in Morton order for the voxels of

@@ -23,8 +23,8 @@ Footprint ClassifyVoxel(const ViewSet& views,
   }
   bool inside = box.contains(cell);
   for (const PreparedView& view : views) {
-    const Footprint footprint =
-        view.silhouette.TestCube(view.projection, cell.center(), edge / 2);
+    const Footprint footprint = view.silhouette.TestCube(
+        view.projection, cell.center(), edge / 2, view.mask_tolerance);
     if (footprint == Footprint::kBackground) {
       return Footprint::kBackground;
     }

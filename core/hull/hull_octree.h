@@ -29,7 +29,7 @@ struct HullOctree {
 [[noreturn]] void ThrowEmptyHull();
 
 // Conservative footprint tests down to `level`; `box` (unit coordinates)
-// clips.
+// clips. What is within a view's mask_tolerance of its object is mixed.
 HullOctree RefineHull(const ViewSet& views,
                       const Eigen::AlignedBox3f& box,
                       int level,

@@ -23,9 +23,9 @@ struct VisualHullSummary {
 };
 
 struct VisualHull {
-  // Every voxel whose footprint holds a pixel of the object in all views that
-  // see it whole. Conservative: a voxel that the object touches is in it, as
-  // far as the silhouettes are right.
+  // Every voxel whose footprint is within mask_tolerance of a pixel of the
+  // object in all views that see it whole. Conservative: a voxel that the
+  // object touches is in it, as far as the silhouettes are right.
   VoxelGrid voxels;
   VisualHullSummary summary;
 };

@@ -30,7 +30,7 @@ CutVoxels::CutVoxels(const VoxelGrid& crust, std::span<const FaceLabels> labels)
     }
     masks_[b] = cut;
     first_[b] = Index(size_);
-    size_ += std::popcount(cut);
+    size_ += CountBits(cut);
   }
 }
 
@@ -93,14 +93,6 @@ constexpr std::array<int16_t, 64> CellsOfBits() {
 
 constexpr std::array<uint64_t, 27> kTouchingMasks = TouchingMasks();
 constexpr std::array<int16_t, 64> kCellsOfBits = CellsOfBits();
-
-// std::popcount is a library call on the oldest of our processors.
-int CountBits(uint64_t x) {
-  x -= x >> 1 & 0x5555555555555555ull;
-  x = (x & 0x3333333333333333ull) + (x >> 2 & 0x3333333333333333ull);
-  x = (x + (x >> 4)) & 0x0f0f0f0f0f0f0f0full;
-  return int(x * 0x0101010101010101ull >> 56);
-}
 
 }  // namespace
 

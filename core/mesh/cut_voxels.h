@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/context.h"
+#include "core/grid/count_bits.h"
 #include "core/grid/face.h"
 #include "core/grid/voxel_grid.h"
 
@@ -34,7 +35,7 @@ class CutVoxels {
   Index First(size_t brick) const { return first_[brick]; }
   Index NumberInBrick(size_t brick, int bit) const {
     return first_[brick] +
-           Index(std::popcount(masks_[brick] & ((uint64_t{1} << bit) - 1)));
+           Index(CountBits(masks_[brick] & ((uint64_t{1} << bit) - 1)));
   }
 
   // Number and labels of the cut voxel at `voxel`; kNone when it is not cut.

@@ -95,7 +95,7 @@ void BeginLevel(int level, LevelSummary* summary) {
 
 LabeledVoxels SolveInitialLevel(const ViewSet& views,
                                 const VoxelGrid& hull,
-                                const std::vector<float>& inside_evidence,
+                                const InsideEvidence& evidence,
                                 const ReconstructionOptions& options,
                                 const Context& context,
                                 LevelSummary* summary) {
@@ -103,9 +103,13 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
   Stopwatch stopwatch;
   Crust crust = InitialCrust(hull, context);
   summary->crust_seconds += stopwatch.Lap();
-  std::vector<float> evidence = inside_evidence;
-  OctahedralCut cut = CutCoveringSilhouettes(
-      views, crust, options, context, &evidence, summary);
+  std::vector<float> prior =
+      SilhouetteEvidence(views, evidence.mask_trust, hull, options, context);
+  for (size_t i = 0; i < prior.size(); ++i) {
+    prior[i] += evidence.values[i];
+  }
+  OctahedralCut cut =
+      CutCoveringSilhouettes(views, crust, options, context, &prior, summary);
 
   stopwatch.Lap();
   for (size_t i = 0; i < crust.prior.size(); ++i) {
@@ -117,12 +121,20 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
   const Visibility visibility = EstimateVisibility(
       views, crust.voxels, cut.labels, hull.Level(), options, context, summary);
   VoxelTerms terms;
-  ExtendTerms(views, visibility, crust, options, context, &terms, summary);
-  cut = CutCrust(crust, terms.phi, evidence, options, context, summary);
+  ExtendTerms(views,
+              evidence.mask_trust,
+              visibility,
+              crust,
+              options,
+              context,
+              &terms,
+              summary);
+  cut = CutCrust(crust, terms.phi, prior, options, context, summary);
   return {std::move(crust.voxels), std::move(cut.labels)};
 }
 
 LabeledVoxels SolveFinerLevel(const ViewSet& views,
+                              const std::vector<float>& mask_trust,
                               const LabelHierarchy& hierarchy,
                               const ReconstructionOptions& options,
                               const Context& context,
@@ -142,7 +154,14 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
   VoxelTerms terms;
   OctahedralCutState state;
   for (int round = 0;; ++round) {
-    ExtendTerms(views, visibility, crust, options, context, &terms, summary);
+    ExtendTerms(views,
+                mask_trust,
+                visibility,
+                crust,
+                options,
+                context,
+                &terms,
+                summary);
     OctahedralCut cut =
         CutCrust(crust,
                  terms.phi,
@@ -152,16 +171,17 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
                  summary,
                  options.max_grow_rounds > 0 ? &state : nullptr);
     stopwatch.Lap();
-    Crust grown = GrowCrust(hierarchy,
-                            crust,
-                            cut.labels,
-                            options.crust.crust_dilation,
-                            &summary->num_border_voxels,
-                            context);
-    summary->crust_seconds += stopwatch.Lap();
+    const std::vector<uint8_t> at_border =
+        CutAtBorder(crust, cut.labels, &summary->num_border_voxels);
     summary->num_grow_rounds = round;
-    if (round >= options.max_grow_rounds ||
-        grown.voxels.Size() == crust.voxels.Size()) {
+    if (round >= options.max_grow_rounds || summary->num_border_voxels == 0) {
+      summary->crust_seconds += stopwatch.Lap();
+      return {std::move(crust.voxels), std::move(cut.labels)};
+    }
+    Crust grown = GrowCrust(
+        hierarchy, crust, at_border, options.crust.crust_dilation, context);
+    summary->crust_seconds += stopwatch.Lap();
+    if (grown.voxels.Size() == crust.voxels.Size()) {
       return {std::move(crust.voxels), std::move(cut.labels)};
     }
     crust = std::move(grown);

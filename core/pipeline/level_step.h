@@ -16,14 +16,15 @@ namespace octacut {
 // visibility can be estimated from, the second one the labelling.
 LabeledVoxels SolveInitialLevel(const ViewSet& views,
                                 const VoxelGrid& hull,
-                                const std::vector<float>& inside_evidence,
+                                const InsideEvidence& evidence,
                                 const ReconstructionOptions& options,
                                 const Context& context,
                                 LevelSummary* summary);
 
 // The labelling of the level after hierarchy.Finest(); its crust is grown
-// where the cut touches its border.
+// where the cut touches its border. `mask_trust` is that of InsideEvidence.
 LabeledVoxels SolveFinerLevel(const ViewSet& views,
+                              const std::vector<float>& mask_trust,
                               const LabelHierarchy& hierarchy,
                               const ReconstructionOptions& options,
                               const Context& context,

@@ -1,6 +1,9 @@
 #include "core/pipeline/options.h"
 
+#include <fmt/format.h>
+
 #include "core/base/check_option.h"
+#include "core/scene/scene.h"
 
 namespace octacut {
 
@@ -17,6 +20,10 @@ void EnergyOptions::Check() const {
               "silhouette_weight",
               silhouette_weight,
               "must not be negative");
+  CheckOption(mask_border_weight >= 0,
+              "mask_border_weight",
+              mask_border_weight,
+              "must not be negative");
   CheckOption(unseen_weight >= 0,
               "unseen_weight",
               unseen_weight,
@@ -24,6 +31,10 @@ void EnergyOptions::Check() const {
 }
 
 void ReconstructionOptions::Check() const {
+  CheckOption(mask_tolerance >= 0 && mask_tolerance <= kMaxMaskTolerance,
+              "mask_tolerance",
+              mask_tolerance,
+              fmt::format("must be in 0 .. {}", kMaxMaskTolerance));
   hull.Check();
   evidence.Check();
   crust.Check();

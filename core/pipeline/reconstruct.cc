@@ -10,6 +10,7 @@
 #include "core/hull/hull_surface.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/level_step.h"
+#include "core/pipeline/voxel_terms.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
@@ -65,7 +66,8 @@ Reconstruction Reconstruct(const Scene& scene,
   Reconstruction result;
   ReconstructionSummary& summary = result.summary;
   Stopwatch stopwatch;
-  const ViewSet views = PrepareViews(scene, region.cube, context);
+  const ViewSet views =
+      PrepareViews(scene, region.cube, context, options.mask_tolerance);
   const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);
   summary.prepare_seconds = stopwatch.Lap();
 
@@ -80,8 +82,10 @@ Reconstruction Reconstruct(const Scene& scene,
     stopwatch.Lap();
   }
 
-  const InsideEvidence evidence =
+  InsideEvidence evidence =
       EstimateInsideEvidence(views, hull.voxels, options.evidence, context);
+  hull.voxels = TrimHull(views, hull.voxels, context, &evidence);
+  summary.hull.num_voxels = hull.voxels.Size();
   summary.evidence = evidence.summary;
   summary.evidence_seconds = stopwatch.Lap();
 
@@ -92,8 +96,13 @@ Reconstruction Reconstruct(const Scene& scene,
     hierarchy.Add(
         hierarchy.Empty()
             ? SolveInitialLevel(
-                  views, hull.voxels, evidence.values, options, context, &step)
-            : SolveFinerLevel(views, hierarchy, options, context, &step));
+                  views, hull.voxels, evidence, options, context, &step)
+            : SolveFinerLevel(views,
+                              evidence.mask_trust,
+                              hierarchy,
+                              options,
+                              context,
+                              &step));
     ReportLevel(step, context);
     if (observer) {
       observer(level, PlacedMesh(hierarchy.Finest(), region.cube, context));

@@ -1,10 +1,13 @@
 #include "core/pipeline/voxel_terms.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/grid/morphology.h"
+#include "core/grid/neighbors.h"
 #include "core/visibility/surface_normals.h"
 
 namespace octacut {
@@ -12,9 +15,48 @@ namespace {
 
 constexpr size_t kBrickGrain = 64;
 
+// A weight of l0, halved with every level: evidence grows with the volume of a
+// voxel, edges with its side.
+float AtLevel(double weight, int level, const ReconstructionOptions& options) {
+  return float(std::ldexp(weight, options.hull.hull_level - level));
+}
+
+enum class Outsideness { kNo, kNearObject, kSure };
+
+// Whether a cube is background in a view, or would not be if the mask's object
+// were larger by the tolerance.
+Outsideness Outside(const PreparedView& view,
+                    const Eigen::Vector3f& center,
+                    float half_edge) {
+  if (!view.silhouette.IsBackgroundCube(view.projection, center, half_edge)) {
+    return Outsideness::kNo;
+  }
+  return view.silhouette.IsBackgroundCube(
+             view.projection, center, half_edge, view.mask_tolerance)
+             ? Outsideness::kSure
+             : Outsideness::kNearObject;
+}
+
+bool IsBackgroundOfTrusted(const ViewSet& views,
+                           const std::vector<float>& mask_trust,
+                           const Eigen::Vector3f& center,
+                           float half_edge) {
+  // Masks that are half in doubt take nothing.
+  constexpr float kTrusted = 0.5f;
+  for (size_t i = 0; i < views.size(); ++i) {
+    if (mask_trust[i] > kTrusted &&
+        views[i].silhouette.IsBackgroundCube(
+            views[i].projection, center, half_edge)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 void ExtendTerms(const ViewSet& views,
+                 const std::vector<float>& mask_trust,
                  const Visibility& visibility,
                  const Crust& crust,
                  const ReconstructionOptions& options,
@@ -22,36 +64,38 @@ void ExtendTerms(const ViewSet& views,
                  VoxelTerms* terms,
                  LevelSummary* summary) {
   Stopwatch stopwatch;
-  std::vector<Eigen::Vector3f> normals = EstimateNormals(
-      crust.voxels, crust.ties, crust.prior, options.normal_blur, context);
-  summary->visibility_seconds += stopwatch.Lap();
-
   VoxelTerms extended{crust.voxels,
                       std::vector<float>(crust.voxels.Size()),
                       std::vector<float>(crust.voxels.Size())};
   std::vector<uint8_t> is_new(crust.voxels.Size());
-  size_t num_new = 0;
+  bool all_new = true;
   crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
     const VoxelGrid::Index before = terms->voxels.Find(code);
     is_new[index] = before == VoxelGrid::kNone;
-    if (is_new[index]) {
-      normals[num_new++] = normals[index];
-    } else {
+    if (!is_new[index]) {
+      all_new = false;
       extended.phi[index] = terms->phi[before];
       extended.evidence[index] = terms->evidence[before];
     }
   });
-  normals.resize(num_new);
+  summary->crust_seconds += stopwatch.Lap();
+  const std::vector<Eigen::Vector3f> normals =
+      EstimateNormals(crust.voxels,
+                      crust.ties,
+                      crust.prior,
+                      options.normal_blur,
+                      context,
+                      all_new ? std::span<const uint8_t>() : is_new);
+  summary->visibility_seconds += stopwatch.Lap();
   const VoxelGrid added = Subset(crust.voxels, is_new);
   const PhotoConsistency consistency = EstimateConsistency(
       views, added, normals, visibility, options.consistency, context);
   summary->consistency_seconds += stopwatch.Lap();
   summary->consistency.Add(consistency.summary);
-  const std::vector<float> silhouette = SilhouetteEvidence(
-      views, added, options.energy.silhouette_weight, context);
+  const std::vector<float> silhouette =
+      SilhouetteEvidence(views, mask_trust, added, options, context);
   const float unseen =
-      float(std::ldexp(options.energy.unseen_weight,
-                       options.hull.hull_level - int(crust.voxels.Level())));
+      AtLevel(options.energy.unseen_weight, crust.voxels.Level(), options);
   size_t next = 0;
   for (size_t i = 0; i < is_new.size(); ++i) {
     if (is_new[i]) {
@@ -66,6 +110,44 @@ void ExtendTerms(const ViewSet& views,
   summary->crust_seconds += stopwatch.Lap();
 }
 
+VoxelGrid TrimHull(const ViewSet& views,
+                   const VoxelGrid& hull,
+                   const Context& context,
+                   InsideEvidence* evidence) {
+  std::vector<uint8_t> is_kept(hull.Size(), 1);
+  const float half_edge = 0.5f / float(hull.Resolution());
+  ParallelFor(context,
+              hull.Bricks().size(),
+              kBrickGrain,
+              [&](size_t begin, size_t end) {
+                ForEachWithNeighbors(
+                    hull,
+                    begin,
+                    end,
+                    [&](VoxelGrid::Index index,
+                        MortonCode code,
+                        const NeighborIndices& neighbors) {
+                      is_kept[index] =
+                          std::count(neighbors.begin(),
+                                     neighbors.end(),
+                                     VoxelGrid::kNone) == 0 ||
+                          !IsBackgroundOfTrusted(
+                              views,
+                              evidence->mask_trust,
+                              VoxelCenter(DecodeMorton(code), hull.Level()),
+                              half_edge);
+                    });
+              });
+  size_t num_kept = 0;
+  for (size_t i = 0; i < is_kept.size(); ++i) {
+    if (is_kept[i]) {
+      evidence->values[num_kept++] = evidence->values[i];
+    }
+  }
+  evidence->values.resize(num_kept);
+  return Subset(hull, is_kept);
+}
+
 std::vector<float> EdgeWeights(const std::vector<float>& phi,
                                const EnergyOptions& options) {
   std::vector<float> weights(phi.size());
@@ -77,11 +159,14 @@ std::vector<float> EdgeWeights(const std::vector<float>& phi,
 }
 
 std::vector<float> SilhouetteEvidence(const ViewSet& views,
+                                      const std::vector<float>& mask_trust,
                                       const VoxelGrid& voxels,
-                                      double weight,
+                                      const ReconstructionOptions& options,
                                       const Context& context) {
-  std::vector<float> evidence(voxels.Size(), 0.0f);
+  std::vector<float> evidence(voxels.Size());
   const float half_edge = 0.5f / float(voxels.Resolution());
+  const float near_weight =
+      AtLevel(options.energy.mask_border_weight, voxels.Level(), options);
   ParallelFor(context,
               voxels.Bricks().size(),
               kBrickGrain,
@@ -90,11 +175,18 @@ std::vector<float> SilhouetteEvidence(const ViewSet& views,
                     begin, end, [&](VoxelGrid::Index index, MortonCode code) {
                       const Eigen::Vector3f center =
                           VoxelCenter(DecodeMorton(code), voxels.Level());
-                      for (const PreparedView& view : views) {
-                        if (view.silhouette.IsBackgroundCube(
-                                view.projection, center, half_edge)) {
-                          evidence[index] = -float(weight);
-                          return;
+                      for (size_t i = 0; i < views.size(); ++i) {
+                        switch (Outside(views[i], center, half_edge)) {
+                          case Outsideness::kNo:
+                            break;
+                          case Outsideness::kNearObject:
+                            evidence[index] = std::min(
+                                evidence[index], -near_weight * mask_trust[i]);
+                            break;
+                          case Outsideness::kSure:
+                            evidence[index] =
+                                -float(options.energy.silhouette_weight);
+                            return;
                         }
                       }
                     });

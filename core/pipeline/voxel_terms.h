@@ -6,6 +6,7 @@
 
 #include "core/base/context.h"
 #include "core/crust/crust.h"
+#include "core/evidence/inside_evidence.h"
 #include "core/pipeline/options.h"
 #include "core/pipeline/reconstruct.h"
 #include "core/views/view_set.h"
@@ -22,8 +23,10 @@ struct VoxelTerms {
 };
 
 // Brings `terms` up to `crust`, which is at least as large: voxels that have
-// their terms keep them, so growing a crust costs what it adds.
+// their terms keep them, so growing a crust costs what it adds. `mask_trust` is
+// that of InsideEvidence.
 void ExtendTerms(const ViewSet& views,
+                 const std::vector<float>& mask_trust,
                  const Visibility& visibility,
                  const Crust& crust,
                  const ReconstructionOptions& options,
@@ -31,15 +34,26 @@ void ExtendTerms(const ViewSet& views,
                  VoxelTerms* terms,
                  LevelSummary* summary);
 
+// Takes off the hull's outermost voxels that are background in a view whose
+// mask can be relied upon: the tolerance of masks was not needed there. Only
+// the outermost, since what lies deeper is a hole in a mask and would become a
+// tunnel. `evidence` is brought to the voxels that are left.
+VoxelGrid TrimHull(const ViewSet& views,
+                   const VoxelGrid& hull,
+                   const Context& context,
+                   InsideEvidence* evidence);
+
 // psi(phi) + a of every voxel, HK06 eq. (3).
 std::vector<float> EdgeWeights(const std::vector<float>& phi,
                                const EnergyOptions& options);
 
 // Evidence for outside of the voxels whose footprint is background in some
-// view; the others have none.
+// view: much where that is beyond doubt, less near the object, where the mask
+// may be wrong. The others have none.
 std::vector<float> SilhouetteEvidence(const ViewSet& views,
+                                      const std::vector<float>& mask_trust,
                                       const VoxelGrid& voxels,
-                                      double weight,
+                                      const ReconstructionOptions& options,
                                       const Context& context);
 
 }  // namespace octacut

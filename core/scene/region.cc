@@ -135,6 +135,26 @@ struct SilhouetteBox {
   std::string_view doubt;
 };
 
+// The region of silhouettes that may be too small. Its cube is that of the
+// silhouettes as they are, so that the tolerance moves no voxel.
+Region MakeTolerantRegion(const std::vector<View>& views,
+                          const Eigen::AlignedBox3d& box,
+                          const RegionOptions& options) {
+  double slack = 0;
+  for (const View& view : views) {
+    const double depth = (view.cam_from_world * box.center()).z();
+    slack = std::max(
+        slack, options.mask_tolerance * view.scale * depth / view.camera.fx);
+  }
+  Region region = MakeRegion(box, RegionSource::kSilhouettes, options);
+  const Eigen::Vector3d most = Eigen::Vector3d::Constant(region.cube.edge / 2);
+  const Eigen::AlignedBox3d cube(box.center() - most, box.center() + most);
+  const Eigen::Vector3d grown = Eigen::Vector3d::Constant(slack);
+  region.box = cube.intersection(
+      Eigen::AlignedBox3d(box.min() - grown, box.max() + grown));
+  return region;
+}
+
 // Names the one mask without which the others have points in common, if there
 // is just one: among hundreds it is hard to find by eye.
 [[noreturn]] void RefuseMasks(const std::vector<View>& views,
@@ -220,14 +240,14 @@ Region FallBack(const std::vector<View>& views,
         "on it: the region may be far too large; "
         "--OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1 sets it",
         hull.doubt));
-    return MakeRegion(hull.box, RegionSource::kSilhouettes, options);
+    return MakeTolerantRegion(views, hull.box, options);
   }
   const Eigen::Vector3d margin = Eigen::Vector3d::Constant(
       options.point_margin * point_box.sizes().maxCoeff());
   const Eigen::AlignedBox3d box(point_box.min() - margin,
                                 point_box.max() + margin);
   if (!hull.box.isEmpty() && box.contains(hull.box)) {
-    return MakeRegion(hull.box, RegionSource::kSilhouettes, options);
+    return MakeTolerantRegion(views, hull.box, options);
   }
   context.Warn(fmt::format(
       "the views do not bound the object ({}): the region comes from the "
@@ -271,6 +291,10 @@ void RegionOptions::Check() const {
   }
   CheckOption(
       margin >= 0 && margin <= 10, "margin", margin, "must be in [0, 10]");
+  CheckOption(mask_tolerance >= 0 && mask_tolerance <= kMaxMaskTolerance,
+              "mask_tolerance",
+              mask_tolerance,
+              fmt::format("must be in [0, {}]", kMaxMaskTolerance));
   CheckOption(hull_level >= 2 && hull_level <= 8,
               "hull_level",
               hull_level,
@@ -306,7 +330,7 @@ Region EstimateRegion(const std::vector<View>& views,
     throw InputError("the region cannot be estimated without views");
   }
   const SilhouetteBox hull = BoxOfSilhouettes(views, options, context);
-  return hull.sure ? MakeRegion(hull.box, RegionSource::kSilhouettes, options)
+  return hull.sure ? MakeTolerantRegion(views, hull.box, options)
                    : FallBack(views, points, hull, options, context);
 }
 

@@ -33,6 +33,9 @@ struct RegionOptions {
   // The cube's edge is the longest side of the box times 1 + margin. The
   // default keeps 2.4 voxels of 64^3 free on each side.
   double margin = 0.08;
+  // Pixels of the photographs by which masks may be too small: the box, not
+  // the cube, grows by as much.
+  double mask_tolerance = 0;
   // The coarse hull whose bounding box the region is has (2^level)^3 voxels.
   int hull_level = 6;
   // Of the longest side of the box of the sparse points, added on each side

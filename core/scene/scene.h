@@ -24,6 +24,7 @@ struct View {
   cv::Mat image;  // CV_8UC3, BGR (OpenCV's order); empty where not needed
   cv::Mat mask;   // CV_8UC1, 255 = object, 0 = background; values between are
                   // coverage by the object. At least 128 counts as object.
+  double scale = 1;  // pixels of this view a pixel of the photograph
 
   Eigen::Vector3d Center() const {
     return -(cam_from_world.rotation.transpose() * cam_from_world.translation);
@@ -40,6 +41,9 @@ struct BoundingCube {
   }
   double VoxelSize(int level) const { return edge / double(1u << level); }
 };
+
+// Pixels of the photographs by which masks may be said to be wrong, at most.
+inline constexpr double kMaxMaskTolerance = 64;
 
 struct Scene {
   std::vector<View> views;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
 #include <vector>
 
 #include "core/base/check_option.h"
+#include "core/synthetic/move_mask_border.h"
 #include "core/synthetic/noise.h"
 
 namespace octacut {
@@ -109,19 +109,7 @@ void AddDefects(int count,
 }  // namespace
 
 void DegradeMask(const DegradeOptions& options, uint64_t seed, cv::Mat& mask) {
-  if (options.mask_offset != 0) {
-    const int side = 2 * std::abs(options.mask_offset) + 1;
-    const cv::Mat disc =
-        cv::getStructuringElement(cv::MORPH_ELLIPSE, {side, side});
-    cv::Mat moved;
-    cv::morphologyEx(
-        mask,
-        moved,
-        options.mask_offset > 0 ? cv::MORPH_DILATE : cv::MORPH_ERODE,
-        disc);
-    mask = moved;
-  }
-  const cv::Mat before = mask.clone();
+  mask = MoveMaskBorder(mask, options.mask_offset);
   AddDefects(options.num_mask_holes,
              options.mask_defect_radius,
              true,

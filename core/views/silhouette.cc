@@ -27,32 +27,42 @@ Silhouette::Silhouette(const cv::Mat& mask)
   }
 }
 
-uint32_t Silhouette::CountObject(int x0, int y0, int x1, int y1) const {
+uint32_t Silhouette::CountObject(
+    float u0, float v0, float u1, float v1, uint32_t* num_pixels) const {
+  const int x0 = std::min(int(u0), width_ - 1);
+  const int y0 = std::min(int(v0), height_ - 1);
+  const int x1 = std::min(int(u1), width_ - 1) + 1;
+  const int y1 = std::min(int(v1), height_ - 1) + 1;
+  *num_pixels = uint32_t(x1 - x0) * uint32_t(y1 - y0);
   const size_t stride = size_t(width_) + 1;
   return sums_[y1 * stride + x1] - sums_[y0 * stride + x1] -
          sums_[y1 * stride + x0] + sums_[y0 * stride + x0];
 }
 
-Footprint Silhouette::Test(float u0, float v0, float u1, float v1) const {
+Footprint Silhouette::Test(
+    float u0, float v0, float u1, float v1, float margin) const {
   // Negated so that NaN, too, tells nothing.
   if (!(u0 >= 0 && v0 >= 0 && u1 <= float(width_) && v1 <= float(height_))) {
     return Footprint::kMixed;
   }
-  const int x0 = std::min(int(u0), width_ - 1);
-  const int y0 = std::min(int(v0), height_ - 1);
-  const int x1 = std::min(int(u1), width_ - 1) + 1;
-  const int y1 = std::min(int(v1), height_ - 1) + 1;
-  const uint32_t count = CountObject(x0, y0, x1, y1);
-  if (count == 0) {
-    return Footprint::kBackground;
+  uint32_t num_pixels;
+  const uint32_t count = CountObject(u0, v0, u1, v1, &num_pixels);
+  if (count > 0) {
+    return count == num_pixels ? Footprint::kObject : Footprint::kMixed;
   }
-  return count == uint32_t(x1 - x0) * uint32_t(y1 - y0) ? Footprint::kObject
-                                                        : Footprint::kMixed;
+  const bool is_far =
+      margin == 0 || CountObject(std::max(u0 - margin, 0.0f),
+                                 std::max(v0 - margin, 0.0f),
+                                 std::min(u1 + margin, float(width_)),
+                                 std::min(v1 + margin, float(height_)),
+                                 &num_pixels) == 0;
+  return is_far ? Footprint::kBackground : Footprint::kMixed;
 }
 
 Footprint Silhouette::TestCube(const ViewProjection& projection,
                                const Eigen::Vector3f& center,
-                               float half_edge) const {
+                               float half_edge,
+                               float margin) const {
   const Eigen::Vector3f h = projection.Homogeneous(center);
   const Eigen::Matrix3f axes = projection.linear * half_edge;
   float u_min = kInfinity, u_max = -kInfinity;
@@ -75,12 +85,13 @@ Footprint Silhouette::TestCube(const ViewProjection& projection,
     v_min = std::min(v_min, p.y() * inverse_depth);
     v_max = std::max(v_max, p.y() * inverse_depth);
   }
-  return Test(u_min, v_min, u_max, v_max);
+  return Test(u_min, v_min, u_max, v_max, margin);
 }
 
 bool Silhouette::IsBackgroundCube(const ViewProjection& projection,
                                   const Eigen::Vector3f& center,
-                                  float half_edge) const {
+                                  float half_edge,
+                                  float margin) const {
   const Eigen::Vector3f h = projection.Homogeneous(center);
   if (!(h.z() > 0)) {
     return false;
@@ -91,7 +102,8 @@ bool Silhouette::IsBackgroundCube(const ViewProjection& projection,
       mask_.ptr<uint8_t>(int(v))[int(u)] >= kObjectThreshold) {
     return false;
   }
-  return TestCube(projection, center, half_edge) == Footprint::kBackground;
+  return TestCube(projection, center, half_edge, margin) ==
+         Footprint::kBackground;
 }
 
 float Silhouette::Coverage(float u, float v) const {

@@ -13,7 +13,7 @@ namespace octacut {
 inline constexpr float kObjectCoverage = 127.5f;
 
 enum class Footprint : uint8_t {
-  kBackground,  // holds no pixel of the object
+  kBackground,  // holds no pixel of the object, nor does what is near
   kObject,      // holds nothing else
   kMixed,       // both, or reaches out of the frame: the view does not tell
 };
@@ -24,25 +24,31 @@ class Silhouette {
   // `mask` CV_8UC1 of the view's size; at least 128 counts as object.
   explicit Silhouette(const cv::Mat& mask);
 
-  // Pixels with coordinates in [u0, u1] x [v0, v1].
-  Footprint Test(float u0, float v0, float u1, float v1) const;
+  // Pixels with coordinates in [u0, u1] x [v0, v1]. Background only when the
+  // object is farther than `margin` pixels away (in u or v).
+  Footprint Test(
+      float u0, float v0, float u1, float v1, float margin = 0) const;
 
   // A cube with the given centre and half edge (unit coordinates),
   // conservatively: by the pixel rectangle around its projected corners.
   Footprint TestCube(const ViewProjection& projection,
                      const Eigen::Vector3f& center,
-                     float half_edge) const;
+                     float half_edge,
+                     float margin = 0) const;
 
   // Whether TestCube would say kBackground; cheaper where it would not.
   bool IsBackgroundCube(const ViewProjection& projection,
                         const Eigen::Vector3f& center,
-                        float half_edge) const;
+                        float half_edge,
+                        float margin = 0) const;
 
   // Coverage (0 .. 255) at pixel coordinates, bilinear; 255 out of the frame.
   float Coverage(float u, float v) const;
 
  private:
-  uint32_t CountObject(int x0, int y0, int x1, int y1) const;
+  // Object pixels of those that the rectangle, within the frame, touches.
+  uint32_t CountObject(
+      float u0, float v0, float u1, float v1, uint32_t* num_pixels) const;
 
   int width_ = 0;
   int height_ = 0;

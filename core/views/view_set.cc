@@ -6,13 +6,15 @@ namespace octacut {
 
 ViewSet PrepareViews(const Scene& scene,
                      const BoundingCube& cube,
-                     const Context& context) {
+                     const Context& context,
+                     double mask_tolerance) {
   ViewSet views(scene.views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const View& view = scene.views[i];
       views[i].projection = MakeViewProjection(view, cube);
       views[i].silhouette = Silhouette(view.mask);
+      views[i].mask_tolerance = float(mask_tolerance * view.scale);
       if (!view.image.empty()) {
         views[i].pyramid = ImagePyramid(view.image, view.mask);
       }

@@ -16,13 +16,18 @@ struct PreparedView {
   ViewProjection projection;
   Silhouette silhouette;
   ImagePyramid pyramid;
+  // Pixels of the view by which its mask may be too small: what is that near
+  // to the object is not surely outside.
+  float mask_tolerance = 0;
 };
 
 using ViewSet = std::vector<PreparedView>;
 
-// Views without an image (silhouettes alone) get no pyramid.
+// Views without an image (silhouettes alone) get no pyramid. `mask_tolerance`
+// is in pixels of the photographs.
 ViewSet PrepareViews(const Scene& scene,
                      const BoundingCube& cube,
-                     const Context& context);
+                     const Context& context,
+                     double mask_tolerance = 0);
 
 }  // namespace octacut

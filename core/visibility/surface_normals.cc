@@ -1,12 +1,13 @@
 #include "core/visibility/surface_normals.h"
 
 #include "core/base/parallel.h"
-#include "core/grid/neighbors.h"
+#include "core/grid/voxel_walk.h"
 
 namespace octacut {
 namespace {
 
 constexpr size_t kBrickGrain = 256;
+constexpr size_t kVoxelGrain = 8192;
 // Below this the gradient is rounding noise.
 constexpr float kSmallestGradient = 1e-4f;
 
@@ -15,16 +16,57 @@ using NeighborValues = std::array<float, kNumFaces>;
 // Values of the six neighbours; where there is none, what the tie says.
 NeighborValues ValuesAcross(const std::vector<float>& values,
                             const std::vector<FaceTies>& ties,
-                            VoxelGrid::Index index,
-                            const NeighborIndices& neighbors) {
+                            const VoxelWalk& walk,
+                            const VoxelPlace& place) {
   NeighborValues result;
   for (int face = 0; face < kNumFaces; ++face) {
-    const VoxelGrid::Index n = neighbors[face];
+    const VoxelGrid::Index n = walk.Neighbor(place, face);
     result[face] = n != VoxelGrid::kNone
                        ? values[n]
-                       : ((ties[index] & InsideTie(face)) ? 1.0f : 0.0f);
+                       : ((ties[place.index] & InsideTie(face)) ? 1.0f : 0.0f);
   }
   return result;
+}
+
+Eigen::Vector3f OutwardNormal(const NeighborValues& across) {
+  const Eigen::Vector3f outward(
+      across[0] - across[1], across[2] - across[3], across[4] - across[5]);
+  const float length = outward.norm();
+  return length > kSmallestGradient ? Eigen::Vector3f(outward / length)
+                                    : Eigen::Vector3f::Zero();
+}
+
+// What is within so many 6-neighbour steps of some voxels.
+struct Rings {
+  std::vector<VoxelPlace> places;  // the nearer ones first
+  std::vector<size_t> ends;        // of the places within k steps, by k
+};
+
+Rings RingsAround(const VoxelWalk& walk,
+                  std::span<const uint8_t> centers,
+                  int num_steps) {
+  Rings rings;
+  std::vector<uint8_t> found(centers.begin(), centers.end());
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
+    if (found[place.index]) {
+      rings.places.push_back(place);
+    }
+  });
+  rings.ends = {rings.places.size()};
+  for (size_t k = 0; int(rings.ends.size()) <= num_steps;) {
+    for (; k < rings.ends.back(); ++k) {
+      const VoxelPlace from = rings.places[k];
+      for (int face = 0; face < kNumFaces; ++face) {
+        const VoxelGrid::Index n = walk.Neighbor(from, face);
+        if (n != VoxelGrid::kNone && !found[n]) {
+          found[n] = 1;
+          rings.places.push_back(walk.Step(from, face));
+        }
+      }
+    }
+    rings.ends.push_back(rings.places.size());
+  }
+  return rings;
 }
 
 }  // namespace
@@ -33,45 +75,58 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
                                              const std::vector<FaceTies>& ties,
                                              const std::vector<float>& prior,
                                              int blur_steps,
-                                             const Context& context) {
+                                             const Context& context,
+                                             std::span<const uint8_t> wanted) {
   std::vector<float> values = prior;
   std::vector<float> blurred(values.size());
-  const auto for_all = [&](auto&& body) {
+  const VoxelWalk walk(voxels);
+  const Rings rings =
+      wanted.empty() ? Rings() : RingsAround(walk, wanted, blur_steps);
+  // Calls body(slot, index, values across) for what is so near to what is
+  // wanted; that itself has the slots of its normals.
+  const auto for_all_within = [&](int num_steps, auto&& body) {
+    const auto call = [&](size_t slot, const VoxelPlace& place) {
+      body(slot, place.index, ValuesAcross(values, ties, walk, place));
+    };
+    if (wanted.empty()) {
+      ParallelFor(context,
+                  walk.NumBricks(),
+                  kBrickGrain,
+                  [&](size_t begin, size_t end) {
+                    walk.ForEach(begin, end, [&](const VoxelPlace& place) {
+                      call(place.index, place);
+                    });
+                  });
+      return;
+    }
     ParallelFor(context,
-                voxels.Bricks().size(),
-                kBrickGrain,
+                rings.ends[size_t(num_steps)],
+                kVoxelGrain,
                 [&](size_t begin, size_t end) {
-                  ForEachWithNeighbors(
-                      voxels,
-                      begin,
-                      end,
-                      [&](VoxelGrid::Index index,
-                          MortonCode,
-                          const NeighborIndices& neighbors) {
-                        body(index,
-                             ValuesAcross(values, ties, index, neighbors));
-                      });
+                  for (size_t k = begin; k < end; ++k) {
+                    call(k, rings.places[k]);
+                  }
                 });
   };
+  // What is k steps away is needed until there are k steps left.
   for (int step = 0; step < blur_steps; ++step) {
-    for_all([&](VoxelGrid::Index index, const NeighborValues& across) {
-      float sum = values[index];
-      for (const float value : across) {
-        sum += value;
-      }
-      blurred[index] = sum / 7;
-    });
+    for_all_within(
+        blur_steps - step,
+        [&](size_t, VoxelGrid::Index index, const NeighborValues& across) {
+          float sum = values[index];
+          for (const float value : across) {
+            sum += value;
+          }
+          blurred[index] = sum / 7;
+        });
     values.swap(blurred);
   }
-  std::vector<Eigen::Vector3f> normals(values.size());
-  for_all([&](VoxelGrid::Index index, const NeighborValues& across) {
-    const Eigen::Vector3f outward(
-        across[0] - across[1], across[2] - across[3], across[4] - across[5]);
-    const float length = outward.norm();
-    normals[index] = length > kSmallestGradient
-                         ? Eigen::Vector3f(outward / length)
-                         : Eigen::Vector3f::Zero();
-  });
+  std::vector<Eigen::Vector3f> normals(wanted.empty() ? values.size()
+                                                      : rings.ends.front());
+  for_all_within(
+      0, [&](size_t slot, VoxelGrid::Index, const NeighborValues& across) {
+        normals[slot] = OutwardNormal(across);
+      });
   return normals;
 }
 

@@ -1,7 +1,9 @@
 // Normals throughout a crust, from where its inside is believed to be.
 #pragma once
 
+#include <cstdint>
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "core/base/context.h"
@@ -14,10 +16,15 @@ namespace octacut {
 // the voxel that is inside) after `blur_steps` averagings with the six
 // neighbours; interfaces of the crust count as all inside or all outside as
 // they are tied. Zero where there is no gradient, deep in the inside.
-std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
-                                             const std::vector<FaceTies>& ties,
-                                             const std::vector<float>& prior,
-                                             int blur_steps,
-                                             const Context& context);
+//
+// With `wanted`, one flag a voxel, the normals of those alone, one after the
+// other, at a cost that depends on how many there are.
+std::vector<Eigen::Vector3f> EstimateNormals(
+    const VoxelGrid& voxels,
+    const std::vector<FaceTies>& ties,
+    const std::vector<float>& prior,
+    int blur_steps,
+    const Context& context,
+    std::span<const uint8_t> wanted = {});
 
 }  // namespace octacut

@@ -5,6 +5,7 @@
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
+#include "core/pipeline/options.h"
 #include "plugin/mesh_json.h"
 #include "plugin/refinement_options.h"
 #include "plugin/report.h"
@@ -57,6 +58,9 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
     mesh_path_ = workspace_.workspace_path / "meshed-octahedral.ply";
   }
   IndexedMesh mesh = ReadClosedMesh(context);
+  // The windows of the images are to be those of octahedral_mesher's defaults.
+  workspace_.loading.region.mask_tolerance =
+      ReconstructionOptions().mask_tolerance;
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
   const ViewSet views = PrepareViews(loaded.scene, loaded.region.cube, context);

@@ -66,6 +66,7 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   meshing_.Check();
   workspace_.Complete("meshed-octahedral.ply");
+  workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
   const LevelObserver observer = LevelWriter();
   const LoadedScene loaded = LoadScene(workspace_.workspace_path,
                                        workspace_.loading,

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/cut/fixed_point.h"
-#include "core/cut/voxel_walk.h"
+#include "core/grid/voxel_walk.h"
 
 namespace octacut {
 namespace {

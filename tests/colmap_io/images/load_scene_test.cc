@@ -220,21 +220,6 @@ TEST_F(LoadSceneTest, MissingMask) {
   EXPECT_THAT(ErrorOf(options), HasSubstr("2 usable views of 12"));
 }
 
-TEST_F(LoadSceneTest, MaskMargin) {
-  const auto count_object = [&](int margin) {
-    LoadSceneOptions options;
-    options.mask_margin = margin;
-    options.region.bounding_box = {Eigen::Vector3d(-0.5, -0.5, -0.5),
-                                   Eigen::Vector3d(0.5, 0.5, 0.5)};
-    return cv::countNonZero(Load(options).scene.views[0].mask >= 128);
-  };
-  EXPECT_GT(count_object(3), count_object(0));
-  EXPECT_LT(count_object(-3), count_object(0));
-  LoadSceneOptions options;
-  options.mask_margin = 65;
-  EXPECT_THROW(Load(options), OptionError);
-}
-
 TEST_F(LoadSceneTest, MissingImage) {
   fs::remove(folder_ / "images" / "5.png");
   EXPECT_THAT(ErrorOf(), HasSubstr("5.png: no such image"));

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/cut/bucket_queue.h"
-#include "core/cut/voxel_walk.h"
+#include "core/grid/voxel_walk.h"
 #include "tests/core/cut/cut_test_problems.h"
 
 namespace octacut {
@@ -70,31 +70,6 @@ TEST(Octahedron, NodeArcsLeadBack) {
       }
     }
   });
-}
-
-TEST(VoxelWalk, NeighborsAreThoseOfTheGrid) {
-  std::mt19937 random(1);
-  std::vector<MortonCode> codes = BoxCodes({0, 0, 0}, {16, 16, 16});
-  std::erase_if(codes, [&](MortonCode) { return random() % 3 == 0; });
-  const VoxelGrid grid = VoxelGrid::FromCodes(4, codes);
-  const VoxelWalk walk(grid);
-  size_t visited = 0;
-  walk.ForEachWithNeighbors(
-      0, walk.NumBricks(), [&](const VoxelPlace& place, const auto& neighbors) {
-        EXPECT_EQ(place.index, visited++);
-        const Eigen::Vector3i voxel = DecodeMorton(
-            VoxelGrid::CodeOf(grid.Bricks()[place.brick], int(place.bit)));
-        EXPECT_EQ(grid.Find(voxel), place.index);
-        for (int face = 0; face < kNumFaces; ++face) {
-          const VoxelGrid::Index expected =
-              grid.Find(NeighborVoxel(voxel, face));
-          EXPECT_EQ(neighbors[face], expected);
-          if (expected != VoxelGrid::kNone) {
-            EXPECT_EQ(walk.Step(place, face).index, expected);
-          }
-        }
-      });
-  EXPECT_EQ(visited, grid.Size());
 }
 
 TEST(BucketQueue, KeepsOrderAndReusesChunks) {

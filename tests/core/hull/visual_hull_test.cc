@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "core/synthetic/move_mask_border.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -218,6 +219,31 @@ TEST(VisualHull, APointIsInsideWhereEveryViewShowsTheObject) {
   EXPECT_GT(num_outside, 500);
   EXPECT_FALSE(IsInsideHull(
       test.views, TestScene::UnitBox(), Eigen::Vector3f(0.5f, 0.5f, 1.01f)));
+}
+
+TEST(VisualHull, KeepsTheObjectOfMasksThatAreTooSmallByTheTolerance) {
+  TestScene test = MakeTestScene("sphere", 160, 120, 20);
+  constexpr int kMaskError = 3;
+  for (View& view : test.scene.views) {
+    view.mask = MoveMaskBorder(view.mask, -kMaskError);
+  }
+  const auto missed = [&](double tolerance) {
+    test.views =
+        PrepareViews(test.scene, test.region.cube, Context(2), tolerance);
+    const VoxelGrid hull =
+        ComputeVisualHull(
+            test.views, TestScene::UnitBox(), Level(6), Context(2))
+            .voxels;
+    size_t count = 0;
+    for (int i = 0; i < (1 << 18); ++i) {
+      const Eigen::Vector3i voxel = DecodeMorton(MortonCode(i));
+      const double value = test.Value(VoxelCenter(voxel, 6).cast<double>());
+      count += value < 0 && hull.Find(MortonCode(i)) == VoxelGrid::kNone;
+    }
+    return count;
+  };
+  EXPECT_GT(missed(0), 1000u);
+  EXPECT_EQ(missed(kMaskError), 0u);
 }
 
 TEST(VisualHull, AnEmptyOneIsAnInputError) {

@@ -23,13 +23,15 @@ TEST(InitialLevel, SilhouettesAskBackWhatWrongDepthsCutOff) {
           test.views, TestScene::UnitBox(), options.hull, Context(2))
           .voxels;
   const Eigen::AlignedBox3d& box = test.synthetic.object.shape.box;
-  std::vector<float> evidence(hull.Size(), 0.1f);
+  InsideEvidence evidence;
+  evidence.values.assign(hull.Size(), 0.1f);
+  evidence.mask_trust.assign(test.views.size(), 1.0f);
   hull.ForEach([&](VoxelGrid::Index index, MortonCode code) {
     const Eigen::Vector3d unit =
         VoxelCenter(DecodeMorton(code), hull.Level()).cast<double>();
     if (testing::ToWorld(test.region.cube, unit).z() >
         box.max().z() - 0.4 * box.sizes().z()) {
-      evidence[index] = -1;
+      evidence.values[index] = -1;
     }
   });
   const auto solve = [&](int cover_rounds) {

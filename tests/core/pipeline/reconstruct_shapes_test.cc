@@ -42,6 +42,24 @@ TEST(Reconstruct, Sphere) {
   EXPECT_NEAR(audit.area, area, 0.03 * area);
 }
 
+TEST(Reconstruct, MasksThatAreTooSmallDoNotRuinIt) {
+  SceneSpec spec = PipelineSpec("lump");
+  spec.degrade.mask_offset = -2;
+  ReconstructionOptions options = QuickOptions();
+  const auto error = [&](double tolerance) {
+    options.mask_tolerance = tolerance;
+    const ReconstructedScene scene = ReconstructScene(spec, options);
+    return MeanDistance(scene.synthetic.reference, scene.mesh) /
+           scene.VoxelSize();
+  };
+  const double strict = error(0);
+  const double tolerant = error(2);
+  spec.degrade.mask_offset = 0;
+  const double clean = error(2);
+  EXPECT_GT(strict, 2 * clean);
+  EXPECT_LT(tolerant, 1.5 * clean);
+}
+
 TEST(Reconstruct, Torus) {
   const ReconstructedScene scene =
       ReconstructScene(PipelineSpec("torus"), QuickOptions());

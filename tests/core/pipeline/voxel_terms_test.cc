@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
+#include "core/hull/visual_hull.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -35,8 +38,14 @@ TEST(SilhouetteEvidence, SpeaksWhereAWholeVoxelIsBackgroundInAView) {
     codes.push_back(code);
   }
   const VoxelGrid voxels = VoxelGrid::FromCodes(kLevel, codes);
+  ReconstructionOptions options;
+  options.energy.silhouette_weight = 0.75;
   const std::vector<float> evidence =
-      SilhouetteEvidence(test.views, voxels, 0.75, Context(2));
+      SilhouetteEvidence(test.views,
+                         std::vector<float>(test.views.size(), 1.0f),
+                         voxels,
+                         options,
+                         Context(2));
   ASSERT_EQ(evidence.size(), voxels.Size());
   size_t num_background = 0;
   voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
@@ -52,6 +61,93 @@ TEST(SilhouetteEvidence, SpeaksWhereAWholeVoxelIsBackgroundInAView) {
   });
   EXPECT_GT(num_background, voxels.Size() / 4);
   EXPECT_LT(num_background, voxels.Size());
+}
+
+TEST(SilhouetteEvidence, IsWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
+  TestScene test = MakeTestScene("torus", 120, 90, 2);
+  constexpr double kTolerance = 4;
+  test.views =
+      PrepareViews(test.scene, test.region.cube, Context(2), kTolerance);
+  constexpr int kLevel = 6;
+  std::vector<MortonCode> codes;
+  for (MortonCode code = 0; code < 64u * 64 * 64; code += 5) {
+    codes.push_back(code);
+  }
+  const VoxelGrid voxels = VoxelGrid::FromCodes(kLevel, codes);
+  ReconstructionOptions options;
+  options.hull.hull_level = kLevel - 1;
+  options.energy.silhouette_weight = 2;
+  options.energy.mask_border_weight = 0.5;
+  const std::vector<float> evidence =
+      SilhouetteEvidence(test.views, {1, 0.25f}, voxels, options, Context(2));
+  std::map<float, int> counts;
+  voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    bool is_sure = false;
+    float expected = 0;
+    for (size_t i = 0; i < 2; ++i) {
+      const auto is_background = [&](float margin) {
+        return test.views[i].silhouette.TestCube(
+                   test.views[i].projection,
+                   VoxelCenter(DecodeMorton(code), kLevel),
+                   0.5f / (1 << kLevel),
+                   margin) == Footprint::kBackground;
+      };
+      is_sure = is_sure || is_background(kTolerance);
+      if (is_background(0)) {
+        // Half of the weight: a level finer than l0.
+        expected = std::min(expected, i == 0 ? -0.25f : -0.0625f);
+      }
+    }
+    expected = is_sure ? -2 : expected;
+    ++counts[expected];
+    ASSERT_EQ(evidence[index], expected) << index;
+  });
+  EXPECT_EQ(counts.size(), 4u);
+  for (const auto& [value, count] : counts) {
+    EXPECT_GT(count, 100) << value;
+  }
+}
+
+TEST(TrimHull, TakesWhatTrustedMasksDenyOffTheOutsideAlone) {
+  TestScene test = MakeTestScene("sphere", 160, 120, 12);
+  // A hole of eight by eight pixels in the middle of a mask.
+  cv::Mat& mask = test.scene.views[0].mask;
+  mask(cv::Rect(mask.cols / 2 - 4, mask.rows / 2 - 4, 8, 8)).setTo(0);
+  test.views = PrepareViews(test.scene, test.region.cube, Context(2), 6);
+  VisualHullOptions options;
+  options.hull_level = 6;
+  const auto hull_of = [&](const ViewSet& views) {
+    return ComputeVisualHull(views, TestScene::UnitBox(), options, Context(2))
+        .voxels;
+  };
+  const VoxelGrid hull = hull_of(test.views);
+  const VoxelGrid strict =
+      hull_of(PrepareViews(test.scene, test.region.cube, Context(2)));
+  const auto trim = [&](float trust, InsideEvidence* evidence) {
+    evidence->mask_trust.assign(test.views.size(), trust);
+    hull.ForEach([&](VoxelGrid::Index, MortonCode code) {
+      evidence->values.push_back(float(code));
+    });
+    return TrimHull(test.views, hull, Context(2), evidence);
+  };
+  InsideEvidence evidence;
+  const VoxelGrid trimmed = trim(1, &evidence);
+  ASSERT_EQ(evidence.values.size(), trimmed.Size());
+  trimmed.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    ASSERT_EQ(evidence.values[index], float(code));
+  });
+  EXPECT_LT(trimmed.Size(), hull.Size() - 1000);
+  size_t num_lost = 0;
+  strict.ForEach([&](VoxelGrid::Index, MortonCode code) {
+    num_lost += trimmed.Find(code) == VoxelGrid::kNone;
+  });
+  EXPECT_EQ(num_lost, 0u);
+  // The hole's tunnel is there in the strict hull and not in this one.
+  const MortonCode middle = EncodeMorton(Eigen::Vector3i(32, 32, 32));
+  EXPECT_EQ(strict.Find(middle), VoxelGrid::kNone);
+  EXPECT_NE(trimmed.Find(middle), VoxelGrid::kNone);
+  InsideEvidence doubtful;
+  EXPECT_EQ(trim(0, &doubtful).Size(), hull.Size());
 }
 
 }  // namespace

@@ -75,6 +75,30 @@ TEST_P(RegionScale, IsTightAroundASphere) {
 }
 INSTANTIATE_TEST_SUITE_P(Region, RegionScale, ::testing::Values(1e-4, 1, 1e5));
 
+TEST(Region, AToleranceOfTheMasksMakesTheBoxLargerButNotTheCube) {
+  const Eigen::Vector3d middle(1, 2, 3);
+  auto views = RenderAllAround(middle, 4, 300, Sphere(middle, 1));
+  for (View& view : views) {
+    view.scale = 0.5;
+  }
+  const Region strict = EstimateRegion(views, {}, {}, Context(2));
+  RegionOptions options;
+  options.mask_tolerance = 6;
+  const Region tolerant = EstimateRegion(views, {}, options, Context(2));
+  EXPECT_EQ(tolerant.cube.edge, strict.cube.edge);
+  EXPECT_EQ(tolerant.cube.min_corner, strict.cube.min_corner);
+  // Six pixels of the photograph are three of the view.
+  const double slack = 3 * 4 / views[0].camera.fx;
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(tolerant.box.sizes()[axis] - strict.box.sizes()[axis],
+                2 * slack,
+                0.1 * slack);
+  }
+  options.mask_tolerance = 64;
+  const Region largest = EstimateRegion(views, {}, options, Context(2));
+  EXPECT_TRUE(largest.box.sizes().isApproxToConstant(strict.cube.edge));
+}
+
 TEST(Region, HoldsALongObjectOffTheMiddle) {
   const Eigen::AlignedBox3d object(Eigen::Vector3d(-0.1, -0.9, -0.2),
                                    Eigen::Vector3d(0.1, 0.6, 0.3));

@@ -247,6 +247,24 @@ TEST(Silhouette, TheShortTestForBackgroundAgreesWithTheLongOne) {
   EXPECT_GT(num_background, 500);
 }
 
+TEST(Silhouette, BackgroundIsFartherFromTheObjectThanTheMargin) {
+  cv::Mat mask = cv::Mat::zeros(40, 60, CV_8UC1);
+  mask.at<uint8_t>(20, 30) = 255;  // [30, 31] x [20, 21]
+  const Silhouette silhouette(mask);
+  const auto test = [&](float u, float margin) {
+    return silhouette.Test(u, 20.2f, u + 2, 20.8f, margin);
+  };
+  EXPECT_EQ(test(32.5f, 0), Footprint::kBackground);
+  EXPECT_EQ(test(32.5f, 1), Footprint::kBackground);
+  EXPECT_EQ(test(32.5f, 2), Footprint::kMixed);
+  EXPECT_EQ(test(26.5f, 1), Footprint::kBackground);
+  EXPECT_EQ(test(26.5f, 2), Footprint::kMixed);
+  // The margin is no part of the frame test, and makes nothing object.
+  EXPECT_EQ(test(0, 5), Footprint::kBackground);
+  EXPECT_EQ(test(-0.5f, 5), Footprint::kMixed);
+  EXPECT_EQ(silhouette.Test(30.2f, 20.2f, 30.8f, 20.8f, 5), Footprint::kObject);
+}
+
 TEST(PrepareViews, GivesPyramidsToViewsWithImagesOnly) {
   Random random(6);
   ViewOfCube v = RandomViewOfCube(random, 3);
@@ -256,7 +274,10 @@ TEST(PrepareViews, GivesPyramidsToViewsWithImagesOnly) {
   scene.views.push_back(v.view);
   scene.views.push_back(v.view);
   scene.views[1].image = cv::Mat(size, CV_8UC3, cv::Scalar(10, 20, 30));
-  const ViewSet views = PrepareViews(scene, v.cube, Context(2));
+  scene.views[1].scale = 0.5;
+  const ViewSet views = PrepareViews(scene, v.cube, Context(2), 3);
+  EXPECT_EQ(views[0].mask_tolerance, 3);
+  EXPECT_EQ(views[1].mask_tolerance, 1.5f);
   ASSERT_EQ(views.size(), 2u);
   EXPECT_EQ(views[0].pyramid.NumLevels(), 0);
   EXPECT_GT(views[1].pyramid.NumLevels(), 1);

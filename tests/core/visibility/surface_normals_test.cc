@@ -91,6 +91,36 @@ TEST(EstimateNormals, AreZeroWithoutAGradient) {
   }
 }
 
+TEST(EstimateNormals, OfSomeVoxelsAreThoseAmongAll) {
+  const Crust crust = CrustOfBall();
+  // A patch, and single voxels elsewhere.
+  std::vector<uint8_t> wanted(crust.voxels.Size(), 0);
+  crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    wanted[index] = DecodeMorton(code).x() < 14 || index % 4001 == 0;
+  });
+  for (const int blur_steps : {0, 1, 5}) {
+    const std::vector<Eigen::Vector3f> all = EstimateNormals(
+        crust.voxels, crust.ties, crust.prior, blur_steps, Context(2));
+    std::vector<Eigen::Vector3f> expected;
+    for (size_t i = 0; i < all.size(); ++i) {
+      if (wanted[i]) {
+        expected.push_back(all[i]);
+      }
+    }
+    ASSERT_GT(expected.size(), 100u);
+    ASSERT_LT(expected.size(), all.size() / 4);
+    for (const int num_threads : {1, 3}) {
+      EXPECT_EQ(EstimateNormals(crust.voxels,
+                                crust.ties,
+                                crust.prior,
+                                blur_steps,
+                                Context(num_threads),
+                                wanted),
+                expected);
+    }
+  }
+}
+
 TEST(EstimateNormals, AreTheSameForAnyNumberOfThreads) {
   const Crust crust = CrustOfBall();
   const auto estimate = [&](int num_threads) {

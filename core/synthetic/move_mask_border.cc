@@ -1,4 +1,4 @@
-#include "colmap_io/images/mask_margin.h"
+#include "core/synthetic/move_mask_border.h"
 
 #include <cstdlib>
 #include <opencv2/imgproc.hpp>
@@ -19,16 +19,16 @@ cv::Mat Disc(int radius) {
 
 }  // namespace
 
-cv::Mat WithMargin(const cv::Mat& mask, int margin) {
-  if (margin == 0) {
+cv::Mat MoveMaskBorder(const cv::Mat& mask, int pixels) {
+  if (pixels == 0) {
     return mask;
   }
   // The default border of both never wins, so the frame changes nothing.
   cv::Mat moved;
-  if (margin > 0) {
-    cv::dilate(mask, moved, Disc(margin));
+  if (pixels > 0) {
+    cv::dilate(mask, moved, Disc(pixels));
   } else {
-    cv::erode(mask, moved, Disc(-margin));
+    cv::erode(mask, moved, Disc(-pixels));
   }
   return moved;
 }

@@ -1,4 +1,4 @@
-#include "colmap_io/images/mask_margin.h"
+#include "core/synthetic/move_mask_border.h"
 
 #include <gtest/gtest.h>
 
@@ -27,34 +27,34 @@ int CountDifferences(const cv::Mat& a, const cv::Mat& b) {
   return cv::countNonZero(difference > 127);
 }
 
-TEST(WithMargin, OfNothingLeavesTheMask) {
+TEST(MoveMaskBorder, OfNothingLeavesTheMask) {
   const cv::Mat mask = DiscMask(20);
-  EXPECT_EQ(CountDifferences(WithMargin(mask, 0), mask), 0);
+  EXPECT_EQ(CountDifferences(MoveMaskBorder(mask, 0), mask), 0);
 }
 
-TEST(WithMargin, MovesTheBorderBothWays) {
+TEST(MoveMaskBorder, MovesTheBorderBothWays) {
   const cv::Mat mask = DiscMask(20);
-  for (const int margin : {-6, -2, -1, 1, 2, 6}) {
-    const cv::Mat moved = WithMargin(mask, margin);
-    const cv::Mat expected = DiscMask(20 + margin);
+  for (const int pixels : {-6, -2, -1, 1, 2, 6}) {
+    const cv::Mat moved = MoveMaskBorder(mask, pixels);
+    const cv::Mat expected = DiscMask(20 + pixels);
     // A few pixels of the digital circle differ.
-    EXPECT_LT(CountDifferences(moved, expected), 40) << margin;
-    EXPECT_GT(CountDifferences(moved, mask), 60 * std::abs(margin)) << margin;
+    EXPECT_LT(CountDifferences(moved, expected), 40) << pixels;
+    EXPECT_GT(CountDifferences(moved, mask), 60 * std::abs(pixels)) << pixels;
   }
 }
 
-TEST(WithMargin, TheFrameIsNoBorder) {
+TEST(MoveMaskBorder, TheFrameIsNoBorder) {
   const cv::Mat object(40, 60, CV_8UC1, cv::Scalar(255));
-  EXPECT_EQ(CountDifferences(WithMargin(object, -5), object), 0);
+  EXPECT_EQ(CountDifferences(MoveMaskBorder(object, -5), object), 0);
   const cv::Mat background = cv::Mat::zeros(40, 60, CV_8UC1);
-  EXPECT_EQ(CountDifferences(WithMargin(background, 5), background), 0);
+  EXPECT_EQ(CountDifferences(MoveMaskBorder(background, 5), background), 0);
 }
 
-TEST(WithMargin, KeepsPartialCoverage) {
+TEST(MoveMaskBorder, KeepsPartialCoverage) {
   cv::Mat mask = cv::Mat::zeros(20, 20, CV_8UC1);
   mask.colRange(0, 8).setTo(255);
   mask.col(8).setTo(100);
-  const cv::Mat moved = WithMargin(mask, 3);
+  const cv::Mat moved = MoveMaskBorder(mask, 3);
   EXPECT_EQ(moved.at<uint8_t>(10, 10), 255);
   EXPECT_EQ(moved.at<uint8_t>(10, 11), 100);
   EXPECT_EQ(moved.at<uint8_t>(10, 12), 0);

@@ -1,4 +1,4 @@
-#include "core/cut/voxel_walk.h"
+#include "core/grid/voxel_walk.h"
 
 #include <algorithm>
 

@@ -1,0 +1,88 @@
+#include "core/evidence/mask_trust.h"
+
+#include <algorithm>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+// Shares of the points near a border that lie outside of it: up to the first
+// the mask is relied upon, from the second on it is not.
+constexpr float kSureShare = 0.36f;
+constexpr float kDoubtfulShare = 0.42f;
+// Points that every view is given inside of its border: few tell nothing.
+constexpr float kPriorPoints = 100;
+
+struct BorderPoints {
+  size_t inside = 0;
+  size_t outside = 0;
+};
+
+void CountPoint(const PreparedView& view,
+                const Eigen::Vector3f& point,
+                BorderPoints* count) {
+  const Eigen::Vector3f h = view.projection.Homogeneous(point);
+  if (h.z() <= 0) {
+    return;
+  }
+  const float u = h.x() / h.z();
+  const float v = h.y() / h.z();
+  const float reach = view.mask_tolerance;
+  const Footprint pixel = view.silhouette.Test(u, v, u, v);
+  if (pixel == Footprint::kObject) {
+    count->inside +=
+        view.silhouette.Test(u - reach, v - reach, u + reach, v + reach) ==
+        Footprint::kMixed;
+  } else if (pixel == Footprint::kBackground) {
+    count->outside +=
+        view.silhouette.Test(u, v, u, v, reach) == Footprint::kMixed;
+  }
+}
+
+BorderPoints CountBorderPoints(const ViewSet& views,
+                               const std::vector<SweptDepthMap>& maps,
+                               size_t judged) {
+  BorderPoints count;
+  for (size_t i = 0; i < views.size(); ++i) {
+    if (i == judged) {
+      continue;  // its own depths end where its mask does
+    }
+    const ViewProjection& projection = views[i].projection;
+    const Eigen::Matrix3f rays = projection.linear.inverse();
+    for (int y = 0; y < maps[i].height; ++y) {
+      for (int x = 0; x < maps[i].width; ++x) {
+        const float depth = maps[i].depths[size_t(y) * maps[i].width + x];
+        if (depth > 0) {
+          CountPoint(views[judged],
+                     projection.center + depth * (rays * maps[i].Pixel(x, y)),
+                     &count);
+        }
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<float> EstimateMaskTrust(const ViewSet& views,
+                                     const std::vector<SweptDepthMap>& maps,
+                                     const Context& context) {
+  std::vector<float> trust(views.size(), 1.0f);
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (views[i].mask_tolerance == 0) {
+        continue;
+      }
+      const BorderPoints count = CountBorderPoints(views, maps, i);
+      const float share = float(count.outside) /
+                          (float(count.inside + count.outside) + kPriorPoints);
+      trust[i] = std::clamp(
+          (kDoubtfulShare - share) / (kDoubtfulShare - kSureShare), 0.0f, 1.0f);
+    }
+  });
+  return trust;
+}
+
+}  // namespace octacut

@@ -1,0 +1,52 @@
+#include "core/grid/voxel_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <numeric>
+#include <random>
+
+#include "core/grid/count_bits.h"
+
+namespace octacut {
+namespace {
+
+TEST(VoxelWalk, NeighborsAreThoseOfTheGrid) {
+  std::mt19937 random(1);
+  std::vector<MortonCode> codes(16 * 16 * 16);
+  std::iota(codes.begin(), codes.end(), 0);
+  std::erase_if(codes, [&](MortonCode) { return random() % 3 == 0; });
+  const VoxelGrid grid = VoxelGrid::FromCodes(4, codes);
+  const VoxelWalk walk(grid);
+  size_t visited = 0;
+  walk.ForEachWithNeighbors(
+      0, walk.NumBricks(), [&](const VoxelPlace& place, const auto& neighbors) {
+        EXPECT_EQ(place.index, visited++);
+        const Eigen::Vector3i voxel = DecodeMorton(
+            VoxelGrid::CodeOf(grid.Bricks()[place.brick], int(place.bit)));
+        EXPECT_EQ(grid.Find(voxel), place.index);
+        for (int face = 0; face < kNumFaces; ++face) {
+          const VoxelGrid::Index expected =
+              grid.Find(NeighborVoxel(voxel, face));
+          EXPECT_EQ(neighbors[face], expected);
+          if (expected != VoxelGrid::kNone) {
+            EXPECT_EQ(walk.Step(place, face).index, expected);
+          }
+        }
+      });
+  EXPECT_EQ(visited, grid.Size());
+}
+
+TEST(CountBits, CountsAsTheStandardLibraryDoes) {
+  std::mt19937_64 random(1);
+  for (const uint64_t x : {uint64_t{0}, ~uint64_t{0}, uint64_t{1} << 63}) {
+    EXPECT_EQ(CountBits(x), std::popcount(x));
+  }
+  for (int k = 0; k < 1000; ++k) {
+    const uint64_t x = random() & random();
+    EXPECT_EQ(CountBits(x), std::popcount(x)) << x;
+  }
+}
+
+}  // namespace
+}  // namespace octacut

@@ -86,7 +86,7 @@ ablated_scenes=(example lump cup-1 rods-3 rocker-exact)
 option_sets=(
   "default"
   "hull"
-  "refined         --OctahedralMeshing.refine 1"
+  "no-refinement   --OctahedralMeshing.refine 0"
   "no-evidence     --OctahedralMeshing.matter_weight 0 --OctahedralMeshing.free_space_weight 0 --OctahedralMeshing.ballooning 0.5"
   "agreeing-1      --OctahedralMeshing.min_agreeing_views 1"
   "neighbors-2     --DepthSweep.num_neighbors 2"
@@ -96,6 +96,7 @@ option_sets=(
   "ncc             --OctahedralMeshing.consistency ncc"
   "no-growing      --OctahedralMeshing.max_grow_rounds 0"
   "no-smoothing    --Smoothing.iterations 0"
+  "mask-tolerance-0 --OctahedralMeshing.mask_tolerance 0"
 )
 
 fail() {

@@ -40,7 +40,7 @@ struct ReconstructionOptions {
   EnergyOptions energy;
   OctahedralCutOptions cut;
   SmoothOptions smoothing;
-  bool refine = false;  // the smoothed mesh, by the photographs
+  bool refine = true;  // the smoothed mesh, by the photographs
   RefineOptions refinement;
   // Components with less than this share of the largest one's volume are
   // removed, cavities filled; 0 .. 1.

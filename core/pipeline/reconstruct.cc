@@ -189,14 +189,21 @@ size_t EstimateReconstructionBytes(const Scene& scene,
   const size_t level_bytes =
       num_voxels * kStepBytesPerVoxel +
       EstimateOctahedralCutBytes(num_voxels, true, options.cut.lean);
+  // Mesh, boxes, rays, places and their equations, as measured.
+  constexpr size_t kRefinementBytesPerVertex = 700;
+  const size_t refinement_bytes =
+      options.refine ? size_t(kSurfaceShare * resolution * resolution) *
+                           kRefinementBytesPerVertex
+                     : 0;
   size_t view_bytes = 0;
   for (const View& view : scene.views) {
     // Pyramid (4 bytes a pixel and a third) and summed areas.
     view_bytes += view.mask.total() * 10;
   }
   return view_bytes +
-         std::max(level_bytes,
-                  EstimateSweepBytes(scene.views.size(), options, context));
+         std::max({level_bytes,
+                   refinement_bytes,
+                   EstimateSweepBytes(scene.views.size(), options, context)});
 }
 
 }  // namespace octacut

@@ -26,7 +26,7 @@ struct RefineOptions {
   // counts as plain.
   double pixel_noise = 0.5;
   // Weight of the surface's bend, against an offset that is known to a pixel.
-  double smoothness = 25;
+  double smoothness = 30;
   // Offsets that are wrong by more than this many standard deviations weigh
   // like outliers.
   double outlier_scale = 2;

@@ -21,6 +21,10 @@ class MeshRefiner : public testing::SmallWorkspaceTest {
   fs::path Mesh() const { return Workspace() / "meshed-octahedral.ply"; }
   fs::path Refined() const { return Workspace() / "meshed-refined.ply"; }
 
+  ProgramResult MeshWithoutRefinement() const {
+    return RunMesher({"--picture", "0", "--OctahedralMeshing.refine", "0"});
+  }
+
   ProgramResult Refine(const std::vector<std::string>& options = {}) const {
     std::vector<std::string> arguments = {"mesh_refiner",
                                           "--workspace_path",
@@ -63,7 +67,7 @@ class MeshRefiner : public testing::SmallWorkspaceTest {
 };
 
 TEST_F(MeshRefiner, BringsAMeshCloserToTheTruth) {
-  ASSERT_EQ(RunMesher({"--picture", "0"}).exit_code, 0);
+  ASSERT_EQ(MeshWithoutRefinement().exit_code, 0);
   const ProgramResult result = Refine();
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out,
@@ -91,7 +95,7 @@ TEST_F(MeshRefiner, BringsAMeshCloserToTheTruth) {
 }
 
 TEST_F(MeshRefiner, GivesTheSameBytesForAnyNumberOfThreads) {
-  ASSERT_EQ(RunMesher({"--picture", "0"}).exit_code, 0);
+  ASSERT_EQ(MeshWithoutRefinement().exit_code, 0);
   ASSERT_EQ(Refine({"--num_threads", "1"}).exit_code, 0);
   const std::string expected = ReadFile(Refined());
   EXPECT_GT(expected.size(), 10000u);
@@ -100,18 +104,14 @@ TEST_F(MeshRefiner, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(MeshRefiner, IsTheLastStepOfAReconstruction) {
-  ASSERT_EQ(RunMesher({"--picture", "0"}).exit_code, 0);
+  ASSERT_EQ(MeshWithoutRefinement().exit_code, 0);
   const Json plain =
       Json::parse(ReadFile(Workspace() / "meshed-octahedral.json"));
   EXPECT_TRUE(plain["reconstruction"]["refinement"].is_null());
   ASSERT_EQ(Refine().exit_code, 0);
   const fs::path refined = folder_ / "refined.ply";
-  const ProgramResult result = RunMesher({"--picture",
-                                          "0",
-                                          "--OctahedralMeshing.refine",
-                                          "1",
-                                          "--output_path",
-                                          refined.string()});
+  const ProgramResult result =
+      RunMesher({"--picture", "0", "--output_path", refined.string()});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json report = Json::parse(ReadFile(folder_ / "refined.json"));
   const Json& refinement = report["reconstruction"]["refinement"];

@@ -68,6 +68,7 @@ TEST(Reconstruct, GivesTheSameBytesForAnyNumberOfThreads) {
 
 TEST(Reconstruct, RefinesByThePhotographs) {
   SmallScene small = MakeSmallScene();
+  small.options.refine = false;
   const Reconstruction plain = RunSmall(small, Context(2));
   EXPECT_FALSE(plain.summary.refinement.has_value());
   small.options.refine = true;
@@ -279,10 +280,21 @@ TEST(EstimateReconstructionBytes, GrowsWithLevelCrustAndViews) {
   EXPECT_GE(bytes_of(scene, options), bytes + 8 * 100 * 200);
 }
 
+// Where cuts are thin and lean, refinement needs more than they.
+TEST(EstimateReconstructionBytes, CountsRefinement) {
+  ReconstructionOptions options;
+  options.crust.crust_dilation = 1;
+  options.cut.lean = true;
+  const size_t refined = EstimateReconstructionBytes({}, options, Context(1));
+  options.refine = false;
+  EXPECT_GT(refined, EstimateReconstructionBytes({}, options, Context(1)));
+}
+
 // Where the target is coarse the depth sweep needs more than the cut.
 TEST(EstimateReconstructionBytes, CountsTheDepthSweepOfEveryThread) {
   ReconstructionOptions options;
   options.target_level = options.hull.hull_level = 8;
+  options.refine = false;
   const size_t one = EstimateReconstructionBytes({}, options, Context(1));
   const size_t four = EstimateReconstructionBytes({}, options, Context(4));
   // Scores of 512^2 rays on 256 planes.

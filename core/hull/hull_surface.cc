@@ -2,7 +2,7 @@
 
 #include "core/base/parallel.h"
 #include "core/grid/morphology.h"
-#include "core/grid/neighbors.h"
+#include "core/grid/voxel_walk.h"
 #include "core/hull/hull_octree.h"
 
 namespace octacut {
@@ -38,19 +38,13 @@ LabeledVoxels ComputeHullSurface(const ViewSet& views,
   LabeledVoxels crust;
   crust.voxels = VoxelGrid::FromCodes(octree.level, octree.mixed);
   crust.labels.assign(crust.voxels.Size(), 0);
+  const VoxelWalk walk(crust.voxels);
   ParallelFor(
-      context,
-      crust.voxels.Bricks().size(),
-      kBrickGrain,
-      [&](size_t begin, size_t end) {
-        ForEachWithNeighbors(
-            crust.voxels,
-            begin,
-            end,
-            [&](VoxelGrid::Index index,
-                MortonCode code,
-                const NeighborIndices& neighbors) {
-              const Eigen::Vector3i voxel = DecodeMorton(code);
+      context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+        walk.ForEachWithNeighbors(
+            begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
+              const Eigen::Vector3i voxel = DecodeMorton(VoxelGrid::CodeOf(
+                  crust.voxels.Bricks()[place.brick], int(place.bit)));
               for (int face = 0; face < kNumFaces; ++face) {
                 // What the octree has decided about a voxel holds for all of
                 // it, its faces included.
@@ -59,7 +53,7 @@ LabeledVoxels ComputeHullSurface(const ViewSet& views,
                         ? IsInsideHull(
                               views, box, FaceCenter(voxel, face, octree.level))
                         : IsInsideOctree(octree, NeighborVoxel(voxel, face));
-                crust.labels[index] |= FaceLabels(inside ? 1 << face : 0);
+                crust.labels[place.index] |= FaceLabels(inside ? 1 << face : 0);
               }
             });
       });

@@ -7,7 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/grid/morphology.h"
-#include "core/grid/neighbors.h"
+#include "core/grid/voxel_walk.h"
 #include "core/visibility/surface_normals.h"
 
 namespace octacut {
@@ -116,28 +116,24 @@ VoxelGrid TrimHull(const ViewSet& views,
                    InsideEvidence* evidence) {
   std::vector<uint8_t> is_kept(hull.Size(), 1);
   const float half_edge = 0.5f / float(hull.Resolution());
-  ParallelFor(context,
-              hull.Bricks().size(),
-              kBrickGrain,
-              [&](size_t begin, size_t end) {
-                ForEachWithNeighbors(
-                    hull,
-                    begin,
-                    end,
-                    [&](VoxelGrid::Index index,
-                        MortonCode code,
-                        const NeighborIndices& neighbors) {
-                      is_kept[index] =
-                          std::count(neighbors.begin(),
-                                     neighbors.end(),
-                                     VoxelGrid::kNone) == 0 ||
-                          !IsBackgroundOfTrusted(
-                              views,
-                              evidence->mask_trust,
-                              VoxelCenter(DecodeMorton(code), hull.Level()),
-                              half_edge);
-                    });
-              });
+  const VoxelWalk walk(hull);
+  ParallelFor(
+      context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+        walk.ForEachWithNeighbors(
+            begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
+              const MortonCode code =
+                  VoxelGrid::CodeOf(hull.Bricks()[place.brick], int(place.bit));
+              is_kept[place.index] =
+                  std::count(neighbors.begin(),
+                             neighbors.end(),
+                             VoxelGrid::kNone) == 0 ||
+                  !IsBackgroundOfTrusted(
+                      views,
+                      evidence->mask_trust,
+                      VoxelCenter(DecodeMorton(code), hull.Level()),
+                      half_edge);
+            });
+      });
   size_t num_kept = 0;
   for (size_t i = 0; i < is_kept.size(); ++i) {
     if (is_kept[i]) {

@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/grid/morphology.h"
-#include "core/grid/neighbors.h"
+#include "core/grid/voxel_walk.h"
 #include "tests/core/crust/labeled_shapes.h"
 
 namespace octacut {
@@ -72,11 +72,10 @@ std::vector<uint8_t> FloodFromBorder(const VoxelGrid& crust) {
 void ExpectTiesAgree(const Crust& crust) {
   ASSERT_EQ(crust.ties.size(), crust.voxels.Size());
   ASSERT_EQ(crust.prior.size(), crust.voxels.Size());
-  ForEachWithNeighbors(
-      crust.voxels,
-      0,
-      crust.voxels.Bricks().size(),
-      [&](VoxelGrid::Index index, MortonCode, const NeighborIndices& near) {
+  const VoxelWalk walk(crust.voxels);
+  walk.ForEachWithNeighbors(
+      0, walk.NumBricks(), [&](const VoxelPlace& place, const auto& near) {
+        const VoxelGrid::Index index = place.index;
         for (int face = 0; face < kNumFaces; ++face) {
           bool outside = crust.ties[index] & OutsideTie(face);
           bool inside = crust.ties[index] & InsideTie(face);
@@ -97,13 +96,11 @@ void ExpectTiesAgree(const Crust& crust) {
 void ExpectCrustSeparates(const Crust& crust) {
   const std::vector<uint8_t> reached = FloodFromBorder(crust.voxels);
   const int n = crust.voxels.Resolution();
-  ForEachWithNeighbors(
-      crust.voxels,
-      0,
-      crust.voxels.Bricks().size(),
-      [&](VoxelGrid::Index index,
-          MortonCode code,
-          const NeighborIndices& near) {
+  const VoxelWalk walk(crust.voxels);
+  walk.ForEachWithNeighbors(
+      0, walk.NumBricks(), [&](const VoxelPlace& place, const auto& near) {
+        const MortonCode code = VoxelGrid::CodeOf(
+            crust.voxels.Bricks()[place.brick], int(place.bit));
         for (int face = 0; face < kNumFaces; ++face) {
           if (near[face] != VoxelGrid::kNone) {
             continue;
@@ -113,7 +110,7 @@ void ExpectCrustSeparates(const Crust& crust) {
           const bool in_cube =
               (across.array() >= 0).all() && (across.array() < n).all();
           const bool outside = !in_cube || reached[EncodeMorton(across)];
-          EXPECT_EQ(bool(crust.ties[index] & OutsideTie(face)), outside)
+          EXPECT_EQ(bool(crust.ties[place.index] & OutsideTie(face)), outside)
               << across.transpose();
         }
       });

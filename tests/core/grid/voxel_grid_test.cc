@@ -6,7 +6,6 @@
 #include <set>
 
 #include "core/grid/morphology.h"
-#include "core/grid/neighbors.h"
 
 namespace octacut {
 namespace {
@@ -122,26 +121,6 @@ TEST_P(MorphologyTest, ChildrenAreAllEight) {
   EXPECT_EQ(children.Level(), level + 1);
   EXPECT_EQ(children.Codes(),
             std::vector<MortonCode>(expected.begin(), expected.end()));
-}
-
-TEST_P(MorphologyTest, NeighborsMatchLookups) {
-  const int level = GetParam();
-  const VoxelGrid grid =
-      VoxelGrid::FromCodes(level, RandomCodes(level, 2000, 7));
-  size_t visited = 0;
-  ForEachWithNeighbors(
-      grid,
-      0,
-      grid.Bricks().size(),
-      [&](VoxelGrid::Index index, MortonCode code, const NeighborIndices& n) {
-        ++visited;
-        EXPECT_EQ(grid.Find(code), index);
-        for (int face = 0; face < kNumFaces; ++face) {
-          EXPECT_EQ(n[face],
-                    grid.Find(NeighborVoxel(DecodeMorton(code), face)));
-        }
-      });
-  EXPECT_EQ(visited, grid.Size());
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels,

@@ -11,12 +11,15 @@
 namespace octacut {
 namespace {
 
-TEST(VoxelWalk, NeighborsAreThoseOfTheGrid) {
+class VoxelWalkTest : public testing::TestWithParam<int> {};
+
+TEST_P(VoxelWalkTest, NeighborsAreThoseOfTheGrid) {
+  const int level = GetParam();
   std::mt19937 random(1);
-  std::vector<MortonCode> codes(16 * 16 * 16);
+  std::vector<MortonCode> codes(size_t{1} << (3 * level));
   std::iota(codes.begin(), codes.end(), 0);
   std::erase_if(codes, [&](MortonCode) { return random() % 3 == 0; });
-  const VoxelGrid grid = VoxelGrid::FromCodes(4, codes);
+  const VoxelGrid grid = VoxelGrid::FromCodes(level, codes);
   const VoxelWalk walk(grid);
   size_t visited = 0;
   walk.ForEachWithNeighbors(
@@ -36,6 +39,8 @@ TEST(VoxelWalk, NeighborsAreThoseOfTheGrid) {
       });
   EXPECT_EQ(visited, grid.Size());
 }
+
+INSTANTIATE_TEST_SUITE_P(Levels, VoxelWalkTest, testing::Values(0, 1, 2, 4));
 
 TEST(CountBits, CountsAsTheStandardLibraryDoes) {
   std::mt19937_64 random(1);

@@ -63,7 +63,7 @@ SelfIntersections FindSelfIntersections(const IndexedMesh& mesh,
   CheckIndices(mesh);
   const std::vector<uint8_t> used = MarkUsable(mesh, context);
   const BoxTree tree(mesh, used, context);
-  Phase phase(context, "Find self-intersections", tree.NumLeaves());
+  Phase phase(context, "self-intersections", tree.NumLeaves());
   std::vector<uint8_t> is_hit(mesh.triangles.size());
   // The same mark from any thread, so that order does not matter.
   const auto mark = [&](uint32_t triangle) {
@@ -120,7 +120,6 @@ std::vector<std::array<uint32_t, 2>> FindIntersectionsOfMarked(
     const Context& context) {
   CheckIndices(mesh);
   const BoxTree tree(mesh, MarkUsable(mesh, context), context);
-  Phase phase(context, "Find new self-intersections", tree.NumLeaves());
   std::vector<std::vector<std::array<uint32_t, 2>>> chunks(
       NumChunks(tree.NumLeaves(), kGrain));
   ParallelChunks(
@@ -145,7 +144,6 @@ std::vector<std::array<uint32_t, 2>> FindIntersectionsOfMarked(
                 {std::min(triangle, other), std::max(triangle, other)});
           });
         }
-        phase.Advance(end - begin);
       });
   std::vector<std::array<uint32_t, 2>> pairs;
   for (const auto& chunk : chunks) {

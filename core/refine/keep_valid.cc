@@ -137,6 +137,7 @@ size_t KeepValid(const ViewSet& views,
                  double pixel,
                  const Context& context,
                  IndexedMesh* mesh) {
+  const Phase phase(context, "refined mesh kept valid");
   size_t num_withdrawn =
       WithdrawIntoHull(views, start, tolerance, context, mesh);
   NewIntersections intersections;

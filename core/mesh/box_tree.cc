@@ -62,7 +62,7 @@ BoxTree::BoxTree(const IndexedMesh& mesh,
   if (order_.empty()) {
     return;
   }
-  const Eigen::Vector3d center = bounds.center();
+  center_ = bounds.center();
   const double size = bounds.sizes().maxCoeff();
   const double cells = size > 0 ? ((1 << 21) - 1) / size : 0.0;
   std::vector<std::pair<uint64_t, uint32_t>> keys(order_.size());
@@ -81,14 +81,21 @@ BoxTree::BoxTree(const IndexedMesh& mesh,
   ParallelFor(context, keys.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       order_[i] = keys[i].second;
-      const Eigen::AlignedBox3d box = BoxOf(mesh, order_[i]);
-      for (int axis = 0; axis < 3; ++axis) {
-        levels_[0][i].min[axis] = RoundDown(box.min()[axis] - center[axis]);
-        levels_[0][i].max[axis] = RoundUp(box.max()[axis] - center[axis]);
-      }
+      levels_[0][i] = RoundedBox(mesh, order_[i]);
     }
   });
   BuildLevels(context);
+}
+
+BoxTree::Box BoxTree::RoundedBox(const IndexedMesh& mesh,
+                                 uint32_t triangle) const {
+  const Eigen::AlignedBox3d box = BoxOf(mesh, triangle);
+  Box rounded;
+  for (int axis = 0; axis < 3; ++axis) {
+    rounded.min[axis] = RoundDown(box.min()[axis] - center_[axis]);
+    rounded.max[axis] = RoundUp(box.max()[axis] - center_[axis]);
+  }
+  return rounded;
 }
 
 void BoxTree::BuildLevels(const Context& context) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <Eigen/Core>
 #include <vector>
 
 #include "core/base/context.h"
@@ -30,10 +31,15 @@ class BoxTree {
     VisitFrom(leaf + 1, levels_[0][leaf], visit);
   }
 
-  // The same of all leaves, `leaf` among them.
+  // The same of all leaves, for a triangle that need not be in the tree and
+  // has finite coordinates.
   template <typename Visit>
-  void ForNeighbors(size_t leaf, const Visit& visit) const {
-    VisitFrom(0, levels_[0][leaf], visit);
+  void ForTouching(const IndexedMesh& mesh,
+                   uint32_t triangle,
+                   const Visit& visit) const {
+    if (!levels_.empty()) {
+      VisitFrom(0, RoundedBox(mesh, triangle), visit);
+    }
   }
 
  private:
@@ -82,8 +88,10 @@ class BoxTree {
     }
   }
 
+  Box RoundedBox(const IndexedMesh& mesh, uint32_t triangle) const;
   void BuildLevels(const Context& context);
 
+  Eigen::Vector3d center_ = Eigen::Vector3d::Zero();
   std::vector<uint32_t> order_;
   std::vector<std::vector<Box>> levels_;  // leaves first
 };

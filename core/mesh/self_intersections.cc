@@ -119,24 +119,28 @@ std::vector<std::array<uint32_t, 2>> FindIntersectionsOfMarked(
     const std::vector<uint8_t>& marked,
     const Context& context) {
   CheckIndices(mesh);
-  const BoxTree tree(mesh, MarkUsable(mesh, context), context);
+  const std::vector<uint8_t> usable = MarkUsable(mesh, context);
+  std::vector<uint8_t> in_tree = usable;
+  for (size_t i = 0; i < in_tree.size(); ++i) {
+    in_tree[i] &= marked[i] != 0 ? 1 : 0;
+  }
+  const BoxTree tree(mesh, in_tree, context);
   std::vector<std::vector<std::array<uint32_t, 2>>> chunks(
-      NumChunks(tree.NumLeaves(), kGrain));
+      NumChunks(usable.size(), kGrain));
   ParallelChunks(
       context,
-      tree.NumLeaves(),
+      usable.size(),
       kGrain,
       [&](size_t chunk, size_t begin, size_t end) {
-        for (size_t leaf = begin; leaf < end; ++leaf) {
-          const uint32_t triangle = tree.Triangle(leaf);
-          if (!marked[triangle]) {
+        for (uint32_t triangle = uint32_t(begin); triangle < end; ++triangle) {
+          if (!usable[triangle]) {
             continue;
           }
           const TriangleCorners corners = CornersOf(mesh, triangle);
-          tree.ForNeighbors(leaf, [&](size_t other_leaf) {
-            const uint32_t other = tree.Triangle(other_leaf);
-            // Pairs of marked ones are found from the smaller.
-            if (other == triangle || (marked[other] && other < triangle) ||
+          tree.ForTouching(mesh, triangle, [&](size_t leaf) {
+            const uint32_t other = tree.Triangle(leaf);
+            // Of two that are marked the smaller finds the pair.
+            if (other == triangle || (marked[triangle] && other < triangle) ||
                 !TrianglesIntersect(corners, CornersOf(mesh, other))) {
               return;
             }

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <random>
 
 #include "core/base/error.h"
@@ -117,6 +119,20 @@ TEST(SelfIntersections, AgainstAllPairsForAnyNumberOfThreads) {
   }
   EXPECT_GT(expected.size(), 20u);
   EXPECT_EQ(Find(few, 1000000).examples, expected);
+
+  for (const uint32_t one_in : {1u, 10u, 100000u}) {
+    std::vector<uint8_t> marked(num_checked);
+    for (uint8_t& mark : marked) {
+      mark = random() % one_in == 0 ? 1 : 0;
+    }
+    std::vector<std::array<uint32_t, 2>> of_marked;
+    std::copy_if(
+        expected.begin(),
+        expected.end(),
+        std::back_inserter(of_marked),
+        [&](const auto& pair) { return marked[pair[0]] || marked[pair[1]]; });
+    EXPECT_EQ(FindIntersectionsOfMarked(few, marked, Context(2)), of_marked);
+  }
 
   const SelfIntersections one = FindSelfIntersections(mesh, Context(1), 7);
   EXPECT_EQ(one.examples.size(), 7u);

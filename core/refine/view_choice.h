@@ -15,7 +15,7 @@ namespace octacut {
 struct ViewChoiceOptions {
   // Views at more than this angle (degrees) to the normal do not count.
   double max_angle = 80;
-  // At most this many views a vertex, those most nearly frontal; 2 .. 24.
+  // At most this many views a place, those most nearly frontal; 2 .. 24.
   int max_views = 16;
   // Between the directions of any two of them, degrees: nearly equal views
   // tell nothing about depth.
@@ -29,7 +29,7 @@ struct ChosenViews {
   // Cosines to the normal: what is foreshortened tells less.
   std::array<float, kMaxViews> weights;
   uint8_t count = 0;
-  float pixel = 0;  // mean size of their pixels at the vertex
+  float pixel = 0;  // mean size of their pixels at the place
 };
 
 // One choice a vertex. A view counts when the vertex is within its frame, on

@@ -48,13 +48,14 @@ std::vector<SweptDepthMap> KeepAgreeing(
               projection.center + depth * (rays * maps[i].Pixel(x, y));
           int agreeing = 0;
           for (const int j : neighbors[i]) {
-            const Eigen::Vector3f h = views[j].projection.Homogeneous(point);
-            if (h.z() <= 0) {
+            const std::optional<ProjectedPoint> p =
+                views[j].projection.Project(point);
+            if (!p) {
               continue;
             }
-            const float other = maps[j].DepthAt(h.x() / h.z(), h.y() / h.z());
+            const float other = maps[j].DepthAt(p->u, p->v);
             agreeing +=
-                other > 0 && std::abs(other - h.z()) <= kAgreement * voxel;
+                other > 0 && std::abs(other - p->depth) <= kAgreement * voxel;
           }
           if (agreeing < min_agreeing) {
             depth = 0;
@@ -84,15 +85,15 @@ float EvidenceAt(const ViewSet& views,
   float free_space = 0;
   bool near_surface = false;
   for (size_t i = 0; i < views.size(); ++i) {
-    const Eigen::Vector3f h = views[i].projection.Homogeneous(point);
-    if (h.z() <= 0) {
+    const std::optional<ProjectedPoint> p = views[i].projection.Project(point);
+    if (!p) {
       continue;
     }
-    const float depth = maps[i].DepthAt(h.x() / h.z(), h.y() / h.z());
+    const float depth = maps[i].DepthAt(p->u, p->v);
     if (depth == 0) {
       continue;
     }
-    const float behind = (h.z() - depth) / voxel;
+    const float behind = (p->depth - depth) / voxel;
     if (behind < -kFreeBefore) {
       free_space += 1;
     } else if (behind > kMatterFrom && behind < kMatterTo) {

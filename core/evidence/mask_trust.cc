@@ -22,12 +22,12 @@ struct BorderPoints {
 void CountPoint(const PreparedView& view,
                 const Eigen::Vector3f& point,
                 BorderPoints* count) {
-  const Eigen::Vector3f h = view.projection.Homogeneous(point);
-  if (h.z() <= 0) {
+  const std::optional<ProjectedPoint> p = view.projection.Project(point);
+  if (!p) {
     return;
   }
-  const float u = h.x() / h.z();
-  const float v = h.y() / h.z();
+  const float u = p->u;
+  const float v = p->v;
   const float reach = view.mask_tolerance;
   const Footprint pixel = view.silhouette.Test(u, v, u, v);
   if (pixel == Footprint::kObject) {

@@ -9,15 +9,15 @@ namespace {
 void MarkHullDepths(const VoxelGrid& hull, SweepView* view) {
   const float voxel = 1.0f / float(hull.Resolution());
   hull.ForEach([&](VoxelGrid::Index, MortonCode code) {
-    const Eigen::Vector3f h = view->projection->Homogeneous(
+    const std::optional<ProjectedPoint> p = view->projection->Project(
         VoxelCenter(DecodeMorton(code), hull.Level()));
-    if (h.z() <= voxel) {
+    if (!p || p->depth <= voxel) {
       return;
     }
     const float reach =
-        0.5f * view->scale * view->projection->Footprint(voxel, h.z());
-    const float x = h.x() / h.z() * view->scale;
-    const float y = h.y() / h.z() * view->scale;
+        0.5f * view->scale * view->projection->Footprint(voxel, p->depth);
+    const float x = p->u * view->scale;
+    const float y = p->v * view->scale;
     const int x0 = std::max(0, int(x - reach));
     const int y0 = std::max(0, int(y - reach));
     const int x1 = std::min(view->grey.cols - 1, int(x + reach));
@@ -26,8 +26,8 @@ void MarkHullDepths(const VoxelGrid& hull, SweepView* view) {
       for (int column = x0; column <= x1; ++column) {
         float& near = view->near_depth(row, column);
         float& far = view->far_depth(row, column);
-        near = std::min(near, h.z() - voxel);
-        far = std::max(far, h.z() + voxel);
+        near = std::min(near, p->depth - voxel);
+        far = std::max(far, p->depth + voxel);
       }
     }
   });

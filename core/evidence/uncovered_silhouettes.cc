@@ -24,17 +24,12 @@ struct SampleMap {
 
   // The sample of a point; -1 when it is out of the frame or behind.
   int At(const ViewProjection& projection, const Eigen::Vector3f& point) const {
-    const Eigen::Vector3f h = projection.Homogeneous(point);
-    if (h.z() <= 0) {
+    const std::optional<ProjectedPoint> p = projection.ProjectIntoFrame(point);
+    if (!p) {
       return -1;
     }
-    const float u = h.x() / h.z();
-    const float v = h.y() / h.z();
-    if (!projection.InFrame(u, v)) {
-      return -1;
-    }
-    const int x = std::min(int(u * scale), width - 1);
-    const int y = std::min(int(v * scale), height - 1);
+    const int x = std::min(int(p->u * scale), width - 1);
+    const int y = std::min(int(p->v * scale), height - 1);
     return y * width + x;
   }
 };
@@ -43,12 +38,12 @@ void MarkCovered(const ViewProjection& projection,
                  const Eigen::Vector3f& center,
                  const SampleMap& map,
                  std::vector<uint8_t>* is_covered) {
-  const Eigen::Vector3f h = projection.Homogeneous(center);
-  if (h.z() <= 0) {
+  const std::optional<ProjectedPoint> p = projection.Project(center);
+  if (!p) {
     return;
   }
-  const float x = h.x() / h.z() * map.scale;
-  const float y = h.y() / h.z() * map.scale;
+  const float x = p->u * map.scale;
+  const float y = p->v * map.scale;
   const int x0 = std::max(0, int(x - kReach));
   const int y0 = std::max(0, int(y - kReach));
   const int x1 = std::min(map.width - 1, int(x + kReach));

@@ -43,9 +43,8 @@ bool IsInsideHull(const ViewSet& views,
     return false;
   }
   for (const PreparedView& view : views) {
-    const Eigen::Vector3f h = view.projection.Homogeneous(point);
-    if (h.z() > 0 && view.silhouette.Coverage(h.x() / h.z(), h.y() / h.z()) <
-                         kObjectCoverage) {
+    const std::optional<ProjectedPoint> p = view.projection.Project(point);
+    if (p && view.silhouette.Coverage(p->u, p->v) < kObjectCoverage) {
       return false;
     }
   }

@@ -38,16 +38,11 @@ void FindCandidates(const ViewSet& views,
     if (cosine < min_cosine) {
       continue;
     }
-    const Eigen::Vector3f h = projection.Homogeneous(surface.center);
-    if (!(h.z() > 0)) {
-      continue;
-    }
-    const float u = h.x() / h.z();
-    const float v = h.y() / h.z();
-    if (projection.InFrame(u, v) &&
-        views[i].silhouette.Coverage(u, v) >= kObjectCoverage) {
+    const std::optional<ProjectedPoint> p =
+        projection.ProjectIntoFrame(surface.center);
+    if (p && views[i].silhouette.Coverage(p->u, p->v) >= kObjectCoverage) {
       candidates->push_back(
-          {uint16_t(i), cosine, h.z() / projection.focal_length, direction});
+          {uint16_t(i), cosine, p->depth / projection.focal_length, direction});
     }
   }
   std::sort(candidates->begin(),

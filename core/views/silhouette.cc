@@ -92,14 +92,11 @@ bool Silhouette::IsBackgroundCube(const ViewProjection& projection,
                                   const Eigen::Vector3f& center,
                                   float half_edge,
                                   float margin) const {
-  const Eigen::Vector3f h = projection.Homogeneous(center);
-  if (!(h.z() > 0)) {
-    return false;
-  }
-  const float u = h.x() / h.z();
-  const float v = h.y() / h.z();
-  if (!(u >= 0 && v >= 0 && u < float(width_) && v < float(height_)) ||
-      mask_.ptr<uint8_t>(int(v))[int(u)] >= kObjectThreshold) {
+  const std::optional<ProjectedPoint> p = projection.Project(center);
+  if (!p ||
+      !(p->u >= 0 && p->v >= 0 && p->u < float(width_) &&
+        p->v < float(height_)) ||
+      mask_.ptr<uint8_t>(int(p->v))[int(p->u)] >= kObjectThreshold) {
     return false;
   }
   return TestCube(projection, center, half_edge, margin) ==

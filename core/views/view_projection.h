@@ -7,10 +7,18 @@
 
 #include <algorithm>
 #include <Eigen/Core>
+#include <optional>
 
 #include "core/scene/scene.h"
 
 namespace octacut {
+
+// Where a view shows a point that is before its camera.
+struct ProjectedPoint {
+  float u;      // pixels of the view from its left edge: the centre of the
+  float v;      // first pixel is at 0.5, 0.5; may lie out of the frame
+  float depth;  // along the optical axis, unit coordinates, > 0
+};
 
 struct ViewProjection {
   // (u * depth, v * depth, depth) = linear * x + offset; u, v in pixels.
@@ -25,6 +33,14 @@ struct ViewProjection {
   Eigen::Vector3f Homogeneous(const Eigen::Vector3f& x) const {
     return linear * x + offset;
   }
+  // None for a point that is not before the camera.
+  std::optional<ProjectedPoint> Project(const Eigen::Vector3f& x) const {
+    const Eigen::Vector3f h = Homogeneous(x);
+    if (!(h.z() > 0)) {
+      return std::nullopt;
+    }
+    return ProjectedPoint{h.x() / h.z(), h.y() / h.z(), h.z()};
+  }
   // Pixels that a length at the depth covers.
   float Footprint(float length, float depth) const {
     return focal_length * length / depth;
@@ -37,6 +53,12 @@ struct ViewProjection {
   }
   bool InFrame(float u, float v) const {
     return u >= 0 && v >= 0 && u <= float(width) && v <= float(height);
+  }
+  // None, too, for a point that is out of the frame.
+  std::optional<ProjectedPoint> ProjectIntoFrame(
+      const Eigen::Vector3f& x) const {
+    const std::optional<ProjectedPoint> point = Project(x);
+    return point && InFrame(point->u, point->v) ? point : std::nullopt;
   }
 };
 

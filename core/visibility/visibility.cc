@@ -26,13 +26,13 @@ DepthMap RenderSurface(const ViewProjection& projection,
     if (!IsCut(labels[index])) {
       return;
     }
-    const Eigen::Vector3f h = projection.Homogeneous(
-        VoxelCenter(DecodeMorton(code), surface.Level()));
-    if (h.z() > voxel) {
-      map.Splat(h.x() / h.z(),
-                h.y() / h.z(),
-                kSplatRadius * scale * projection.Footprint(voxel, h.z()),
-                h.z());
+    const std::optional<ProjectedPoint> p =
+        projection.Project(VoxelCenter(DecodeMorton(code), surface.Level()));
+    if (p && p->depth > voxel) {
+      map.Splat(p->u,
+                p->v,
+                kSplatRadius * scale * projection.Footprint(voxel, p->depth),
+                p->depth);
     }
   });
   return map;
@@ -81,17 +81,10 @@ Visibility Visibility::Estimate(const ViewSet& views,
 bool Visibility::Sees(size_t view,
                       const Eigen::Vector3f& point,
                       float cosine) const {
-  const ViewProjection& projection = (*views_)[view].projection;
-  const Eigen::Vector3f h = projection.Homogeneous(point);
-  if (!(h.z() > 0)) {
-    return false;
-  }
-  const float u = h.x() / h.z();
-  const float v = h.y() / h.z();
-  if (!projection.InFrame(u, v)) {
-    return false;
-  }
-  return h.z() <= depth_maps_[view].At(u, v) + tolerance_ / cosine;
+  const std::optional<ProjectedPoint> p =
+      (*views_)[view].projection.ProjectIntoFrame(point);
+  return p &&
+         p->depth <= depth_maps_[view].At(p->u, p->v) + tolerance_ / cosine;
 }
 
 Visibility::Selection Visibility::Select(const Eigen::Vector3f& point,

@@ -24,10 +24,11 @@ TEST(ViewProjection, IsTheCamerasProjection) {
       const Eigen::Vector3d x = random.Point(0, 1);
       const Eigen::Vector3d in_cam = v.view.cam_from_world * ToWorld(v.cube, x);
       const Eigen::Vector2d expected = v.view.camera.Project(in_cam);
-      const Eigen::Vector3f h = projection.Homogeneous(x.cast<float>());
-      EXPECT_NEAR(h.x() / h.z(), expected.x(), 2e-3);
-      EXPECT_NEAR(h.y() / h.z(), expected.y(), 2e-3);
-      EXPECT_NEAR(h.z(), in_cam.z() / v.cube.edge, 1e-5);
+      const auto point = projection.Project(x.cast<float>());
+      ASSERT_TRUE(point);
+      EXPECT_NEAR(point->u, expected.x(), 2e-3);
+      EXPECT_NEAR(point->v, expected.y(), 2e-3);
+      EXPECT_NEAR(point->depth, in_cam.z() / v.cube.edge, 1e-5);
     }
   }
 }
@@ -40,9 +41,10 @@ TEST(ViewProjection, KeepsItsDigitsFarFromTheOrigin) {
     const Eigen::Vector3d x = random.Point(0, 1);
     const Eigen::Vector2d expected =
         v.view.camera.Project(v.view.cam_from_world * ToWorld(v.cube, x));
-    const Eigen::Vector3f h = projection.Homogeneous(x.cast<float>());
-    EXPECT_NEAR(h.x() / h.z(), expected.x(), 5e-3);
-    EXPECT_NEAR(h.y() / h.z(), expected.y(), 5e-3);
+    const auto point = projection.Project(x.cast<float>());
+    ASSERT_TRUE(point);
+    EXPECT_NEAR(point->u, expected.x(), 5e-3);
+    EXPECT_NEAR(point->v, expected.y(), 5e-3);
   }
 }
 
@@ -65,7 +67,7 @@ TEST(ViewProjection, KnowsCentreAxisAndFrame) {
   EXPECT_FALSE(projection.InFrame(std::nanf(""), 1));
 }
 
-TEST(ViewProjection, HasNoPositiveDepthBehindTheCamera) {
+TEST(ViewProjection, ShowsNothingBehindTheCamera) {
   Random random(4);
   for (int i = 0; i < 20; ++i) {
     const ViewOfCube v = RandomViewOfCube(random, 5);
@@ -74,7 +76,29 @@ TEST(ViewProjection, HasNoPositiveDepthBehindTheCamera) {
         projection.center -
         float(random.Uniform(0.1, 2)) * projection.optical_axis;
     EXPECT_LT(projection.Homogeneous(behind).z(), 0);
+    EXPECT_FALSE(projection.Project(behind));
+    EXPECT_FALSE(projection.ProjectIntoFrame(behind));
   }
+}
+
+TEST(ViewProjection, TellsPointsInTheFrameFromThoseBesideIt) {
+  Random random(6);
+  const ViewOfCube v = RandomViewOfCube(random, 5);
+  const ViewProjection projection = MakeViewProjection(v.view, v.cube);
+  const Eigen::Matrix3f rays = projection.linear.inverse();
+  const auto at = [&](float u, float v_pixel) -> Eigen::Vector3f {
+    return projection.center + 2 * (rays * Eigen::Vector3f(u, v_pixel, 1));
+  };
+  const float width = float(projection.width);
+  const auto inside = projection.ProjectIntoFrame(at(width - 1, 1));
+  ASSERT_TRUE(inside);
+  EXPECT_NEAR(inside->u, width - 1, 1e-2);
+  EXPECT_NEAR(inside->v, 1, 1e-2);
+  EXPECT_NEAR(inside->depth, 2, 1e-4);
+  const auto beside = projection.Project(at(width + 1, 1));
+  ASSERT_TRUE(beside);
+  EXPECT_NEAR(beside->u, width + 1, 1e-2);
+  EXPECT_FALSE(projection.ProjectIntoFrame(at(width + 1, 1)));
 }
 
 TEST(ViewProjection, FootprintIsWhatALengthAcrossTheRayCovers) {
@@ -90,9 +114,10 @@ TEST(ViewProjection, FootprintIsWhatALengthAcrossTheRayCovers) {
     const Eigen::Vector3f b =
         a + length *
                 v.view.cam_from_world.rotation.row(0).transpose().cast<float>();
-    const Eigen::Vector3f pa = projection.Homogeneous(a);
-    const Eigen::Vector3f pb = projection.Homogeneous(b);
-    EXPECT_NEAR((pb / pb.z() - pa / pa.z()).head<2>().norm(),
+    const auto pa = projection.Project(a);
+    const auto pb = projection.Project(b);
+    ASSERT_TRUE(pa && pb);
+    EXPECT_NEAR(std::hypot(pb->u - pa->u, pb->v - pa->v),
                 projection.Footprint(length, depth),
                 1e-2);
   }

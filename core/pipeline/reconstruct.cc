@@ -7,10 +7,10 @@
 #include "core/base/check_option.h"
 #include "core/base/stopwatch.h"
 #include "core/crust/label_hierarchy.h"
+#include "core/evidence/trim_hull.h"
 #include "core/hull/hull_surface.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/level_step.h"
-#include "core/pipeline/voxel_terms.h"
 #include "core/views/view_set.h"
 
 namespace octacut {

@@ -6,7 +6,6 @@
 
 #include "core/base/context.h"
 #include "core/crust/crust.h"
-#include "core/evidence/inside_evidence.h"
 #include "core/pipeline/options.h"
 #include "core/pipeline/reconstruct.h"
 #include "core/views/view_set.h"
@@ -33,15 +32,6 @@ void ExtendTerms(const ViewSet& views,
                  const Context& context,
                  VoxelTerms* terms,
                  LevelSummary* summary);
-
-// Takes off the hull's outermost voxels that are background in a view whose
-// mask can be relied upon: the tolerance of masks was not needed there. Only
-// the outermost, since what lies deeper is a hole in a mask and would become a
-// tunnel. `evidence` is brought to the voxels that are left.
-VoxelGrid TrimHull(const ViewSet& views,
-                   const VoxelGrid& hull,
-                   const Context& context,
-                   InsideEvidence* evidence);
 
 // psi(phi) + a of every voxel, HK06 eq. (3).
 std::vector<float> EdgeWeights(const std::vector<float>& phi,

@@ -25,23 +25,12 @@ void SceneSpec::Check() const {
               "must not be negative");
 }
 
-SceneSpec NamedScene(const std::string& object) {
-  SceneSpec spec;
-  spec.object = object;
-  if (object == "example") {
-    spec.texture.kind = TextureKind::kPatina;
-    spec.texture.color = {0.50f, 0.25f, 0.11f};
-    spec.texture.scale = 0.35;
-    spec.reference.resolution = 256;
-  }
-  return spec;
-}
-
 SceneSpec QuickScene(const std::string& object,
                      int width,
                      int height,
                      int num_views) {
-  SceneSpec spec = NamedScene(object);
+  SceneSpec spec;
+  spec.object = object;
   spec.rig.width = width;
   spec.rig.height = height;
   spec.rig.num_views = num_views;

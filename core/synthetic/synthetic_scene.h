@@ -39,11 +39,9 @@ struct SceneSpec {
   void Check() const;  // throws OptionError
 };
 
-// A good spec for an object of MakeObject (with 36 cameras at 1024 x 768).
-SceneSpec NamedScene(const std::string& object);
-
-// The same spec for quick tests: fewer, smaller images and a coarser
-// reference; all else equal.
+// A spec for quick tests with an object of MakeObject: fewer, smaller images
+// and a coarser reference than the defaults, which are for 36 cameras at
+// 1024 x 768; all else equal.
 SceneSpec QuickScene(const std::string& object,
                      int width = 160,
                      int height = 120,

@@ -89,23 +89,6 @@ Vector3f Painted(const Vector3f& base, const Vector3f& p, uint32_t seed) {
   return color * (1 + 0.45f * FractalNoise(7 * p, 3, seed + 30));
 }
 
-Vector3f Patina(const Vector3f& base, const Vector3f& p, uint32_t seed) {
-  const Vector3f verdigris(0.20f, 0.46f, 0.38f);
-  const Vector3f pale(0.62f, 0.72f, 0.60f);
-  const Vector3f crust(0.05f, 0.04f, 0.035f);
-  const float large = FractalNoise(p, 4, seed);
-  const float fine = FractalNoise(4.3f * p, 3, seed + 40);
-  Vector3f color = Mix(base, verdigris, SmoothStep(-0.08f, 0.10f, large));
-  color = Mix(color, pale, SmoothStep(0.22f, 0.34f, large + 0.4f * fine));
-  color = Mix(color, crust, SmoothStep(0.34f, 0.50f, fine - 0.5f * large));
-  const SpotSample pit = SampleSpot(5.7f * p, seed + 60);
-  color *=
-      1 - SmoothStep(0, 0.6f, pit.depth) * (pit.choice < 0.5f ? 0.4f : -0.4f);
-  const float grain = FractalNoise(11 * p, 2, seed + 80) +
-                      0.7f * FractalNoise(37 * p, 2, seed + 90);
-  return color * (1 + 0.5f * grain);
-}
-
 bool IsInPlainCube(const TextureOptions& options, const Vector3f& point) {
   if (options.plain_share <= 0) {
     return false;
@@ -138,9 +121,6 @@ Vector3f TextureColor(const TextureOptions& options, const Vector3f& point) {
       break;
     case TextureKind::kPainted:
       color = Painted(color, p, options.seed);
-      break;
-    case TextureKind::kPatina:
-      color = Patina(color, p, options.seed);
       break;
   }
   return Mix(options.color, color, static_cast<float>(options.contrast))

@@ -11,7 +11,6 @@ enum class TextureKind {
   kMarble,   // veins and fine grain
   kSpeckle,  // spots of three sizes and many colours
   kPainted,  // patches of paint with spots and grain
-  kPatina,   // weathered bronze: copper, verdigris, dark crusts
 };
 
 struct TextureOptions {

@@ -49,10 +49,8 @@ TEST(FractalNoise, VariesAndStaysInRange) {
 }
 
 TEST(TextureColor, ContrastGoesFromPlainToFull) {
-  for (const TextureKind kind : {TextureKind::kMarble,
-                                 TextureKind::kSpeckle,
-                                 TextureKind::kPainted,
-                                 TextureKind::kPatina}) {
+  for (const TextureKind kind :
+       {TextureKind::kMarble, TextureKind::kSpeckle, TextureKind::kPainted}) {
     TextureOptions options;
     options.kind = kind;
     const auto deviation = [&] {

@@ -5,6 +5,7 @@
 #include <bit>
 #include <fstream>
 
+#include "colmap_io/files/atomic_files.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -90,12 +91,11 @@ CutInstance ReadCutInstance(const std::string& path) {
 }
 
 void WriteCutInstance(const CutInstance& instance, const std::string& path) {
-  std::ofstream stream(path, std::ios::binary);
   const bool with_evidence = !instance.evidence.empty();
-  Write(stream,
-        std::vector<uint64_t>{with_evidence ? kMagicWithEvidence : kMagic,
-                              uint64_t(instance.crust.Resolution()),
-                              instance.crust.Size()});
+  const std::vector<uint64_t> header = {
+      with_evidence ? kMagicWithEvidence : kMagic,
+      uint64_t(instance.crust.Resolution()),
+      instance.crust.Size()};
   std::vector<uint16_t> xyz;
   xyz.reserve(3 * instance.crust.Size());
   instance.crust.ForEach([&](VoxelGrid::Index, MortonCode code) {
@@ -104,22 +104,18 @@ void WriteCutInstance(const CutInstance& instance, const std::string& path) {
       xyz.push_back(uint16_t(voxel[axis]));
     }
   });
-  Write(stream, xyz);
-  Write(stream, instance.weights);
-  Write(stream, instance.ties);
-  Write(stream, instance.evidence);
-  if (!stream.flush()) {
-    throw InputError(path + ": cannot be written");
-  }
+  WriteFile(path, [&](std::ostream& stream) {
+    Write(stream, header);
+    Write(stream, xyz);
+    Write(stream, instance.weights);
+    Write(stream, instance.ties);
+    Write(stream, instance.evidence);
+  });
 }
 
 void WriteCutLabels(const std::vector<FaceLabels>& labels,
                     const std::string& path) {
-  std::ofstream stream(path, std::ios::binary);
-  Write(stream, labels);
-  if (!stream.flush()) {
-    throw InputError(path + ": cannot be written");
-  }
+  WriteFile(path, [&](std::ostream& stream) { Write(stream, labels); });
 }
 
 }  // namespace octacut

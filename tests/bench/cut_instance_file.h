@@ -12,6 +12,7 @@ namespace octacut {
 
 // Throws InputError naming the file when it is not an instance.
 CutInstance ReadCutInstance(const std::string& path);
+// Both write as WriteFile does: all of the file or nothing.
 void WriteCutInstance(const CutInstance& instance, const std::string& path);
 // One byte a voxel: its labels.
 void WriteCutLabels(const std::vector<FaceLabels>& labels,

@@ -95,6 +95,7 @@ class Loader {
   void PlanWindows();
   void ReadViews();
   void ReadView(const Candidate& candidate, View* view) const;
+  void WarnOfMasksElsewhere() const;
   // Calls body(i) for all candidates, as many at a time as decode_budget
   // allows; the first candidate's error is thrown.
   void ForEachCandidate(std::string_view phase,
@@ -296,6 +297,29 @@ void Loader::ReadViews() {
   ForEachCandidate("reading images", [&](size_t i) {
     ReadView(candidates_[i], &result_.scene.views[i]);
   });
+  WarnOfMasksElsewhere();
+}
+
+// A bounding box of the user's takes the place of the search for the region,
+// which would have named a mask that does not fit the others.
+void Loader::WarnOfMasksElsewhere() const {
+  size_t count = 0;
+  const Candidate* first = nullptr;
+  for (size_t i = 0; i < candidates_.size(); ++i) {
+    if (ContentOfMask(result_.scene.views[i].mask >= 128) ==
+        MaskContent::kAllBackground) {
+      ++count;
+      first = first == nullptr ? &candidates_[i] : first;
+    }
+  }
+  if (count > 0) {
+    context_.Warn(
+        fmt::format("{}: the mask shows no object within the region; {} of {} "
+                    "masks show none",
+                    first->files.mask_file.string(),
+                    count,
+                    candidates_.size()));
+  }
 }
 
 }  // namespace

@@ -209,5 +209,20 @@ TEST_F(InputErrors, BoundingBoxes) {
   ExpectError("0 usable views of 12 images", {option, "90,90,90,99,99,99"});
 }
 
+// The search for the region would have named the mask.
+TEST_F(InputErrors, MasksThatShowNothingOfABoundingBox) {
+  cv::Mat mask = cv::Mat::zeros(kSmallHeight, kSmallWidth, CV_8UC1);
+  mask(cv::Rect(1, 1, 4, 4)).setTo(255);
+  ASSERT_TRUE(cv::imwrite(Mask(3).string(), mask));
+  ExpectError("but for that of view_003.jpg, which is wrong");
+  const ProgramResult result = RunMesher(
+      {"--OctahedralMeshing.bounding_box", "-0.7,-0.7,-0.3,0.7,0.7,0.3"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err,
+              HasSubstr("view_003.jpg.png: the mask shows no object within the "
+                        "region; 1 of 12 masks show none"));
+  EXPECT_THAT(result.err, HasSubstr("ERROR: the visual hull is empty"));
+}
+
 }  // namespace
 }  // namespace octacut

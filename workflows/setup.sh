@@ -44,6 +44,7 @@ if [[ $EUID -ne 0 ]]; then
 fi
 
 echo "setup: installing ${missing[*]}"
+echo "setup: on a bare system 0.4 GB to fetch and 1.6 GB on disk; some minutes"
 "${as_root[@]}" apt-get update -qq
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
   apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/crust/medial_voxels.h"
 #include "core/grid/morphology.h"
+#include "core/grid/parallel_voxels.h"
 #include "core/grid/voxel_walk.h"
 
 namespace octacut {
@@ -45,16 +46,11 @@ void EstimatePrior(const LabelHierarchy& hierarchy,
                    Crust* crust) {
   const VoxelGrid& voxels = crust->voxels;
   crust->prior.resize(voxels.Size());
-  ParallelFor(context,
-              voxels.Bricks().size(),
-              kBrickGrain,
-              [&](size_t begin, size_t end) {
-                voxels.ForEachInBricks(
-                    begin, end, [&](VoxelGrid::Index index, MortonCode code) {
-                      crust->prior[index] = hierarchy.InsideFraction(
-                          DecodeMorton(code), voxels.Level());
-                    });
-              });
+  ParallelForVoxels(
+      context, voxels, [&](VoxelGrid::Index index, MortonCode code) {
+        crust->prior[index] =
+            hierarchy.InsideFraction(DecodeMorton(code), voxels.Level());
+      });
 }
 
 Crust MakeCrust(const LabelHierarchy& hierarchy,

@@ -6,11 +6,11 @@
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/evidence/mask_trust.h"
+#include "core/grid/parallel_voxels.h"
 
 namespace octacut {
 namespace {
 
-constexpr size_t kBrickGrain = 64;
 // In hull voxels: how far two depths may differ and still agree; how far
 // before a surface space is surely free; the zone behind it that is surely
 // matter.
@@ -149,20 +149,15 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   InsideEvidence evidence;
   evidence.mask_trust = EstimateMaskTrust(views, agreeing, context);
   evidence.values.resize(hull.Size());
-  ParallelFor(context,
-              hull.Bricks().size(),
-              kBrickGrain,
-              [&](size_t begin, size_t end) {
-                hull.ForEachInBricks(
-                    begin, end, [&](VoxelGrid::Index index, MortonCode code) {
-                      evidence.values[index] = EvidenceAt(
-                          views,
-                          agreeing,
-                          VoxelCenter(DecodeMorton(code), hull.Level()),
-                          voxel,
-                          options);
-                    });
-              });
+  ParallelForVoxels(
+      context, hull, [&](VoxelGrid::Index index, MortonCode code) {
+        evidence.values[index] =
+            EvidenceAt(views,
+                       agreeing,
+                       VoxelCenter(DecodeMorton(code), hull.Level()),
+                       voxel,
+                       options);
+      });
   evidence.summary.num_depths = CountDepths(swept);
   evidence.summary.num_agreeing = CountDepths(agreeing);
   evidence.summary.num_free_voxels = size_t(std::count_if(

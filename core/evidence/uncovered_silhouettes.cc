@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
+#include "core/grid/parallel_voxels.h"
 
 namespace octacut {
 namespace {
 
-constexpr size_t kBrickGrain = 64;
 // Half the side of a voxel's footprint, in samples: more than half the
 // diagonal of a face, so that no ray slips between voxels of matter.
 constexpr float kReach = 0.75f;
@@ -116,22 +116,16 @@ UncoveredSilhouettes FindUncoveredSilhouettes(
     found.num_uncovered += map.num_uncovered;
   }
   found.shares.resize(hull.Size());
-  ParallelFor(
-      context,
-      hull.Bricks().size(),
-      kBrickGrain,
-      [&](size_t begin, size_t end) {
-        hull.ForEachInBricks(
-            begin, end, [&](VoxelGrid::Index index, MortonCode code) {
-              const Eigen::Vector3f center =
-                  VoxelCenter(DecodeMorton(code), hull.Level());
-              for (size_t i = 0; i < views.size(); ++i) {
-                const int sample = maps[i].At(views[i].projection, center);
-                if (sample >= 0 && maps[i].is_uncovered[sample]) {
-                  found.shares[index] += 1 / float(maps[i].num_voxels[sample]);
-                }
-              }
-            });
+  ParallelForVoxels(
+      context, hull, [&](VoxelGrid::Index index, MortonCode code) {
+        const Eigen::Vector3f center =
+            VoxelCenter(DecodeMorton(code), hull.Level());
+        for (size_t i = 0; i < views.size(); ++i) {
+          const int sample = maps[i].At(views[i].projection, center);
+          if (sample >= 0 && maps[i].is_uncovered[sample]) {
+            found.shares[index] += 1 / float(maps[i].num_voxels[sample]);
+          }
+        }
       });
   return found;
 }

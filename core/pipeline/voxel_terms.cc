@@ -4,15 +4,13 @@
 #include <cmath>
 #include <span>
 
-#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/grid/morphology.h"
+#include "core/grid/parallel_voxels.h"
 #include "core/visibility/surface_normals.h"
 
 namespace octacut {
 namespace {
-
-constexpr size_t kBrickGrain = 64;
 
 // A weight of l0, halved with every level: evidence grows with the volume of a
 // voxel, edges with its side.
@@ -112,30 +110,24 @@ std::vector<float> SilhouetteEvidence(const ViewSet& views,
   const float half_edge = 0.5f / float(voxels.Resolution());
   const float near_weight =
       AtLevel(options.energy.mask_border_weight, voxels.Level(), options);
-  ParallelFor(context,
-              voxels.Bricks().size(),
-              kBrickGrain,
-              [&](size_t begin, size_t end) {
-                voxels.ForEachInBricks(
-                    begin, end, [&](VoxelGrid::Index index, MortonCode code) {
-                      const Eigen::Vector3f center =
-                          VoxelCenter(DecodeMorton(code), voxels.Level());
-                      for (size_t i = 0; i < views.size(); ++i) {
-                        switch (Outside(views[i], center, half_edge)) {
-                          case Outsideness::kNo:
-                            break;
-                          case Outsideness::kNearObject:
-                            evidence[index] = std::min(
-                                evidence[index], -near_weight * mask_trust[i]);
-                            break;
-                          case Outsideness::kSure:
-                            evidence[index] =
-                                -float(options.energy.silhouette_weight);
-                            return;
-                        }
-                      }
-                    });
-              });
+  ParallelForVoxels(
+      context, voxels, [&](VoxelGrid::Index index, MortonCode code) {
+        const Eigen::Vector3f center =
+            VoxelCenter(DecodeMorton(code), voxels.Level());
+        for (size_t i = 0; i < views.size(); ++i) {
+          switch (Outside(views[i], center, half_edge)) {
+            case Outsideness::kNo:
+              break;
+            case Outsideness::kNearObject:
+              evidence[index] =
+                  std::min(evidence[index], -near_weight * mask_trust[i]);
+              break;
+            case Outsideness::kSure:
+              evidence[index] = -float(options.energy.silhouette_weight);
+              return;
+          }
+        }
+      });
   return evidence;
 }
 

@@ -11,14 +11,15 @@
 
 namespace octacut {
 
+// What RefineOptions, which has the defaults and limits, comes to in one round.
 // Lengths in pixels: the mean size at the vertex of those of its views.
 struct OffsetSearch {
-  double range = 2;    // offsets in -range .. range
-  double step = 0.5;   // between tried offsets
-  double spacing = 1;  // between the samples of a patch
-  int patch_radius = 3;
-  double pixel_noise = 3;  // standard deviation, grey levels
-  double min_score = 0.3;  // of an accepted peak
+  double range;    // offsets in -range .. range
+  double step;     // between tried offsets
+  double spacing;  // between the samples of a patch
+  int patch_radius;
+  double pixel_noise;  // standard deviation, grey levels
+  double min_score;    // of an accepted peak
 };
 
 struct OffsetMeasurement {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/refine/refine_options.h"
 #include "tests/core/refine/refine_scene.h"
 
 namespace octacut {
@@ -16,9 +17,16 @@ class OffsetSearchTest : public ::testing::Test {
   }
   static void TearDownTestSuite() { delete scene_; }
 
-  // Offsets of a sphere that is `pixels` too large, in pixels.
-  std::vector<OffsetMeasurement> Measure(double pixels,
-                                         const OffsetSearch& search) const {
+  // Offsets of a sphere that is `pixels` too large, in pixels, searched with
+  // the defaults.
+  std::vector<OffsetMeasurement> Measure(double pixels) const {
+    const RefineOptions options;
+    const OffsetSearch search = {.range = options.range,
+                                 .step = options.step,
+                                 .spacing = 1,
+                                 .patch_radius = options.patch_radius,
+                                 .pixel_noise = options.pixel_noise,
+                                 .min_score = options.min_score};
     const IndexedMesh mesh = scene_->ToUnitMesh(RefineScene::Mesh(
         16, [&](const auto&) { return pixels * scene_->Pixel(); }));
     const std::vector<LocalSurface> surfaces =
@@ -51,8 +59,7 @@ RefineScene* OffsetSearchTest::scene_ = nullptr;
 TEST_F(OffsetSearchTest, FindsTheSurfaceToAFractionOfAPixel) {
   for (const double pixels : {-1.3, 0.0, 0.6, 1.2}) {
     double weights = 0, sum = 0, error = 0;
-    for (const OffsetMeasurement& measurement :
-         Measure(pixels, OffsetSearch())) {
+    for (const OffsetMeasurement& measurement : Measure(pixels)) {
       weights += measurement.weight;
       sum += measurement.weight * measurement.offset;
       error += measurement.weight * std::abs(measurement.offset + pixels);
@@ -65,7 +72,7 @@ TEST_F(OffsetSearchTest, FindsTheSurfaceToAFractionOfAPixel) {
 
 TEST_F(OffsetSearchTest, HasNothingBeyondItsRange) {
   size_t num_found = 0, num_all = 0;
-  for (const OffsetMeasurement& measurement : Measure(4, OffsetSearch())) {
+  for (const OffsetMeasurement& measurement : Measure(4)) {
     num_found += measurement.weight > 1 ? 1 : 0;
     ++num_all;
   }
@@ -73,7 +80,7 @@ TEST_F(OffsetSearchTest, HasNothingBeyondItsRange) {
 }
 
 TEST_F(OffsetSearchTest, TellsAgreementBeforeAndAtThePeak) {
-  for (const OffsetMeasurement& measurement : Measure(1, OffsetSearch())) {
+  for (const OffsetMeasurement& measurement : Measure(1)) {
     EXPECT_LE(measurement.score_before, measurement.score);
     EXPECT_LE(measurement.score, 1.05);
   }

@@ -49,14 +49,10 @@ void SearchForest<Flow>::Adopt() {
 template <typename Flow>
 template <int kAxis>
 void SearchForest<Flow>::AdoptNode(const AxisNode<kAxis>& node, int32_t label) {
-  const uint32_t to_parents = state_.ResidualOut(node);
-  const uint32_t arcs = to_parents | state_.ResidualIn(node);
+  const auto [to_parents, from_children] = state_.ResidualOf(node);
+  const uint32_t arcs = to_parents | from_children;
   const WordsAround words = state_.Around(node, arcs);
-  uint32_t lower = 0;
-  for (int code = kNumNodeArcs - 1; code >= 0; --code) {
-    lower += lower + (Rank(words[code]) < RankOf(label));
-  }
-  lower &= to_parents;
+  const uint32_t lower = LowerThan(words, RankOf(label)) & to_parents;
   if (lower == 0) {
     Lift(node, words, arcs, to_parents);
     return;
@@ -79,14 +75,11 @@ void SearchForest<Flow>::Lift(const AxisNode<kAxis>& node,
                               const WordsAround& words,
                               uint32_t arcs,
                               uint32_t to_parents) {
-  uint32_t children = 0;
-  uint32_t least = kNoRank;
-  for (int code = kNumNodeArcs - 1; code >= 0; --code) {
-    children += children + IsChild(words[code], kNodeArcs[kAxis][code].back);
-    least =
-        std::min(least, Rank(words[code]) | (((to_parents >> code) & 1) - 1));
-  }
-  for (children &= arcs; children != 0; children &= children - 1) {
+  const uint32_t least = words.Least(kRankOffset, to_parents);
+  for (uint32_t children =
+           words.Matching(kParentMask, kBackCodes[kAxis]) & arcs;
+       children != 0;
+       children &= children - 1) {
     MakeOrphan(state_.Across(node, std::countr_zero(children)));
   }
   int32_t& word = state_.Word(node);

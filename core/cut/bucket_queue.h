@@ -17,11 +17,18 @@ namespace octacut {
 
 class ChunkPool {
  public:
-  struct Chunk {
+  // Its items end at its own alignment, so that the place for the next item
+  // tells by itself whether there is one.
+  struct alignas(256) Chunk {
     Chunk* next;
-    uint32_t size;
+    uint32_t size;  // known once no item is added any more
     uint32_t items[61];
+
+    static bool IsEnd(const uint32_t* place) {
+      return (reinterpret_cast<uintptr_t>(place) & (sizeof(Chunk) - 1)) == 0;
+    }
   };
+  static_assert(sizeof(Chunk) == 256);
 
   Chunk* Allocate() {
     if (free_ == nullptr) {
@@ -29,7 +36,6 @@ class ChunkPool {
     }
     Chunk* chunk = std::exchange(free_, free_->next);
     chunk->next = nullptr;
-    chunk->size = 0;
     return chunk;
   }
   void Free(Chunk* chunk) {
@@ -69,17 +75,12 @@ class ChunkPool {
 class ChunkList {
  public:
   bool Empty() const { return head_ == nullptr; }
-  size_t Size() const { return size_; }
 
   void Add(uint32_t item, ChunkPool& pool) {
-    ChunkPool::Chunk* chunk = tail_;
-    if (chunk == nullptr || chunk->size == std::size(chunk->items)) {
-      chunk = pool.Allocate();
-      (tail_ == nullptr ? head_ : tail_->next) = chunk;
-      tail_ = chunk;
+    if (ChunkPool::Chunk::IsEnd(end_)) {
+      AddChunk(pool);
     }
-    chunk->items[chunk->size++] = item;
-    ++size_;
+    *end_++ = item;
   }
 
   // Moves all items of a list of the same pool to the end of this one.
@@ -87,9 +88,10 @@ class ChunkList {
     if (other.Empty()) {
       return;
     }
+    CloseTail();
     (tail_ == nullptr ? head_ : tail_->next) = other.head_;
     tail_ = other.tail_;
-    size_ += other.size_;
+    end_ = other.end_;
     other = ChunkList();
   }
 
@@ -98,6 +100,7 @@ class ChunkList {
   template <typename Prefetch, typename Body>
   void Consume(ChunkPool& pool, Prefetch&& prefetch, Body&& body) {
     constexpr uint32_t kAhead = 6;
+    CloseTail();
     ChunkPool::Chunk* chunk = head_;
     *this = ChunkList();
     while (chunk != nullptr) {
@@ -113,9 +116,23 @@ class ChunkList {
   }
 
  private:
+  void CloseTail() {
+    if (tail_ != nullptr) {
+      tail_->size = uint32_t(end_ - tail_->items);
+    }
+  }
+  // Once in 61 times; apart, so that Add is short where it is inlined.
+  [[gnu::noinline]] void AddChunk(ChunkPool& pool) {
+    CloseTail();
+    ChunkPool::Chunk* chunk = pool.Allocate();
+    (tail_ == nullptr ? head_ : tail_->next) = chunk;
+    tail_ = chunk;
+    end_ = chunk->items;
+  }
+
+  uint32_t* end_ = nullptr;  // of the tail's items; null is an end as well
   ChunkPool::Chunk* head_ = nullptr;
   ChunkPool::Chunk* tail_ = nullptr;
-  size_t size_ = 0;
 };
 
 // One list a level and axis.
@@ -130,14 +147,12 @@ class BucketQueue {
     levels_[level][axis].Add(item, pool);
     lowest_ = std::min(lowest_, level);
     highest_ = std::max(highest_, level);
-    ++size_;
   }
-  bool Empty() const { return size_ == 0; }
-  size_t Size() const { return size_; }
+  bool Empty() { return Lowest() > Highest(); }
   // The least and greatest levels that may hold items; of an empty queue
   // Lowest() > Highest().
   int32_t Lowest() {
-    while (lowest_ <= highest_ && SizeOf(levels_[lowest_]) == 0) {
+    while (lowest_ <= highest_ && IsEmpty(levels_[lowest_])) {
       ++lowest_;
     }
     if (lowest_ > highest_) {
@@ -160,7 +175,6 @@ class BucketQueue {
     }
     lowest_ = std::min(lowest_, other.lowest_);
     highest_ = std::max(highest_, other.highest_);
-    size_ += other.size_;
     other = BucketQueue();
   }
 
@@ -171,8 +185,10 @@ class BucketQueue {
                ChunkPool& pool,
                Prefetch&& prefetch,
                Body&& body) {
+    if (IsEmpty(levels_[level])) {
+      return;
+    }
     Lists lists = std::exchange(levels_[level], {});
-    size_ -= SizeOf(lists);
     const auto consume = [&](auto axis) {
       lists[axis].Consume(
           pool,
@@ -186,17 +202,16 @@ class BucketQueue {
 
  private:
   static constexpr int32_t kNoLevel = 0x7fffffff;
-  static size_t SizeOf(const Lists& lists) {
-    return lists[0].Size() + lists[1].Size() + lists[2].Size();
+  static bool IsEmpty(const Lists& lists) {
+    return lists[0].Empty() && lists[1].Empty() && lists[2].Empty();
   }
-  void Grow(int32_t level) {
+  [[gnu::noinline]] void Grow(int32_t level) {
     levels_.resize(size_t(level) + size_t(level) / 2 + 16);
   }
 
   std::vector<Lists> levels_;
   int32_t lowest_ = kNoLevel;
   int32_t highest_ = -1;
-  size_t size_ = 0;
 };
 
 }  // namespace octacut

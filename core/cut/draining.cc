@@ -6,15 +6,6 @@
 
 namespace octacut {
 
-template <typename Flow>
-void SearchForest<Flow>::QueueDrain(const FaceNode& node) {
-  int32_t& word = state_.Word(node);
-  if ((word & kDraining) == 0) {
-    word |= kDraining;
-    draining_.Add(Label(word), node.axis, IdOf(node.place), pool_);
-  }
-}
-
 // Moves every excess of the forest down as far as it goes.
 template <typename Flow>
 void SearchForest<Flow>::Drain() {

@@ -24,9 +24,6 @@ struct AxisNode {
   VoxelPlace low;
 };
 
-// Words of the nodes around a node, by code of the arc to them.
-using WordsAround = std::array<int32_t, kNumNodeArcs>;
-
 // A voxel of a list of nodes of one axis, in 32 bits: brick (26 bits),
 // position in it (6).
 using NodeId = uint32_t;

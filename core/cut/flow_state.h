@@ -29,6 +29,7 @@
 #include "core/cut/growable_array.h"
 #include "core/cut/octahedral_cut.h"
 #include "core/cut/octahedron.h"
+#include "core/cut/words_around.h"
 #include "core/grid/voxel_walk.h"
 
 namespace octacut {
@@ -119,15 +120,23 @@ class FlowState {
   }
 
   // Bit c: the arc of code c leaves / enters the node with a residual.
+  struct ResidualArcs {
+    uint32_t out, in;
+  };
+  template <int kAxis>
+  ResidualArcs ResidualOf(const AxisNode<kAxis>& node) const {
+    const uint32_t own = Residual(node.place.index);
+    const uint32_t low = Residual(node.low.index);
+    return {ArcsOut(own, 2 * kAxis) | ArcsOut(low, 2 * kAxis + 1) << 4,
+            ArcsIn(own, 2 * kAxis) | ArcsIn(low, 2 * kAxis + 1) << 4};
+  }
   template <int kAxis>
   uint32_t ResidualOut(const AxisNode<kAxis>& node) const {
-    return ArcsOut(Residual(node.place.index), 2 * kAxis) |
-           ArcsOut(Residual(node.low.index), 2 * kAxis + 1) << 4;
+    return ResidualOf(node).out;
   }
   template <int kAxis>
   uint32_t ResidualIn(const AxisNode<kAxis>& node) const {
-    return ArcsIn(Residual(node.place.index), 2 * kAxis) |
-           ArcsIn(Residual(node.low.index), 2 * kAxis + 1) << 4;
+    return ResidualOf(node).in;
   }
 
   int32_t Capacity(uint32_t voxel, uint32_t arc) const {
@@ -195,6 +204,12 @@ class FlowState {
       __builtin_prefetch(&flows_[voxel], 1);
       __builtin_prefetch(&flows_[voxel].flow[11], 1);
     }
+  }
+
+  // The record of a voxel alone, for a list too short to look ahead in.
+  void PrefetchFlowsOf(uint32_t voxel) const {
+    __builtin_prefetch(&flows_[voxel], 1);
+    __builtin_prefetch(&flows_[voxel].flow[11], 1);
   }
 
   // The flow value when it is a maximum: the capacity into the sink less the
@@ -288,12 +303,12 @@ inline WordsAround FlowState<Flow>::Around(const AxisNode<kAxis>& node,
       reach(0x08, node.place, kLast),
       reach(0x20, node.low, kNext),
       reach(0x80, node.low, kLast)};
-  WordsAround words;
-  for (int code = 0; code < kNumNodeArcs; ++code) {
-    words[code] = search_[holders[kNodeArcHolder[code]]]
-                      .word[kNodeArcs[kAxis][code].axis];
-  }
-  return words;
+  const auto word = [&](int code) {
+    return search_[holders[kNodeArcHolder[code]]]
+        .word[kNodeArcs[kAxis][code].axis];
+  };
+  return WordsAround(
+      {word(0), word(1), word(2), word(3), word(4), word(5), word(6), word(7)});
 }
 
 template <typename Flow>

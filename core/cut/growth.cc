@@ -80,16 +80,13 @@ template <int kAxis>
 void SearchForest<Flow>::ScanNode(const AxisNode<kAxis>& node, int32_t label) {
   uint32_t arcs = state_.ResidualIn(node);
   const WordsAround words = state_.Around(node, arcs);
-  uint32_t joined = 0;
-  for (int code = kNumNodeArcs - 1; code >= 0; --code) {
-    joined += joined + (Rank(words[code]) < kNoRank);
-  }
-  for (arcs &= ~joined; arcs != 0; arcs &= arcs - 1) {
+  for (arcs &= ~LowerThan(words, kNoRank); arcs != 0; arcs &= arcs - 1) {
     const int code = std::countr_zero(arcs);
     const FaceNode other = state_.Across(node, code);
     if (!IsSourceNode(words[code]) || TakeExcess(other, node, code)) {
-      state_.Word(other) = MakeWord(label + 1, kNodeArcs[kAxis][code].back);
-      Activate(other);
+      state_.Word(other) =
+          MakeWord(label + 1, kNodeArcs[kAxis][code].back | kActive);
+      active_.Add(label + 1, other.axis, IdOf(other.place), pool_);
     }
   }
 }
@@ -193,13 +190,10 @@ template <int kAxis>
 void SearchForest<Flow>::FloodNode(const AxisNode<kAxis>& node) {
   uint32_t arcs = state_.ResidualOut(node);
   const WordsAround words = state_.Around(node, arcs);
-  for (; arcs != 0; arcs &= arcs - 1) {
-    const int code = std::countr_zero(arcs);
-    if (words[code] == kFreeNode) {
-      const FaceNode other = state_.Across(node, code);
-      state_.Word(other) = kSourceNode | kActive;
-      active_.Add(1, other.axis, IdOf(other.place), pool_);
-    }
+  for (arcs &= words.Equal(kFreeNode); arcs != 0; arcs &= arcs - 1) {
+    const FaceNode other = state_.Across(node, std::countr_zero(arcs));
+    state_.Word(other) = kSourceNode | kActive;
+    active_.Add(1, other.axis, IdOf(other.place), pool_);
   }
 }
 

@@ -96,6 +96,20 @@ MakeNodeArcs() {
 inline constexpr std::array<std::array<NodeArc, kNumNodeArcs>, 3> kNodeArcs =
     MakeNodeArcs();
 
+// Of the arcs of a node, the codes that they have at its neighbours.
+inline constexpr std::array<std::array<int32_t, kNumNodeArcs>, 3>
+MakeBackCodes() {
+  std::array<std::array<int32_t, kNumNodeArcs>, 3> codes = {};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int code = 0; code < kNumNodeArcs; ++code) {
+      codes[axis][code] = kNodeArcs[axis][code].back;
+    }
+  }
+  return codes;
+}
+inline constexpr std::array<std::array<int32_t, kNumNodeArcs>, 3> kBackCodes =
+    MakeBackCodes();
+
 // The six voxels that hold a node's arcs and the nodes at their other ends:
 // the node's own (0) and the lower one (1), and the voxels above each of these
 // along the next axis (2, 4) and the last (3, 5). Which of them holds the

@@ -95,8 +95,9 @@ class SearchForest {
   // Words of the forest in the order of their labels: those of label l lie in
   // [RankOf(l), RankOf(l + 1)), and those of other nodes from kNoRank on.
   static constexpr uint32_t kNoRank = 1u << 31;
+  static constexpr int32_t kRankOffset = 1 << kLabelShift;
   static uint32_t Rank(int32_t word) {
-    return uint32_t(word) - (1u << kLabelShift);
+    return uint32_t(word) - uint32_t(kRankOffset);
   }
   static uint32_t RankOf(int32_t label) {
     return uint32_t(label - 1) << kLabelShift;
@@ -104,10 +105,9 @@ class SearchForest {
   static int32_t LabelOfRank(uint32_t rank) {
     return int32_t(rank >> kLabelShift) + 1;
   }
-  // Whether a node hangs from the arc with this code; one that is not in the
-  // forest hangs from none.
-  static bool IsChild(int32_t word, int32_t code) {
-    return Parent(word) == code;
+  // Of the words around a node, those whose rank is lower.
+  static uint32_t LowerThan(const WordsAround& words, uint32_t rank) {
+    return words.Below(kRankOffset, rank);
   }
 
   template <int kAxis>
@@ -135,7 +135,14 @@ class SearchForest {
   void FloodNode(const AxisNode<kAxis>& node);
 
   // draining.cc
-  void QueueDrain(const FaceNode& node);
+  void QueueDrain(const FaceNode& node) {
+    int32_t& word = state_.Word(node);
+    if ((word & kDraining) == 0) {
+      word |= kDraining;
+      state_.PrefetchFlowsOf(node.place.index);
+      draining_.Add(Label(word), node.axis, IdOf(node.place), pool_);
+    }
+  }
   void Drain();
   template <int kAxis>
   void DrainNode(const AxisNode<kAxis>& node);

@@ -44,6 +44,7 @@ FlowState<Flow>::FlowState(const OctahedralCutProblem& problem,
     });
   });
   TakeTallies(tallies);
+  PushAlongLines(merged_ties, context);
 }
 
 template <typename Flow>

@@ -48,7 +48,8 @@ class FlowState {
     Flow flow[kNumOctahedronEdges];  // > 0 along the edge
   };
 
-  // All tied arcs saturated, every node's word kFreeNode. Region r holds the
+  // All tied arcs saturated and what straight lines take is pushed, every
+  // node's word kFreeNode. Region r holds the
   // bricks from region_ends[r - 1], or 0, to region_ends[r].
   FlowState(const OctahedralCutProblem& problem,
             const VoxelWalk& walk,
@@ -223,6 +224,17 @@ class FlowState {
                  const VoxelPlace& place,
                  FaceTies ties,
                  uint32_t region_end);
+  // straight_paths.cc
+  struct Line;
+  void PushAlongLines(std::span<const FaceTies> merged_ties,
+                      const Context& context);
+  template <int kFrom>
+  void PushAlongLine(std::span<const FaceTies> merged_ties,
+                     const VoxelPlace& first);
+  template <int kFrom>
+  int64_t MeasureWays(FaceTies ties, Line& line, uint32_t k) const;
+  template <int kFrom>
+  void PushThrough(const Line& line, uint32_t k, int64_t amount);
   // Nodes of a voxel and what it adds to the capacity into the sink.
   struct Tally {
     size_t num_nodes = 0;

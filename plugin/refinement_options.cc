@@ -13,9 +13,13 @@ Json RoundToJson(const RoundSummary& round) {
           {"mean_displacement", round.mean_displacement},
           {"fit_seconds", round.fit_seconds},
           {"view_seconds", round.view_seconds},
+          {"aligned_views", round.num_aligned},
+          {"alignment_seconds", round.alignment_seconds},
           {"search_seconds", round.search_seconds},
           {"silhouette_seconds", round.silhouette_seconds},
-          {"solve_seconds", round.solve_seconds}};
+          {"solve_seconds", round.solve_seconds},
+          {"withdrawn_vertices", round.num_withdrawn},
+          {"validity_seconds", round.validity_seconds}};
 }
 
 }  // namespace
@@ -32,6 +36,10 @@ void DeclareRefinementOptions(OptionManager& options,
               &refinement->range,
               "Search along the normal in the first round of a scale, pixels "
               "of that scale");
+  options.Add("Refinement.alignment_steps",
+              &refinement->alignment_steps,
+              "By which the views' poses are aligned in each round at the "
+              "scale of the images; 0: they are exact");
   options.Add("Refinement.step", &refinement->step, "Of the search, pixels");
   options.Add("Refinement.patch_radius",
               &refinement->patch_radius,
@@ -81,8 +89,9 @@ Json RefinementToJson(const RefineSummary& summary) {
           {"max_displacement", summary.max_displacement},
           {"agreement_before", summary.agreement_before},
           {"agreement_after", summary.agreement_after},
+          {"mean_view_motion", summary.view_motion.mean},
+          {"max_view_motion", summary.view_motion.max},
           {"rounds", rounds},
-          {"validity_seconds", summary.validity_seconds},
           {"seconds", summary.seconds}};
 }
 

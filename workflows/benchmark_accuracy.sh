@@ -96,6 +96,7 @@ option_sets=(
   "ncc             --OctahedralMeshing.consistency ncc"
   "no-growing      --OctahedralMeshing.max_grow_rounds 0"
   "no-smoothing    --Smoothing.iterations 0"
+  "no-alignment    --Refinement.alignment_steps 0"
   "mask-tolerance-0 --OctahedralMeshing.mask_tolerance 0"
 )
 
@@ -297,6 +298,8 @@ run() {
     workspace=$data/$dataset judge=$data/$dataset
   else
     workspace=$work/scenes/$scene/$degradation judge=$work/scenes/$scene/clean
+    # Where all poses are off, so is the frame that they stand for.
+    [[ $degradation != poses-* ]] || align=1
   fi
   local folder=$work/level_$at/$scene/$degradation/$set
   local which=$set

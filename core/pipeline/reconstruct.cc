@@ -66,7 +66,7 @@ Reconstruction Reconstruct(const Scene& scene,
   Reconstruction result;
   ReconstructionSummary& summary = result.summary;
   Stopwatch stopwatch;
-  const ViewSet views =
+  ViewSet views =
       PrepareViews(scene, region.cube, context, options.mask_tolerance);
   const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);
   summary.prepare_seconds = stopwatch.Lap();
@@ -115,7 +115,7 @@ Reconstruction Reconstruct(const Scene& scene,
   summary.meshing_seconds = stopwatch.Lap();
   if (options.refine) {
     RefinedSurface refined = RefineSurface(
-        std::move(mesh), views, region.cube, options.refinement, context);
+        std::move(mesh), region.cube, options.refinement, context, &views);
     mesh = std::move(refined.mesh);
     summary.refinement = std::move(refined.summary);
     stopwatch.Lap();

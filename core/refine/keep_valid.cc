@@ -44,6 +44,7 @@ bool LeavesHull(const ViewSet& views,
 // Returns how many were moved back.
 size_t WithdrawIntoHull(const ViewSet& views,
                         const std::vector<Eigen::Vector3d>& start,
+                        const std::vector<Eigen::Vector3d>& before,
                         double tolerance,
                         const Context& context,
                         IndexedMesh* mesh) {
@@ -55,14 +56,14 @@ size_t WithdrawIntoHull(const ViewSet& views,
       kGrain,
       [&](size_t chunk, size_t begin, size_t end) {
         for (size_t v = begin; v < end; ++v) {
-          if (positions[v] == start[v]) {
+          if (positions[v] == before[v]) {
             continue;
           }
-          const Eigen::Vector3d way = positions[v] - start[v];
+          const Eigen::Vector3d way = positions[v] - before[v];
           size_t step = 0;
           while (step + 1 < kFractions.size() &&
                  LeavesHull(views, start[v], positions[v], float(tolerance))) {
-            positions[v] = start[v] + kFractions[++step] * way;
+            positions[v] = before[v] + kFractions[++step] * way;
           }
           withdrawn[chunk] += step > 0 ? 1 : 0;
         }
@@ -133,24 +134,25 @@ size_t WithdrawFromIntersections(const std::vector<Eigen::Vector3d>& start,
 
 size_t KeepValid(const ViewSet& views,
                  const std::vector<Eigen::Vector3d>& start,
+                 const std::vector<Eigen::Vector3d>& before,
                  double tolerance,
                  double pixel,
                  const Context& context,
                  IndexedMesh* mesh) {
   const Phase phase(context, "refined mesh kept valid");
   size_t num_withdrawn =
-      WithdrawIntoHull(views, start, tolerance, context, mesh);
+      WithdrawIntoHull(views, start, before, tolerance, context, mesh);
   NewIntersections intersections;
   size_t num_intersecting;
   do {
     num_withdrawn += WithdrawFromThinTriangles(mesh->triangles,
-                                               start,
+                                               before,
                                                kMinHeight * pixel,
                                                context,
                                                mesh->positions)
                          .num_withdrawn;
     num_intersecting =
-        WithdrawFromIntersections(start, context, &intersections, mesh);
+        WithdrawFromIntersections(before, context, &intersections, mesh);
     num_withdrawn += num_intersecting;
     // What is moved back may be thin again, until all of it is at the start.
   } while (num_intersecting > 0);

@@ -12,17 +12,19 @@
 
 namespace octacut {
 
-// Moves vertices of `mesh` back towards `start` (a half, a quarter, none of
+// Moves vertices of `mesh` back towards `before` (a half, a quarter, none of
 // their way left)
 // - that are more than `tolerance` pixels out of a mask in which they were not
-//   at `start`;
+//   at `start`; with several moves one after the other `start` is that before
+//   the first;
 // - of triangles that are thinner than a hundredth of `pixel`, unless they
-//   were at `start`;
+//   were at `before`;
 // - of triangles that intersect others, until none do but those that did at
-//   `start`.
+//   `before`.
 // Unit coordinates. Returns how many vertices.
 size_t KeepValid(const ViewSet& views,
                  const std::vector<Eigen::Vector3d>& start,
+                 const std::vector<Eigen::Vector3d>& before,
                  double tolerance,
                  double pixel,
                  const Context& context,

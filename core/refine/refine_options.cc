@@ -39,6 +39,10 @@ void RefineOptions::Check() const {
               "refinement.min_score",
               min_score,
               "must be at least 0 and below 1");
+  CheckOption(alignment_steps >= 0 && alignment_steps <= 16,
+              "refinement.alignment_steps",
+              alignment_steps,
+              "must be in 0 .. 16");
   CheckOption(pixel_noise > 0 && pixel_noise <= 64,
               "refinement.pixel_noise",
               pixel_noise,

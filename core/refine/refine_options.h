@@ -22,6 +22,9 @@ struct RefineOptions {
   // Of the pieces of the surface that are taken for smooth.
   double fit_radius = 9;
   double min_score = 0.2;  // of an accepted offset
+  // Steps of photometric alignment of the views in each round at their scale;
+  // 0: their poses are exact.
+  int alignment_steps = 2;
   // Standard deviation of the images' noise, grey levels: contrast below it
   // counts as plain.
   double pixel_noise = 0.5;

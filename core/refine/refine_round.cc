@@ -9,6 +9,8 @@
 #include "core/base/stopwatch.h"
 #include "core/mesh/normals.h"
 #include "core/raycast/ray_scene.h"
+#include "core/refine/align_views.h"
+#include "core/refine/keep_valid.h"
 #include "core/refine/local_surface.h"
 #include "core/refine/move_vertices.h"
 #include "core/refine/offset_search.h"
@@ -114,6 +116,22 @@ SeenSurface LookAtSurface(const ViewSet& views,
   return seen;
 }
 
+void Align(const SeenSurface& seen,
+           const RefineOptions& options,
+           const Context& context,
+           ViewSet* views,
+           RoundSummary* summary) {
+  const Phase phase(context, "alignment of the views");
+  for (int i = 0; i < options.alignment_steps; ++i) {
+    summary->num_aligned = AlignViews(seen.surfaces,
+                                      seen.choices,
+                                      {.patch_radius = options.patch_radius,
+                                       .pixel_noise = options.pixel_noise},
+                                      context,
+                                      views);
+  }
+}
+
 OffsetSearch MakeSearch(const RoundPlan& plan, const RefineOptions& options) {
   OffsetSearch search;
   search.range = plan.range * plan.scale;
@@ -191,19 +209,21 @@ void MovePlaces(SeenSurface seen,
 
 }  // namespace
 
-RoundSummary RefineOnce(const ViewSet& views,
+RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
                         const VertexCorners& neighbors,
                         double pixel,
                         const RoundPlan& plan,
                         const RefineOptions& options,
                         const Context& context,
+                        ViewSet* views,
                         IndexedMesh* mesh) {
   RoundSummary summary;
   summary.scale = plan.scale;
   summary.range = plan.range * plan.scale;
+  const std::vector<Eigen::Vector3d> before = mesh->positions;
   const double round_pixel = plan.scale * pixel;
   const double spacing = options.measure_spacing * round_pixel;
-  SeenSurface seen = LookAtSurface(views,
+  SeenSurface seen = LookAtSurface(*views,
                                    neighbors,
                                    spacing,
                                    options.fit_radius * round_pixel,
@@ -212,13 +232,17 @@ RoundSummary RefineOnce(const ViewSet& views,
                                    mesh,
                                    &summary);
   Stopwatch stopwatch;
+  if (plan.scale == 1) {
+    Align(seen, options, context, views, &summary);
+  }
+  summary.alignment_seconds = stopwatch.Lap();
   OffsetProblem problem;
   {
     Phase phase(context,
                 fmt::format("refinement within {:.2g} pixels", summary.range),
                 seen.surfaces.size());
     problem = MakeProblem(seen,
-                          SearchOffsets(views,
+                          SearchOffsets(*views,
                                         seen.surfaces,
                                         seen.choices,
                                         MakeSearch(plan, options),
@@ -230,7 +254,7 @@ RoundSummary RefineOnce(const ViewSet& views,
   }
   summary.search_seconds = stopwatch.Lap();
   if (options.silhouette_weight > 0) {
-    AddRimTargets(FindRimTargets(views,
+    AddRimTargets(FindRimTargets(*views,
                                  seen.rays,
                                  seen.surfaces,
                                  seen.places.neighbors,
@@ -250,6 +274,11 @@ RoundSummary RefineOnce(const ViewSet& views,
              mesh,
              &summary);
   summary.solve_seconds = stopwatch.Lap();
+  // In each round: what is moved back would stay a pit, and the next round
+  // makes it smooth.
+  summary.num_withdrawn = KeepValid(
+      *views, start, before, options.hull_tolerance, pixel, context, mesh);
+  summary.validity_seconds = stopwatch.Lap();
   return summary;
 }
 

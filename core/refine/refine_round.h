@@ -20,11 +20,17 @@ struct RoundSummary {
   size_t num_measured = 0;       // of them, where an offset was found
   size_t num_rim_targets = 0;    // from silhouettes
   double mean_displacement = 0;  // of the vertices that may move, pixels
+  size_t num_aligned = 0;        // views, in the last step
+  // Vertices that were moved back: into the hull, or for the sake of
+  // triangles that were too thin or intersected others.
+  size_t num_withdrawn = 0;
   double fit_seconds = 0;
   double view_seconds = 0;
+  double alignment_seconds = 0;
   double search_seconds = 0;
   double silhouette_seconds = 0;
   double solve_seconds = 0;
+  double validity_seconds = 0;
 };
 
 struct RoundPlan {
@@ -32,15 +38,18 @@ struct RoundPlan {
   double range;  // of the search, in the round's pixels
 };
 
-// Moves the vertices of `mesh` (unit coordinates) and leaves the normals that
-// belong to the positions before. `pixel` is the size of a pixel of the views
-// at the surface; `neighbors` are those of FindVertexNeighbors.
-RoundSummary RefineOnce(const ViewSet& views,
+// Aligns `views` in a round at their scale, moves the vertices of `mesh` (unit
+// coordinates) as far as it stays valid, and leaves the normals that belong to
+// the positions before. `pixel` is the size of a pixel of the views at the
+// surface; `start` is where the vertices were before the first round and
+// `neighbors` are those of FindVertexNeighbors.
+RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
                         const VertexCorners& neighbors,
                         double pixel,
                         const RoundPlan& plan,
                         const RefineOptions& options,
                         const Context& context,
+                        ViewSet* views,
                         IndexedMesh* mesh);
 
 // Mean agreement (-1 .. 1) of the views about the surface as it is, at the

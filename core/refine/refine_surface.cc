@@ -7,7 +7,6 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/normals.h"
-#include "core/refine/keep_valid.h"
 
 namespace octacut {
 namespace {
@@ -56,6 +55,15 @@ double MeanPixel(const ViewSet& views, const IndexedMesh& mesh) {
   return pixels / double(views.size());
 }
 
+std::vector<Eigen::Vector3d> SomePositions(const IndexedMesh& mesh) {
+  const size_t stride = std::max<size_t>(mesh.positions.size() / 1000, 1);
+  std::vector<Eigen::Vector3d> some;
+  for (size_t v = 0; v < mesh.positions.size(); v += stride) {
+    some.push_back(mesh.positions[v]);
+  }
+  return some;
+}
+
 void SummarizeMoves(const std::vector<Eigen::Vector3d>& start,
                     const IndexedMesh& mesh,
                     double pixel,
@@ -76,12 +84,12 @@ void SummarizeMoves(const std::vector<Eigen::Vector3d>& start,
 }  // namespace
 
 RefinedSurface RefineSurface(IndexedMesh mesh,
-                             const ViewSet& views,
                              const BoundingCube& cube,
                              const RefineOptions& options,
-                             const Context& context) {
+                             const Context& context,
+                             ViewSet* views) {
   options.Check();
-  CheckInput(mesh, views);
+  CheckInput(mesh, *views);
   Stopwatch whole;
   RefinedSurface result;
   RefineSummary& summary = result.summary;
@@ -93,21 +101,24 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   const std::vector<Eigen::Vector3d> start = unit.positions;
   const VertexCorners neighbors =
       FindVertexNeighbors(start.size(), unit.triangles);
-  const double pixel = MeanPixel(views, unit);
+  const double pixel = MeanPixel(*views, unit);
   summary.pixel_size = pixel * cube.edge;
-  Stopwatch stopwatch;
-  summary.agreement_before =
-      MeanAgreement(views, neighbors, pixel, options, context, &unit);
-  for (const RoundPlan& plan : PlanRounds(options)) {
-    summary.rounds.push_back(
-        RefineOnce(views, neighbors, pixel, plan, options, context, &unit));
+  std::vector<ViewProjection> projections;
+  for (const PreparedView& view : *views) {
+    projections.push_back(view.projection);
   }
-  stopwatch.Lap();
-  summary.num_withdrawn =
-      KeepValid(views, start, options.hull_tolerance, pixel, context, &unit);
-  summary.validity_seconds = stopwatch.Lap();
+  summary.agreement_before =
+      MeanAgreement(*views, neighbors, pixel, options, context, &unit);
+  for (const RoundPlan& plan : PlanRounds(options)) {
+    RoundSummary round = RefineOnce(
+        start, neighbors, pixel, plan, options, context, views, &unit);
+    summary.num_withdrawn += round.num_withdrawn;
+    summary.rounds.push_back(std::move(round));
+  }
+  summary.view_motion =
+      MeasureViewMotion(projections, *views, SomePositions(unit));
   summary.agreement_after =
-      MeanAgreement(views, neighbors, pixel, options, context, &unit);
+      MeanAgreement(*views, neighbors, pixel, options, context, &unit);
   SummarizeMoves(start, unit, pixel, &summary);
   for (size_t v = 0; v < start.size(); ++v) {
     if (unit.positions[v] != start[v]) {

@@ -7,6 +7,7 @@
 
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/refine/align_views.h"
 #include "core/refine/refine_options.h"
 #include "core/refine/refine_round.h"
 #include "core/scene/scene.h"
@@ -23,11 +24,10 @@ struct RefineSummary {
   // Mean agreement of the views where at least two see the surface.
   double agreement_before = 0;
   double agreement_after = 0;
-  // Vertices that were moved back: into the hull, or for the sake of
-  // triangles that were too thin or intersected others.
+  // Of all rounds.
   size_t num_withdrawn = 0;
+  ViewMotion view_motion;  // of the alignment, at the surface
   std::vector<RoundSummary> rounds;
-  double validity_seconds = 0;
   double seconds = 0;
 };
 
@@ -37,14 +37,15 @@ struct RefinedSurface {
 };
 
 // `mesh` is closed and oriented, in world coordinates; `views` are those of
-// PrepareViews for `cube`, with images. Topology stays. Vertices that no two
-// views see, and are not close to such that do, keep their positions exactly.
-// No two triangles intersect that did not before, and none becomes degenerate.
-// Throws InputError when a view has no image or the mesh has no triangle.
+// PrepareViews for `cube`, with images; their poses are aligned. Topology
+// stays. Vertices that no two views see, and are not close to such that do,
+// keep their positions exactly. No two triangles intersect that did not before,
+// and none becomes degenerate. Throws InputError when a view has no image or
+// the mesh has no triangle.
 RefinedSurface RefineSurface(IndexedMesh mesh,
-                             const ViewSet& views,
                              const BoundingCube& cube,
                              const RefineOptions& options,
-                             const Context& context);
+                             const Context& context,
+                             ViewSet* views);
 
 }  // namespace octacut

@@ -40,6 +40,7 @@ void SurfacePatch::Place(const LocalSurface& surface,
     const PreparedView& view = views_[chosen.views[n]];
     const ViewProjection& projection = view.projection;
     Projected& projected = projected_[num_views_];
+    projected.view = chosen.views[n];
     const Eigen::Vector3f origin = projection.Homogeneous(surface.center);
     projected.step = projection.linear * surface.normal;
     const Eigen::Vector3f step_u = projection.linear * surface.tangent_u;
@@ -123,6 +124,97 @@ float SurfacePatch::Score(float offset) {
   return num_views_ < 2 ? 0
                         : (SumChannels(square) - squares) /
                               (weights * weights - squared_weights);
+}
+
+namespace {
+
+// `image` less its part along the unit image `along`.
+template <size_t N>
+float Dot(const std::array<Float4, N>& a,
+          const std::array<Float4, N>& b,
+          int count) {
+  Float4 sum = {0, 0, 0, 0};
+  for (int s = 0; s < count; ++s) {
+    sum += a[s] * b[s];
+  }
+  return SumChannels(sum);
+}
+
+}  // namespace
+
+void SurfacePatch::AddGradients(const Projected& projected,
+                                float gain,
+                                const std::array<Float4, kMaxSamples>& image,
+                                const std::array<Float4, kMaxSamples>& residual,
+                                ImageShift* shift) const {
+  const float half = 0.5f / projected.level->scale;
+  std::array<std::array<Float4, kMaxSamples>, 2> gradients;
+  std::array<Float4, 2> means = {};
+  for (int s = 0; s < num_samples_; ++s) {
+    const float u = projected.x[s] / projected.z[s];
+    const float v = projected.y[s] / projected.z[s];
+    const float factor = gain / (2 * half);
+    gradients[0][s] = factor * (projected.level->Sample(u + half, v) -
+                                projected.level->Sample(u - half, v));
+    gradients[1][s] = factor * (projected.level->Sample(u, v + half) -
+                                projected.level->Sample(u, v - half));
+    for (int i = 0; i < 2; ++i) {
+      means[i] += gradients[i][s] * weights_[s];
+    }
+  }
+  const float square = Dot(image, image, num_samples_);
+  for (int i = 0; i < 2; ++i) {
+    for (int s = 0; s < num_samples_; ++s) {
+      gradients[i][s] = (gradients[i][s] - means[i]) * root_weights_[s];
+    }
+    // A brighter or darker image is not another one.
+    const float along =
+        Dot(gradients[i], image, num_samples_) / std::max(square, 1e-6f);
+    for (int s = 0; s < num_samples_; ++s) {
+      gradients[i][s] -= along * image[s];
+    }
+  }
+  for (int i = 0; i < 2; ++i) {
+    for (int j = 0; j < 2; ++j) {
+      shift->products(i, j) = Dot(gradients[i], gradients[j], num_samples_);
+    }
+    shift->right[i] = -Dot(gradients[i], residual, num_samples_);
+  }
+}
+
+std::vector<ImageShift> SurfacePatch::FindShifts() {
+  std::vector<ImageShift> shifts(static_cast<size_t>(num_views_));
+  std::vector<std::array<Float4, kMaxSamples>> images(shifts.size());
+  std::vector<float> gains;
+  std::array<Float4, kMaxSamples> mean = {};
+  float weights = 0;
+  for (int n = 0; n < num_views_; ++n) {
+    const float square = SampleView(projected_[n], 0);
+    gains.push_back(1 / std::sqrt(square + noise_));
+    weights += projected_[n].weight;
+    for (int s = 0; s < num_samples_; ++s) {
+      images[n][s] = gains[n] * colors_[s];
+      mean[s] += projected_[n].weight * images[n][s];
+    }
+  }
+  for (int s = 0; s < num_samples_; ++s) {
+    mean[s] /= weights;
+  }
+  const float mean_square = Dot(mean, mean, num_samples_);
+  for (int n = 0; n < num_views_; ++n) {
+    ImageShift& shift = shifts[n];
+    shift.view = projected_[n].view;
+    const float square = Dot(images[n], images[n], num_samples_);
+    shift.agreement = Dot(images[n], mean, num_samples_) /
+                      std::sqrt(std::max(square * mean_square, 1e-12f));
+    std::array<Float4, kMaxSamples> residual;
+    for (int s = 0; s < num_samples_; ++s) {
+      residual[s] = images[n][s] - mean[s];
+    }
+    shift.residual = Dot(residual, residual, num_samples_);
+    AddGradients(projected_[n], gains[n], images[n], residual, &shift);
+  }
+  return shifts;
 }
 
 }  // namespace octacut

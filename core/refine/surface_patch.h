@@ -3,12 +3,25 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "core/refine/local_surface.h"
 #include "core/refine/view_choice.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
+
+// By how many pixels a view's image of a patch is shifted against the mean
+// image of all views, as normal equations: products * shift = right.
+struct ImageShift {
+  uint16_t view = 0;
+  // Correlation with the mean image.
+  float agreement = 0;
+  // Squared norm of what differs from the mean image, of whose own 1.
+  float residual = 0;
+  Eigen::Matrix2f products = Eigen::Matrix2f::Zero();
+  Eigen::Vector2f right = Eigen::Vector2f::Zero();
+};
 
 class SurfacePatch {
  public:
@@ -33,10 +46,14 @@ class SurfacePatch {
   // the views' weights. At most 1.
   float Score(float offset);
 
+  // One for each view, about the patch where it was placed.
+  std::vector<ImageShift> FindShifts();
+
  private:
   // Homogeneous pixel coordinates of the samples at offset 0, and what a unit
   // of offset adds.
   struct Projected {
+    uint16_t view;
     const PyramidLevel* level;
     Eigen::Vector3f step;
     float weight;
@@ -46,6 +63,13 @@ class SurfacePatch {
   bool IsBackground(const Projected& projected) const;
   // Squared norm.
   float SampleView(const Projected& projected, float offset);
+  // Normal equations of a view whose normalised image is `image` and differs
+  // from the mean one by `residual`.
+  void AddGradients(const Projected& projected,
+                    float gain,
+                    const std::array<Float4, kMaxSamples>& image,
+                    const std::array<Float4, kMaxSamples>& residual,
+                    ImageShift* shift) const;
 
   const ViewSet& views_;
   int radius_;

@@ -63,9 +63,9 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
       ReconstructionOptions().mask_tolerance;
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
-  const ViewSet views = PrepareViews(loaded.scene, loaded.region.cube, context);
+  ViewSet views = PrepareViews(loaded.scene, loaded.region.cube, context);
   const RefinedSurface refined = RefineSurface(
-      std::move(mesh), views, loaded.region.cube, refinement_, context);
+      std::move(mesh), loaded.region.cube, refinement_, context, &views);
   const MeshAudit audit = AuditMesh(refined.mesh, context);
   CheckAudit(audit);
   WriteMesh(workspace_.output_path, refined.mesh);

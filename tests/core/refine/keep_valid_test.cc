@@ -15,7 +15,10 @@ TEST(KeepValid, LeavesAlonePlainMoves) {
   const IndexedMesh start = Sphere(12, 0.4);
   IndexedMesh mesh = Sphere(12, 0.41);
   const std::vector<Eigen::Vector3d> moved = mesh.positions;
-  EXPECT_EQ(KeepValid({}, start.positions, 1, kPixel, Context(2), &mesh), 0u);
+  EXPECT_EQ(
+      KeepValid(
+          {}, start.positions, start.positions, 1, kPixel, Context(2), &mesh),
+      0u);
   EXPECT_EQ(mesh.positions, moved);
 }
 
@@ -27,7 +30,10 @@ TEST(KeepValid, TakesBackWhatIntersects) {
     mesh.positions[vertex] *= -1.5;
   }
   ASSERT_GT(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
-  EXPECT_GT(KeepValid({}, start.positions, 1, kPixel, Context(2), &mesh), 0u);
+  EXPECT_GT(
+      KeepValid(
+          {}, start.positions, start.positions, 1, kPixel, Context(2), &mesh),
+      0u);
   EXPECT_EQ(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
   EXPECT_TRUE(AuditMesh(mesh).IsPrintable());
 }
@@ -43,7 +49,7 @@ TEST(KeepValid, LeavesIntersectionsThatWereThere) {
     position *= 1.001;
     position.x() += 0.001 * std::sin(30 * position.y());
   }
-  KeepValid({}, start.positions, 1, kPixel, Context(2), &mesh);
+  KeepValid({}, start.positions, start.positions, 1, kPixel, Context(2), &mesh);
   EXPECT_LE(FindSelfIntersections(mesh, Context(2)).num_pairs, num_pairs);
 }
 
@@ -53,7 +59,10 @@ TEST(KeepValid, TakesBackWhatSqueezesTriangles) {
   const auto& [a, b, c] = mesh.triangles[77];
   mesh.positions[a] =
       (0.5 + 1e-9) * mesh.positions[b] + (0.5 - 1e-9) * mesh.positions[c];
-  EXPECT_GT(KeepValid({}, start.positions, 1, kPixel, Context(2), &mesh), 0u);
+  EXPECT_GT(
+      KeepValid(
+          {}, start.positions, start.positions, 1, kPixel, Context(2), &mesh),
+      0u);
   const MeshAudit audit = AuditMesh(mesh);
   EXPECT_EQ(audit.num_degenerate_triangles, 0u);
 }
@@ -67,10 +76,14 @@ TEST(KeepValid, KeepsVerticesInTheHull) {
   const IndexedMesh start = larger(-1);
   IndexedMesh mesh = larger(7);
   const double pixel = scene.Pixel() / scene.test.region.cube.edge;
-  EXPECT_GT(
-      KeepValid(
-          scene.test.views, start.positions, 1.5, pixel, Context(2), &mesh),
-      mesh.positions.size() / 2);
+  EXPECT_GT(KeepValid(scene.test.views,
+                      start.positions,
+                      start.positions,
+                      1.5,
+                      pixel,
+                      Context(2),
+                      &mesh),
+            mesh.positions.size() / 2);
   double largest = 0;
   for (const Eigen::Vector3d& position : mesh.positions) {
     largest =
@@ -80,6 +93,30 @@ TEST(KeepValid, KeepsVerticesInTheHull) {
   }
   // No view has its border everywhere, so a little more than the tolerance.
   EXPECT_LT(largest, 4.5 * scene.Pixel());
+}
+
+// What a first move took into a mask that is too small may come out again.
+TEST(KeepValid, AsksTheFirstStartWhatWasOutOfTheHull) {
+  const testing::RefineScene scene = testing::MakeRefineScene();
+  const auto larger = [&](double pixels) {
+    return scene.ToUnitMesh(testing::RefineScene::Mesh(
+        24, [&](const auto&) { return pixels * scene.Pixel(); }));
+  };
+  const double pixel = scene.Pixel() / scene.test.region.cube.edge;
+  const IndexedMesh start = larger(6);
+  const IndexedMesh before = larger(-1);
+  IndexedMesh mesh = larger(5);
+  const auto keep_valid = [&](const IndexedMesh& first) {
+    return KeepValid(scene.test.views,
+                     first.positions,
+                     before.positions,
+                     1,
+                     pixel,
+                     Context(2),
+                     &mesh);
+  };
+  EXPECT_LT(keep_valid(start), mesh.positions.size() / 20);
+  EXPECT_GT(keep_valid(before), mesh.positions.size() / 2);
 }
 
 }  // namespace

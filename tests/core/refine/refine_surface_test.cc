@@ -28,11 +28,9 @@ RefinedSurface Refine(const RefineScene& scene,
                       const Context& context = Context(2)) {
   RefineOptions options;
   options.coarse_rounds = 1;
-  return RefineSurface(BumpyMesh(scene),
-                       scene.test.views,
-                       scene.test.region.cube,
-                       options,
-                       context);
+  ViewSet views = scene.test.views;
+  return RefineSurface(
+      BumpyMesh(scene), scene.test.region.cube, options, context, &views);
 }
 
 TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
@@ -131,10 +129,10 @@ TEST(RefineSurface, RefusesWhatItCannotUse) {
   RefineScene scene = testing::MakeRefineScene();
   const auto refine = [&](IndexedMesh mesh) {
     RefineSurface(std::move(mesh),
-                  scene.test.views,
                   scene.test.region.cube,
                   RefineOptions(),
-                  Context(2));
+                  Context(2),
+                  &scene.test.views);
   };
   const auto message = [&](IndexedMesh mesh) -> std::string {
     try {

@@ -11,6 +11,7 @@
 #include "core/mesh/normals.h"
 #include "core/mesh/place_vertices.h"
 #include "core/mesh/smooth.h"
+#include "core/mesh/untangle.h"
 
 namespace octacut {
 namespace {
@@ -72,14 +73,21 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
   }
   PlacedSurface placed =
       PlaceVertices(std::move(extracted), PlaceVerticesOptions(), context);
+  const double voxel_size = cube.VoxelSize(surface.voxels.Level());
+  Untangle(placed.corners,
+           PlaceVerticesOptions().min_height * voxel_size,
+           context,
+           &placed.mesh);
   KeptComponents kept =
       KeepLargestComponents(std::move(placed.mesh), options.min_component);
   summary->num_removed_components = kept.summary.num_removed;
-  SmoothedSurface smoothed =
-      SmoothSurface(std::move(kept.mesh),
-                    cube.VoxelSize(surface.voxels.Level()),
-                    options.smoothing,
-                    context);
+  const std::vector<Eigen::Vector3d> before = kept.mesh.positions;
+  SmoothedSurface smoothed = SmoothSurface(
+      std::move(kept.mesh), voxel_size, options.smoothing, context);
+  Untangle(before,
+           options.smoothing.min_height * voxel_size,
+           context,
+           &smoothed.mesh);
   smoothed.mesh.normals = ComputeVertexNormals(smoothed.mesh, context);
   return std::move(smoothed.mesh);
 }

@@ -17,9 +17,9 @@ IndexedMesh PlacedMesh(const LabeledVoxels& surface,
                        const BoundingCube& cube,
                        const Context& context);
 
-// Extraction, placement, smoothing; components smaller than the option says
-// are removed. With normals, without colours. Throws InputError when there is
-// no surface.
+// Extraction, placement and smoothing, as far as no triangles intersect;
+// components smaller than the option says are removed. With normals, without
+// colours. Throws InputError when there is no surface.
 IndexedMesh FinalMesh(const LabeledVoxels& surface,
                       const BoundingCube& cube,
                       const ReconstructionOptions& options,

@@ -1,0 +1,23 @@
+// Keeps moved vertices from running triangles into each other.
+#pragma once
+
+#include <cstddef>
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+
+namespace octacut {
+
+// Moves vertices of `mesh` back towards `start` (a half, a quarter, none of
+// their way left) that belong to triangles which intersect others, until none
+// do but those that did at `start`; and keeps triangles from being thinner than
+// `min_height` as WithdrawFromThinTriangles does. Returns how many vertices
+// were moved back.
+size_t Untangle(const std::vector<Eigen::Vector3d>& start,
+                double min_height,
+                const Context& context,
+                IndexedMesh* mesh);
+
+}  // namespace octacut

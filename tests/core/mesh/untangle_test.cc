@@ -1,0 +1,73 @@
+#include "core/mesh/untangle.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "core/mesh/place_vertices.h"
+#include "core/mesh/self_intersections.h"
+#include "core/mesh/smooth.h"
+#include "tests/core/mesh/label_crust.h"
+#include "tests/core/mesh/test_shapes.h"
+
+namespace octacut {
+namespace {
+
+size_t NumIntersections(const IndexedMesh& mesh) {
+  return FindSelfIntersections(mesh, Context(2)).num_pairs;
+}
+
+TEST(Untangle, LeavesAloneWhatDoesNotIntersect) {
+  const IndexedMesh start = Sphere(12, 0.4);
+  IndexedMesh mesh = Sphere(12, 0.41);
+  const std::vector<Eigen::Vector3d> moved = mesh.positions;
+  EXPECT_EQ(Untangle(start.positions, 1e-4, Context(2), &mesh), 0u);
+  EXPECT_EQ(mesh.positions, moved);
+}
+
+TEST(Untangle, TakesBackSpikesThroughTheOtherSide) {
+  const IndexedMesh start = Sphere(12, 0.4);
+  IndexedMesh mesh = start;
+  for (const size_t vertex : {size_t{3}, size_t{200}, size_t{500}}) {
+    mesh.positions[vertex] *= -1.5;
+  }
+  ASSERT_GT(NumIntersections(mesh), 0u);
+  EXPECT_GE(Untangle(start.positions, 1e-4, Context(2), &mesh), 3u);
+  EXPECT_EQ(NumIntersections(mesh), 0u);
+}
+
+// Voxels at random: placed and smoothed, thin walls run through each other.
+TEST(Untangle, LeavesRandomBlocksAsFreeOfIntersectionsAsTheirCorners) {
+  std::mt19937 random(7);
+  size_t num_placed = 0;
+  size_t num_smoothed = 0;
+  for (int round = 0; round < 200; ++round) {
+    const LabelledCrust block =
+        LabelRandomBlock(2 + round % 4, round % 2 != 0, random);
+    PlacedSurface placed = PlaceVertices(
+        ExtractSurface(block.crust, block.labels, UnitVoxels(4), Context(1)),
+        PlaceVerticesOptions(),
+        Context(1));
+    if (placed.mesh.triangles.empty()) {
+      continue;
+    }
+    IndexedMesh at_corners = placed.mesh;
+    at_corners.positions = placed.corners;
+    const size_t num_at_corners = NumIntersections(at_corners);
+    const size_t num_before = NumIntersections(placed.mesh);
+    num_placed += num_before > num_at_corners ? 1 : 0;
+    Untangle(placed.corners, 0.02, Context(2), &placed.mesh);
+    const size_t num_after = NumIntersections(placed.mesh);
+    EXPECT_LE(num_after, num_at_corners) << round;
+    SmoothedSurface smoothed =
+        SmoothSurface(placed.mesh, 1, SmoothOptions(), Context(1));
+    num_smoothed += NumIntersections(smoothed.mesh) > num_after ? 1 : 0;
+    Untangle(placed.mesh.positions, 0.02, Context(2), &smoothed.mesh);
+    EXPECT_LE(NumIntersections(smoothed.mesh), num_after) << round;
+    ExpectClosedManifold(AuditMesh(smoothed.mesh));
+  }
+  EXPECT_GT(num_placed + num_smoothed, 0u);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -128,7 +128,7 @@ float SurfacePatch::Score(float offset) {
 
 namespace {
 
-// `image` less its part along the unit image `along`.
+// Over the first `count` samples and all colours.
 template <size_t N>
 float Dot(const std::array<Float4, N>& a,
           const std::array<Float4, N>& b,

@@ -10,9 +10,6 @@
 namespace octacut {
 namespace {
 
-// What is left of the way at each step.
-constexpr std::array<double, 4> kFractions = {1, 0.5, 0.25, 0};
-
 // Pairs of triangles that intersect, of which one at least has moved since the
 // search before.
 class NewIntersections {
@@ -59,7 +56,7 @@ size_t WithdrawFromIntersections(const std::vector<Eigen::Vector3d>& start,
     // Those that are back at the start intersected there already; so pairs
     // without any other need not be looked at again.
     std::erase_if(vertices, [&](uint32_t v) {
-      return steps[v] + 1u == kFractions.size() || target[v] == start[v];
+      return steps[v] + 1u == kLeftOfWay.size() || target[v] == start[v];
     });
     if (vertices.empty()) {
       return num_withdrawn;
@@ -67,7 +64,7 @@ size_t WithdrawFromIntersections(const std::vector<Eigen::Vector3d>& start,
     for (const uint32_t v : vertices) {
       num_withdrawn += steps[v] == 0 ? 1 : 0;
       mesh->positions[v] =
-          start[v] + kFractions[++steps[v]] * (target[v] - start[v]);
+          start[v] + kLeftOfWay[++steps[v]] * (target[v] - start[v]);
     }
   }
 }

@@ -1,6 +1,7 @@
 // Keeps moved vertices from running triangles into each other.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <Eigen/Core>
 #include <vector>
@@ -10,11 +11,13 @@
 
 namespace octacut {
 
-// Moves vertices of `mesh` back towards `start` (a half, a quarter, none of
-// their way left) that belong to triangles which intersect others, until none
-// do but those that did at `start`; and keeps triangles from being thinner than
-// `min_height` as WithdrawFromThinTriangles does. Returns how many vertices
-// were moved back.
+// What is left of a vertex' way each time that it is moved back.
+inline constexpr std::array<double, 4> kLeftOfWay = {1, 0.5, 0.25, 0};
+
+// Moves vertices of `mesh` back towards `start` (as kLeftOfWay has it) that
+// belong to triangles which intersect others, until none do but those that did
+// at `start`; and keeps triangles from being thinner than `min_height` as
+// WithdrawFromThinTriangles does. Returns how many vertices were moved back.
 size_t Untangle(const std::vector<Eigen::Vector3d>& start,
                 double min_height,
                 const Context& context,

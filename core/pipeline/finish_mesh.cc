@@ -71,13 +71,11 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
         options.evidence.ballooning,
         std::pow(options.consistency.neutral, options.energy.smoothness)));
   }
-  PlacedSurface placed =
-      PlaceVertices(std::move(extracted), PlaceVerticesOptions(), context);
+  const PlaceVerticesOptions placing;
+  PlacedSurface placed = PlaceVertices(std::move(extracted), placing, context);
   const double voxel_size = cube.VoxelSize(surface.voxels.Level());
-  Untangle(placed.corners,
-           PlaceVerticesOptions().min_height * voxel_size,
-           context,
-           &placed.mesh);
+  Untangle(
+      placed.corners, placing.min_height * voxel_size, context, &placed.mesh);
   KeptComponents kept =
       KeepLargestComponents(std::move(placed.mesh), options.min_component);
   summary->num_removed_components = kept.summary.num_removed;

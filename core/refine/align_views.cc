@@ -180,7 +180,7 @@ size_t AlignViews(const std::vector<LocalSurface>& surfaces,
           if (chosen.count < kMinViews) {
             continue;
           }
-          patch.Place(surface, chosen, float(alignment.spacing) * chosen.pixel);
+          patch.Place(surface, chosen, chosen.pixel);
           if (patch.NumViews() >= kMinViews) {
             AddPlace(*views, surface, &patch, &equations);
           }

@@ -13,11 +13,11 @@
 
 namespace octacut {
 
-// Lengths in pixels: the mean size at the place of those of its views.
+// What RefineOptions, which has the defaults and limits, says of patches; their
+// samples are a pixel apart.
 struct ViewAlignment {
-  double spacing = 1;  // between the samples of a patch
-  int patch_radius = 4;
-  double pixel_noise = 0.5;  // standard deviation, grey levels
+  int patch_radius;
+  double pixel_noise;  // standard deviation, grey levels
 };
 
 // One Gauss-Newton step of all poses at once; `surfaces` are seen by

@@ -1,8 +1,8 @@
 #include "core/refine/keep_valid.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
+#include <optional>
 
 #include "core/base/parallel.h"
 #include "core/mesh/untangle.h"
@@ -11,23 +11,18 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 4096;
-// What is left of the way at each step.
-constexpr std::array<double, 4> kFractions = {1, 0.5, 0.25, 0};
 // Of triangles, in pixels.
 constexpr double kMinHeight = 0.01;
 
 bool IsBackground(const PreparedView& view,
                   const Eigen::Vector3d& point,
                   float tolerance) {
-  const Eigen::Vector3f h = view.projection.Homogeneous(point.cast<float>());
-  if (!(h.z() > 0)) {
-    return false;
-  }
-  const float u = h.x() / h.z();
-  const float v = h.y() / h.z();
-  return view.silhouette.Test(
-             u - tolerance, v - tolerance, u + tolerance, v + tolerance) ==
-         Footprint::kBackground;
+  const std::optional<ProjectedPoint> p =
+      view.projection.Project(point.cast<float>());
+  return p && view.silhouette.Test(p->u - tolerance,
+                                   p->v - tolerance,
+                                   p->u + tolerance,
+                                   p->v + tolerance) == Footprint::kBackground;
 }
 
 bool LeavesHull(const ViewSet& views,
@@ -60,9 +55,9 @@ size_t WithdrawIntoHull(const ViewSet& views,
           }
           const Eigen::Vector3d way = positions[v] - before[v];
           size_t step = 0;
-          while (step + 1 < kFractions.size() &&
+          while (step + 1 < kLeftOfWay.size() &&
                  LeavesHull(views, start[v], positions[v], float(tolerance))) {
-            positions[v] = before[v] + kFractions[++step] * way;
+            positions[v] = before[v] + kLeftOfWay[++step] * way;
           }
           withdrawn[chunk] += step > 0 ? 1 : 0;
         }

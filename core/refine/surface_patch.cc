@@ -9,6 +9,18 @@ constexpr float kMaxBackgroundShare = 1.0f / 3;
 // Of the samples' weights, in radii of the patch.
 constexpr float kSigma = 0.7f;
 
+// Over the first `count` samples and all colours.
+template <size_t N>
+float Dot(const std::array<Float4, N>& a,
+          const std::array<Float4, N>& b,
+          int count) {
+  Float4 sum = {0, 0, 0, 0};
+  for (int s = 0; s < count; ++s) {
+    sum += a[s] * b[s];
+  }
+  return SumChannels(sum);
+}
+
 }  // namespace
 
 SurfacePatch::SurfacePatch(const ViewSet& views, int radius, float pixel_noise)
@@ -126,25 +138,10 @@ float SurfacePatch::Score(float offset) {
                               (weights * weights - squared_weights);
 }
 
-namespace {
-
-// Over the first `count` samples and all colours.
-template <size_t N>
-float Dot(const std::array<Float4, N>& a,
-          const std::array<Float4, N>& b,
-          int count) {
-  Float4 sum = {0, 0, 0, 0};
-  for (int s = 0; s < count; ++s) {
-    sum += a[s] * b[s];
-  }
-  return SumChannels(sum);
-}
-
-}  // namespace
-
 void SurfacePatch::AddGradients(const Projected& projected,
                                 float gain,
                                 const std::array<Float4, kMaxSamples>& image,
+                                float square,
                                 const std::array<Float4, kMaxSamples>& residual,
                                 ImageShift* shift) const {
   const float half = 0.5f / projected.level->scale;
@@ -162,7 +159,6 @@ void SurfacePatch::AddGradients(const Projected& projected,
       means[i] += gradients[i][s] * weights_[s];
     }
   }
-  const float square = Dot(image, image, num_samples_);
   for (int i = 0; i < 2; ++i) {
     for (int s = 0; s < num_samples_; ++s) {
       gradients[i][s] = (gradients[i][s] - means[i]) * root_weights_[s];
@@ -212,7 +208,7 @@ std::vector<ImageShift> SurfacePatch::FindShifts() {
       residual[s] = images[n][s] - mean[s];
     }
     shift.residual = Dot(residual, residual, num_samples_);
-    AddGradients(projected_[n], gains[n], images[n], residual, &shift);
+    AddGradients(projected_[n], gains[n], images[n], square, residual, &shift);
   }
   return shifts;
 }

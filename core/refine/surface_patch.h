@@ -63,11 +63,12 @@ class SurfacePatch {
   bool IsBackground(const Projected& projected) const;
   // Squared norm.
   float SampleView(const Projected& projected, float offset);
-  // Normal equations of a view whose normalised image is `image` and differs
-  // from the mean one by `residual`.
+  // Normal equations of a view whose normalised image is `image`, of squared
+  // norm `square`, and differs from the mean one by `residual`.
   void AddGradients(const Projected& projected,
                     float gain,
                     const std::array<Float4, kMaxSamples>& image,
+                    float square,
                     const std::array<Float4, kMaxSamples>& residual,
                     ImageShift* shift) const;
 

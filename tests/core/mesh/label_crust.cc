@@ -103,6 +103,13 @@ double TorusDistance(const Eigen::Vector3d& point) {
   return std::hypot(radius - 0.27, height) - 0.12;
 }
 
+PlacedSurface Place(const LabelledCrust& labelled, const BoundingCube& cube) {
+  return PlaceVertices(
+      ExtractSurface(labelled.crust, labelled.labels, cube, Context(1)),
+      PlaceVerticesOptions(),
+      Context(1));
+}
+
 BoundingCube UnitVoxels(int level) {
   return {Eigen::Vector3d::Zero(), double(1 << level)};
 }

@@ -8,6 +8,7 @@
 
 #include "core/grid/voxel_grid.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/place_vertices.h"
 #include "core/scene/scene.h"
 
 namespace octacut {
@@ -42,6 +43,9 @@ LabelledCrust LabelShape(
 
 double SphereDistance(const Eigen::Vector3d& point);  // radius 0.4
 double TorusDistance(const Eigen::Vector3d& point);   // radii 0.27 and 0.12
+
+// Its surface with vertices placed by the default options.
+PlacedSurface Place(const LabelledCrust& labelled, const BoundingCube& cube);
 
 // The cube whose voxels of `level` have unit edges.
 BoundingCube UnitVoxels(int level);

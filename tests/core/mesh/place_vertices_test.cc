@@ -12,13 +12,6 @@
 namespace octacut {
 namespace {
 
-PlacedSurface Place(const LabelledCrust& labelled, const BoundingCube& cube) {
-  return PlaceVertices(
-      ExtractSurface(labelled.crust, labelled.labels, cube, Context(1)),
-      PlaceVerticesOptions(),
-      Context(1));
-}
-
 double SmallestHeight(const IndexedMesh& mesh) {
   double smallest = 1e9;
   for (const auto& t : mesh.triangles) {

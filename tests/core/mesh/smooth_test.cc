@@ -67,10 +67,7 @@ TEST(SmoothSurface, KeepsTheBoundAndTheAuditOnRandomBlocks) {
   for (int round = 0; round < 400; ++round) {
     const LabelledCrust block =
         LabelRandomBlock(2 + round % 4, round % 2 != 0, random);
-    const PlacedSurface placed = PlaceVertices(
-        ExtractSurface(block.crust, block.labels, UnitVoxels(4), Context(1)),
-        PlaceVerticesOptions(),
-        Context(1));
+    const PlacedSurface placed = Place(block, UnitVoxels(4));
     if (placed.mesh.triangles.empty()) {
       continue;
     }

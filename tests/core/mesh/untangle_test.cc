@@ -44,10 +44,7 @@ TEST(Untangle, LeavesRandomBlocksAsFreeOfIntersectionsAsTheirCorners) {
   for (int round = 0; round < 200; ++round) {
     const LabelledCrust block =
         LabelRandomBlock(2 + round % 4, round % 2 != 0, random);
-    PlacedSurface placed = PlaceVertices(
-        ExtractSurface(block.crust, block.labels, UnitVoxels(4), Context(1)),
-        PlaceVerticesOptions(),
-        Context(1));
+    PlacedSurface placed = Place(block, UnitVoxels(4));
     if (placed.mesh.triangles.empty()) {
       continue;
     }

@@ -13,6 +13,9 @@ namespace {
 
 using testing::RefineScene;
 
+const ViewAlignment kAlignment = {.patch_radius = RefineOptions().patch_radius,
+                                  .pixel_noise = RefineOptions().pixel_noise};
+
 std::vector<ViewProjection> Projections(const ViewSet& views) {
   std::vector<ViewProjection> projections;
   for (const PreparedView& view : views) {
@@ -52,17 +55,12 @@ class AlignViewsTest : public ::testing::Test {
                                    Context(2))) {}
 
   size_t Align(int steps, const Context& context, ViewSet* views) const {
-    const RefineOptions options;
+    const ViewChoiceOptions options;
     size_t num_aligned = 0;
     for (int i = 0; i < steps; ++i) {
       const std::vector<ChosenViews> choices = ChooseViews(
-          *views, RayScene(mesh_), surfaces_, 0.02, options.views, context);
-      num_aligned = AlignViews(surfaces_,
-                               choices,
-                               {.patch_radius = options.patch_radius,
-                                .pixel_noise = options.pixel_noise},
-                               context,
-                               views);
+          *views, RayScene(mesh_), surfaces_, 0.02, options, context);
+      num_aligned = AlignViews(surfaces_, choices, kAlignment, context, views);
     }
     return num_aligned;
   }
@@ -139,7 +137,7 @@ TEST_F(AlignViewsTest, MovesNothingWhereNothingIsSeen) {
   ViewSet views = scene_.test.views;
   const std::vector<ViewProjection> exact = Projections(views);
   const std::vector<ChosenViews> none(surfaces_.size());
-  EXPECT_EQ(AlignViews(surfaces_, none, {}, Context(2), &views), 0u);
+  EXPECT_EQ(AlignViews(surfaces_, none, kAlignment, Context(2), &views), 0u);
   EXPECT_EQ(Motion(exact, views), 0);
 }
 

@@ -183,7 +183,7 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
            {{"polygons", summary.extraction.num_polygons},
             {"four_polygon_edges", summary.extraction.num_four_polygon_edges},
             {"split_vertices", summary.extraction.num_split_vertices},
-            {"double_diagonals", summary.extraction.num_double_diagonals},
+            {"fans", summary.extraction.num_fans},
             {"removed_components", summary.num_removed_components},
             {"seconds", summary.meshing_seconds}}},
           {"refinement",

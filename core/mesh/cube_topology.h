@@ -25,6 +25,9 @@ inline constexpr unsigned SharedAxes(int a, int b) {
 inline constexpr bool IsCubeEdge(int a, int b) {
   return std::popcount(SharedAxes(a, b)) == 2;
 }
+inline constexpr bool IsFaceDiagonal(int a, int b) {
+  return std::popcount(SharedAxes(a, b)) == 1;
+}
 
 // The face of a cube that corner k touches across `axis`.
 inline constexpr int FaceAtCorner(int k, int axis) {

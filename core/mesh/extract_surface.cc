@@ -212,7 +212,7 @@ ExtractedSurface ExtractSurface(const VoxelGrid& crust,
   surface.summary.num_four_polygon_edges =
       drawing.shared.num_four_polygon_edges;
   surface.summary.num_split_vertices = drawing.umbrellas.num_extra;
-  surface.summary.num_double_diagonals = drawing.shared.num_double_diagonals;
+  surface.summary.num_fans = drawing.shared.num_fans;
   surface.summary.num_edge_vertices = drawing.shared.edge_positions.size();
   WriteMesh(drawing, cube, context, surface);
   return surface;

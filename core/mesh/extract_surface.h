@@ -18,17 +18,18 @@ struct ExtractSurfaceSummary {
   size_t num_polygons = 0;            // loops of split edges
   size_t num_four_polygon_edges = 0;  // grid edges with labels in/out/in/out
   size_t num_split_vertices = 0;  // extra copies of corners, one per umbrella
-  // Polygons drawn as a fan around the centre of their voxel because another
-  // polygon has one of their diagonals.
-  size_t num_double_diagonals = 0;
-  // Vertices in the middle of a grid edge, where two pairs of polygons would
+  // Polygons drawn as a fan around the centre of their voxel, as their
+  // triangles would run through each other or lie on another polygon's.
+  size_t num_fans = 0;
+  // Vertices by the middle of a grid edge, where two pairs of polygons would
   // have the same edge.
   size_t num_edge_vertices = 0;
 };
 
 struct ExtractedSurface {
-  // Positions are voxel corners (middles of grid edges, centres of voxels for
-  // the extra vertices above) in world coordinates; no normals, no colours.
+  // Positions are voxel corners (close to the middles of grid edges, centres of
+  // voxels for the extra vertices above) in world coordinates, and triangles do
+  // not intersect; no normals, no colours.
   // PlaceVertices moves them to where they belong.
   IndexedMesh mesh;
   // Of every vertex: the octants around it that the voxels of its polygons
@@ -42,9 +43,10 @@ struct ExtractedSurface {
 // on it. Each loop of split edges in a cut voxel becomes one polygon with its
 // vertices at voxel corners, triangulated and oriented outward. Edges where
 // four polygons meet are paired by one rule (never join through an inside
-// face), each umbrella gets its own vertex, and no diagonal is drawn twice:
-// the result is a closed, oriented 2-manifold without degenerate triangles
-// for every labelling, even though umbrellas may touch at a corner. Vertices
+// face), each umbrella gets its own vertex, and no two triangles lie in the
+// same place: the result is a closed, oriented 2-manifold without degenerate
+// or intersecting triangles for every labelling, even though umbrellas may
+// touch at a corner. Vertices
 // and triangles follow the Morton order of the voxels. A labelling without a
 // cut voxel gives an empty mesh.
 //

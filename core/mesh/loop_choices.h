@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/context.h"
+#include "core/mesh/cube_topology.h"
 #include "core/mesh/cut_voxels.h"
 #include "core/mesh/split_loops.h"
 #include "core/mesh/triangulate_loop.h"
@@ -36,6 +37,16 @@ void ForEachChord(const SplitLoop& loop, int choice, Body&& body) {
       body(int(loop.corners[triangle[0]]), int(loop.corners[triangle[2]]));
     }
   }
+}
+
+// Whether triangles of a loop run through each other with its vertices at the
+// corners: two body diagonals do, in the middle of the voxel.
+inline bool CrossesItself(const SplitLoop& loop, int choice) {
+  int num_body_diagonals = 0;
+  ForEachChord(loop, choice, [&](int a, int b) {
+    num_body_diagonals += ChordNumber(a, b) < 0 ? 1 : 0;
+  });
+  return num_body_diagonals > 1;
 }
 
 // Judges the shapes with each vertex at the mean of the centres of the voxels

@@ -5,9 +5,14 @@
 
 #include "core/base/parallel.h"
 #include "core/mesh/cube_topology.h"
+#include "core/mesh/octant_mean.h"
 
 namespace octacut {
 namespace {
+
+// How far an edge vertex lies from its edge, of the way to OctantMean. On the
+// edge itself its triangles would touch those of the other pair.
+constexpr double kEdgeVertexOffset = 1.0 / 32;
 
 Eigen::Vector3i CornerOffset(int k) { return {k & 1, k >> 1 & 1, k >> 2 & 1}; }
 
@@ -35,11 +40,12 @@ class SharedEdgeFinder {
     uint8_t fans = 0;
     for (int i = 0; i < loops.num_loops; ++i) {
       const SplitLoop& loop = loops.loops[i];
-      bool is_fan = false;
-      ForEachChord(loop,
-                   choices_.OfLoop(voxel.number, loops, i),
-                   [&](int a, int b) { is_fan |= LosesChord(voxel, a, b); });
-      result.num_double_diagonals += is_fan;
+      const int choice = choices_.OfLoop(voxel.number, loops, i);
+      bool is_fan = CrossesItself(loop, choice);
+      ForEachChord(loop, choice, [&](int a, int b) {
+        is_fan |= LosesChord(voxel, a, b);
+      });
+      result.num_fans += is_fan ? 1 : 0;
       if (umbrellas_.near_four_polygon_edge[voxel.number]) {
         for (int j = 0; j < loop.size; ++j) {
           const int next = loop.corners[(j + 1) % loop.size];
@@ -64,6 +70,9 @@ class SharedEdgeFinder {
 
   bool LosesChord(const CutVoxel& voxel, int a, int b) const {
     const unsigned shared = SharedAxes(a, b);
+    if (IsFaceDiagonal(a, b) && LosesFace(voxel, a, shared)) {
+      return true;
+    }
     for (unsigned axes = shared; axes != 0; axes = (axes - 1) & shared) {
       if (!SharesVertices(voxel, a, b, axes)) {
         continue;
@@ -81,6 +90,17 @@ class SharedEdgeFinder {
       }
     }
     return false;
+  }
+
+  // Whether the voxel across the face of corner `k` draws in that face, too:
+  // the triangles of both would lie on each other.
+  bool LosesFace(const CutVoxel& voxel, int k, unsigned axes) const {
+    const auto other = cut_.FindAcross(voxel.coordinates, k, axes);
+    if (other.number == CutVoxels::kNone || other.number > voxel.number) {
+      return false;
+    }
+    const int face = FaceAtCorner(k ^ int(axes), std::countr_zero(axes));
+    return choices_.chords[other.number] >> (2 * face) & 3;
   }
 
   // Whether the pair of polygons of this voxel's side of the split edge a - b
@@ -130,13 +150,16 @@ class SharedEdgeFinder {
     result.edge_vertices.push_back({voxel.number, uint8_t(a), id});
     // The partner's loop runs along the edge the other way.
     result.edge_vertices.push_back({partner, uint8_t(b ^ outside_axis), id});
+    const OctantMask octants =
+        OctantMask(1u << (7 ^ a) | 1u << (7 ^ b) |
+                   1u << (7 ^ a ^ outside_axis) | 1u << (7 ^ b ^ outside_axis));
     const Eigen::Vector3d middle =
         voxel.coordinates.cast<double>() +
         (CornerOffset(a) + CornerOffset(b)).cast<double>() / 2;
-    result.edge_positions.push_back(cube_.min_corner + voxel_size_ * middle);
-    result.edge_octants.push_back(OctantMask(1u << (7 ^ a) | 1u << (7 ^ b) |
-                                             1u << (7 ^ a ^ outside_axis) |
-                                             1u << (7 ^ b ^ outside_axis)));
+    result.edge_positions.push_back(
+        cube_.min_corner +
+        voxel_size_ * (middle + kEdgeVertexOffset * OctantMean(octants)));
+    result.edge_octants.push_back(octants);
   }
 
   const CutVoxels& cut_;
@@ -159,7 +182,7 @@ void Append(const SharedEdges& chunk, SharedEdges& all) {
                           chunk.edge_octants.begin(),
                           chunk.edge_octants.end());
   all.num_four_polygon_edges += chunk.num_four_polygon_edges;
-  all.num_double_diagonals += chunk.num_double_diagonals;
+  all.num_fans += chunk.num_fans;
 }
 
 }  // namespace

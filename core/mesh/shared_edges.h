@@ -1,5 +1,6 @@
-// Finds what the polygons would draw a second time, so that every edge of the
-// mesh belongs to two triangles. For core/mesh alone.
+// Finds what the polygons would draw a second time or across each other, so
+// that every edge of the mesh belongs to two triangles and none intersect. For
+// core/mesh alone.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace octacut {
 
-// A vertex in the middle of a grid edge. Four polygons meet in the edge, in
+// A vertex by the middle of a grid edge. Four polygons meet in the edge, in
 // two pairs, and both pairs have the same vertices at both ends: one pair is
 // joined through this vertex instead.
 struct EdgeVertex {
@@ -23,18 +24,19 @@ struct EdgeVertex {
 
 struct SharedEdges {
   // Of every cut voxel, bit i: loop i has to be a fan around the centre of
-  // the voxel, which shares none of its chords with anything.
+  // the voxel, which has no chord and lies in no face.
   std::vector<uint8_t> fans;
   // Two of each id, sorted by voxel and corner.
   std::vector<EdgeVertex> edge_vertices;
   std::vector<Eigen::Vector3d> edge_positions;  // by id
   std::vector<OctantMask> edge_octants;         // by id
   size_t num_four_polygon_edges = 0;
-  size_t num_double_diagonals = 0;  // loops that are fans for their chords
+  size_t num_fans = 0;  // loops that are fans for their chords
 };
 
-// Of the polygons that draw a chord between the same two vertices the first
-// one keeps it; none keeps one that is an edge of another polygon.
+// Of the polygons that draw a chord between the same two vertices, or in the
+// same face, the first one keeps it; none keeps one that is an edge of another
+// polygon.
 SharedEdges FindSharedEdges(const CutVoxels& cut,
                             const UmbrellaVertices& umbrellas,
                             const LoopChoices& choices,

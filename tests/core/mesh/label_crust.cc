@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "core/mesh/self_intersections.h"
+
 namespace octacut {
 
 LabelledCrust LabelBlock(int level,
@@ -101,6 +103,10 @@ double TorusDistance(const Eigen::Vector3d& point) {
   const double height = from_center.dot(axis);
   const double radius = (from_center - height * axis).norm();
   return std::hypot(radius - 0.27, height) - 0.12;
+}
+
+size_t NumIntersections(const IndexedMesh& mesh) {
+  return FindSelfIntersections(mesh, Context(1)).num_pairs;
 }
 
 PlacedSurface Place(const LabelledCrust& labelled, const BoundingCube& cube) {

@@ -44,6 +44,9 @@ LabelledCrust LabelShape(
 double SphereDistance(const Eigen::Vector3d& point);  // radius 0.4
 double TorusDistance(const Eigen::Vector3d& point);   // radii 0.27 and 0.12
 
+// Pairs of triangles that intersect.
+size_t NumIntersections(const IndexedMesh& mesh);
+
 // Its surface with vertices placed by the default options.
 PlacedSurface Place(const LabelledCrust& labelled, const BoundingCube& cube);
 

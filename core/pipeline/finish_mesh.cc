@@ -10,6 +10,7 @@
 #include "core/mesh/keep_components.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/place_vertices.h"
+#include "core/mesh/remove_handles.h"
 #include "core/mesh/smooth.h"
 #include "core/mesh/untangle.h"
 
@@ -79,9 +80,12 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
   KeptComponents kept =
       KeepLargestComponents(std::move(placed.mesh), options.min_component);
   summary->num_removed_components = kept.summary.num_removed;
-  const std::vector<Eigen::Vector3d> before = kept.mesh.positions;
+  MeshWithoutHandles cleaned = RemoveHandles(
+      std::move(kept.mesh), options.min_handle * voxel_size, context);
+  summary->num_removed_handles = cleaned.summary.num_removed;
+  const std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;
   SmoothedSurface smoothed = SmoothSurface(
-      std::move(kept.mesh), voxel_size, options.smoothing, context);
+      std::move(cleaned.mesh), voxel_size, options.smoothing, context);
   Untangle(before,
            options.smoothing.min_height * voxel_size,
            context,

@@ -52,6 +52,10 @@ void ReconstructionOptions::Check() const {
               "min_component",
               min_component,
               "must be in 0 .. 1");
+  CheckOption(min_handle >= 0 && min_handle <= 64,
+              "min_handle",
+              min_handle,
+              "must be in 0 .. 64");
   CheckOption(max_grow_rounds >= 0 && max_grow_rounds <= 16,
               "max_grow_rounds",
               max_grow_rounds,

@@ -47,6 +47,7 @@ struct ReconstructionSummary {
   std::vector<LevelSummary> levels;
   ExtractSurfaceSummary extraction;
   size_t num_removed_components = 0;
+  size_t num_removed_handles = 0;
   std::optional<RefineSummary> refinement;  // where options.refine says so
   double prepare_seconds = 0;
   double hull_seconds = 0;

@@ -44,6 +44,8 @@ TEST(ReconstructionOptions, AreRejectedWithFieldValueAndConstraint) {
               AllOf(StartsWith("target_level = 13"), HasSubstr("12")));
   EXPECT_THAT(Refusal([](auto* o) { o->min_component = 1.5; }),
               AllOf(StartsWith("min_component = 1.5"), HasSubstr("0 .. 1")));
+  EXPECT_THAT(Refusal([](auto* o) { o->min_handle = 65; }),
+              AllOf(StartsWith("min_handle = 65"), HasSubstr("0 .. 64")));
   EXPECT_THAT(Refusal([](auto* o) { o->max_grow_rounds = -1; }),
               AllOf(StartsWith("max_grow_rounds = -1"), HasSubstr("16")));
   EXPECT_THAT(Refusal([](auto* o) { o->normal_blur = 0; }),

@@ -1,0 +1,129 @@
+#include "core/mesh/remove_handles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "tests/core/mesh/label_crust.h"
+
+namespace octacut {
+namespace {
+
+constexpr int kLevel = 6;
+constexpr double kVoxel = 1.0 / (1 << kLevel);
+
+double DistanceToSegment(const Eigen::Vector3d& point,
+                         const Eigen::Vector3d& a,
+                         const Eigen::Vector3d& b) {
+  const double t =
+      std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (point - a - t * (b - a)).norm();
+}
+
+IndexedMesh MeshOf(
+    const std::function<double(const Eigen::Vector3d&)>& distance) {
+  return Place(LabelShape(kLevel, distance), UnitCube()).mesh;
+}
+
+// Two balls, joined by two bars of the given radii.
+IndexedMesh JoinedBalls(double first_radius, double second_radius) {
+  const Eigen::Vector3d low(0.28, 0.5, 0.5);
+  const Eigen::Vector3d high(0.72, 0.5, 0.5);
+  return MeshOf([&](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d side(0, 0.1, 0);
+    return std::min(
+        {(p - low).norm() - 0.17,
+         (p - high).norm() - 0.17,
+         DistanceToSegment(p, low - side, high - side) - first_radius,
+         DistanceToSegment(p, low + side, high + side) - second_radius});
+  });
+}
+
+TEST(RemoveHandles, CutsTheThinnerOfTwoBars) {
+  const IndexedMesh mesh = JoinedBalls(1.1 * kVoxel, 3 * kVoxel);
+  ASSERT_EQ(AuditMesh(mesh).genus, 1);
+  const MeshWithoutHandles cut = RemoveHandles(mesh, 12 * kVoxel, Context(2));
+  EXPECT_EQ(cut.summary.num_removed, 1u);
+  const MeshAudit audit = AuditMesh(cut.mesh);
+  ExpectClosedManifold(audit);
+  EXPECT_EQ(audit.genus, 0);
+  EXPECT_EQ(audit.num_components, 1);
+  EXPECT_EQ(NumIntersections(cut.mesh), 0u);
+  // Vertices have moved at the thin bar alone.
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.positions[v] != cut.mesh.positions[v]) {
+      EXPECT_LT(mesh.positions[v].y(), 0.45);
+    }
+  }
+}
+
+TEST(RemoveHandles, FillsAPinholeThroughAPlate) {
+  const IndexedMesh mesh = MeshOf([](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d q = p - Eigen::Vector3d(0.5, 0.5, 0.5);
+    const double plate =
+        std::max(std::hypot(q.x(), q.y()) - 0.35, std::abs(q.z()) - 4 * kVoxel);
+    return std::max(plate, 1.2 * kVoxel - std::hypot(q.x(), q.y()));
+  });
+  ASSERT_EQ(AuditMesh(mesh).genus, 1);
+  const double volume = AuditMesh(mesh).volume;
+  const MeshWithoutHandles filled =
+      RemoveHandles(mesh, 12 * kVoxel, Context(2));
+  EXPECT_EQ(filled.summary.num_removed, 1u);
+  const MeshAudit audit = AuditMesh(filled.mesh);
+  ExpectClosedManifold(audit);
+  EXPECT_EQ(audit.genus, 0);
+  EXPECT_GT(audit.volume, volume);
+  EXPECT_NEAR(audit.volume, volume, 0.01 * volume);
+  EXPECT_EQ(NumIntersections(filled.mesh), 0u);
+}
+
+TEST(RemoveHandles, LeavesThickHandles) {
+  const IndexedMesh mesh = MeshOf(TorusDistance);
+  const MeshWithoutHandles same = RemoveHandles(mesh, 12 * kVoxel, Context(2));
+  EXPECT_EQ(same.summary.num_removed, 0u);
+  EXPECT_EQ(same.mesh.positions, mesh.positions);
+  EXPECT_EQ(same.mesh.triangles, mesh.triangles);
+}
+
+// Noise: many handles, also next to each other and around each other.
+TEST(RemoveHandles, KeepsRandomBlocksValid) {
+  std::mt19937 random(11);
+  size_t num_removed = 0;
+  size_t num_left = 0;
+  for (int round = 0; round < 100; ++round) {
+    const LabelledCrust block = LabelRandomBlock(3 + round % 4, false, random);
+    const PlacedSurface placed = Place(block, UnitVoxels(4));
+    IndexedMesh mesh = placed.mesh;
+    mesh.positions = placed.corners;
+    if (mesh.triangles.empty()) {
+      continue;
+    }
+    const MeshAudit before = AuditMesh(mesh);
+    const MeshWithoutHandles cut = RemoveHandles(mesh, 12, Context(1));
+    const MeshAudit audit = AuditMesh(cut.mesh);
+    ExpectClosedManifold(audit);
+    EXPECT_EQ(audit.num_components, before.num_components);
+    EXPECT_EQ(audit.genus, before.genus - int64_t(cut.summary.num_removed));
+    EXPECT_EQ(NumIntersections(cut.mesh), 0u);
+    ASSERT_FALSE(HasFailure()) << "round " << round;
+    num_removed += cut.summary.num_removed;
+    num_left += size_t(audit.genus);
+    EXPECT_TRUE(audit.genus == 0 || cut.summary.num_refused > 0);
+  }
+  EXPECT_GT(num_removed, 100u);
+  std::cerr << num_removed << " removed " << num_left << " left\n";
+}
+
+TEST(RemoveHandles, IsTheSameForAnyNumberOfThreads) {
+  std::mt19937 random(5);
+  const IndexedMesh mesh =
+      Place(LabelRandomBlock(6, false, random), UnitVoxels(4)).mesh;
+  const IndexedMesh one = RemoveHandles(mesh, 20, Context(1)).mesh;
+  const IndexedMesh two = RemoveHandles(mesh, 20, Context(2)).mesh;
+  EXPECT_EQ(one.positions, two.positions);
+  EXPECT_EQ(one.triangles, two.triangles);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -137,7 +137,7 @@ to_entries | map(.value + {order: .key}) | . as $runs
 | ($runs | map(select(.state == "left_out"))) as $left_out
 | "# Accuracy",
   "",
-  "Made by `\($command)`; not to be edited. octacut \([.[] | .version // empty] | unique | join(", ")) with \($threads) threads on: \($machine). Its own scenes at \(pow(2; $level))³ voxels, data sets at \(pow(2; $data_level))³.",
+  "Made by `\($command)`; not to be edited. octacut \([.[] | .version // empty] | unique | join(", ")) with \($threads) threads on: \($machine). Its own scenes at \(pow(2; $level))³ voxels, data sets at \(pow(2; $data_level))³; rods-2 and fingers-2, whose parts are two voxels of 128³ thick, begin with hull_level 8 and are made at \(pow(2; [$level, 8] | max))³.",
   "",
   "Distances in % of the diagonal of the ground truth's bounding box, from the mesh to the truth (accuracy) and from it to the mesh (completeness), over the part of the truth that at least three cameras see. F-scores in %, at thresholds in % of the diagonal. Genus and components that differ from the truth's (in brackets) are bold. Self-int.: triangles that cross another one.",
   "",

@@ -48,6 +48,8 @@ own_scenes=(
   "walls --scene box --Scene.plain_share 0.4 --reference_resolution 120"
   "turntable-light --scene torus --Scene.lights_fixed_to_camera 1 --reference_resolution 120"
 )
+# Their parts are too thin for a hull of 128^3: hull_level 8.
+thin_scenes=(rods-2 fingers-2)
 # For all of them: pictures small enough that a run at 256^3 takes some 20 s.
 own_options=(--width 640 --height 480 --num_views 36)
 
@@ -218,12 +220,30 @@ make_scene() {
     example_creator --output_path "$folder" --overwrite 1 "${all[@]}"
 }
 
-# measure FOLDER SET LEVEL WORKSPACE MODEL JUDGE TRUTH ALIGN: reconstructs
+# level_of SCENE: where its runs end.
+level_of() {
+  if printf '%s\n' "${data_sets[@]%% *}" | grep -qx "$1"; then
+    echo "$data_level"
+  elif printf '%s\n' "${thin_scenes[@]}" | grep -qx "$1"; then
+    echo "$((level > 8 ? level : 8))"
+  else
+    echo "$level"
+  fi
+}
+
+# hull_level_of SCENE LEVEL: where a run that ends at LEVEL begins.
+hull_level_of() {
+  local first=7
+  if printf '%s\n' "${thin_scenes[@]}" | grep -qx "$1"; then first=8; fi
+  echo "$(($2 < first ? $2 : first))"
+}
+
+# measure FOLDER SET LEVEL HULL_LEVEL WORKSPACE MODEL JUDGE TRUTH ALIGN: reconstructs
 # WORKSPACE; the workspace JUDGE has the right cameras, masks and images.
 measure() {
-  local folder=$1 set=$2 at=$3 workspace=$4 model=$5 judge=$6 truth=$7 align=$8
+  local folder=$1 set=$2 at=$3 first=$4 workspace=$5 model=$6 judge=$7 truth=$8
+  local align=$9
   local options=() mesher=octahedral_mesher
-  local first=$((at < 7 ? at : 7))
   line_of "$set" "${option_sets[@]}"
   options=(--OctahedralMeshing.hull_level "$first"
     --OctahedralMeshing.target_level "$at" "${options[@]}")
@@ -289,10 +309,10 @@ record() {
 # run PART SCENE DEGRADATION SET: does it where it is wanted, records it.
 run() {
   local part=$1 scene=$2 degradation=$3 set=$4
-  local name="$scene $degradation $set" at=$level workspace judge
+  local name="$scene $degradation $set" workspace judge at
+  at=$(level_of "$scene")
   local dataset=- model=sparse/0 truth=gt/reference.ply align=0 options
   if line_of "$scene" "${data_sets[@]}"; then
-    at=$data_level
     dataset=${options[0]} model=${options[1]} truth=${options[2]}
     align=${options[3]}
     workspace=$data/$dataset judge=$data/$dataset
@@ -325,8 +345,8 @@ run() {
     echo "== $name"
     if [[ $dataset == - ]] && ! { make_scene "$scene" clean &&
       { [[ $degradation == clean ]] || make_scene "$scene" "$degradation"; }; } ||
-      ! measure "$folder" "$set" "$at" "$workspace" "$model" "$judge" "$truth" \
-        "$align"; then
+      ! measure "$folder" "$set" "$at" "$(hull_level_of "$scene" "$at")" \
+        "$workspace" "$model" "$judge" "$truth" "$align"; then
       state=failed
       failed=1
       echo "benchmark_accuracy: $name: $error" >&2
@@ -338,11 +358,10 @@ run() {
 # sheet FILE WIDTH SCENE...: their default meshes side by side, of those there
 # are.
 sheet() {
-  local file=$1 width=$2 scene at pictures=()
+  local file=$1 width=$2 scene pictures=()
   for scene in "${@:3}"; do
-    at=$level
-    printf '%s\n' "${data_sets[@]%% *}" | grep -qx "$scene" && at=$data_level
-    local folder=$work/level_$at/$scene/clean/default
+    local folder
+    folder=$work/level_$(level_of "$scene")/$scene/clean/default
     if is_there "$folder" mesh && [[ -f $folder/mesh.png ]]; then
       pictures+=("$scene" "$folder/mesh.png")
     fi

@@ -132,6 +132,9 @@ std::vector<HandleLoop> FindHandleLoops(const IndexedMesh& mesh,
                                         double max_length,
                                         const Context& context) {
   std::vector<uint32_t> sources = homology.CrossingHalfEdges();
+  if (sources.empty()) {
+    return {};
+  }
   for (uint32_t& source : sources) {
     source = mesh.triangles[source / 3][source % 3];
   }

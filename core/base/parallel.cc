@@ -90,4 +90,15 @@ void ParallelFor(const Context& context,
   });
 }
 
+int64_t ParallelSum(const Context& context,
+                    size_t count,
+                    size_t grain,
+                    const std::function<int64_t(size_t, size_t)>& body) {
+  std::atomic<int64_t> sum(0);
+  ParallelChunks(context, count, grain, [&](size_t, size_t begin, size_t end) {
+    sum += body(begin, end);
+  });
+  return sum;
+}
+
 }  // namespace octacut

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 
 #include "core/base/context.h"
@@ -33,5 +34,12 @@ void ParallelChunks(
     size_t count,
     size_t grain,
     const std::function<void(size_t chunk, size_t begin, size_t end)>& body);
+
+// The sum of body(begin, end) over those chunks.
+int64_t ParallelSum(
+    const Context& context,
+    size_t count,
+    size_t grain,
+    const std::function<int64_t(size_t begin, size_t end)>& body);
 
 }  // namespace octacut

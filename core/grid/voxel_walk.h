@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/context.h"
 #include "core/grid/voxel_grid.h"
 
 namespace octacut {
@@ -24,7 +25,9 @@ class VoxelWalk {
  public:
   using Index = VoxelGrid::Index;
 
-  explicit VoxelWalk(const VoxelGrid& grid);
+  VoxelWalk(const VoxelGrid& grid, const Context& context);
+  // On one thread.
+  explicit VoxelWalk(const VoxelGrid& grid) : VoxelWalk(grid, Context(1)) {}
 
   size_t NumBricks() const { return links_.size() - 1; }
   static constexpr size_t kBytesPerBrick = 64 + 32;
@@ -89,6 +92,11 @@ class VoxelWalk {
   }
 
  private:
+  // Enters the bricks [begin, end) of a grid, without a link;
+  void EnterBricks(const VoxelGrid& grid, size_t begin, size_t end);
+  // then their links downwards, and those of the bricks below to them.
+  void LinkBricks(const VoxelGrid& grid, size_t begin, size_t end);
+
   static constexpr uint8_t kEmpty = 0xff;
 
   struct alignas(64) Ranks {

@@ -41,6 +41,24 @@ TEST(ParallelFor, VisitsEveryIndexOnceInChunksThatDependOnSizesAlone) {
   }
 }
 
+TEST(ParallelSum, AddsWhatEveryChunkGives) {
+  for (const int num_threads : {1, 4}) {
+    const auto sum = [&](size_t count) {
+      return ParallelSum(
+          Context(num_threads), count, 9, [](size_t begin, size_t end) {
+            int64_t part = 0;
+            for (size_t i = begin; i < end; ++i) {
+              part += int64_t(i) - 10;
+            }
+            return part;
+          });
+    };
+    EXPECT_EQ(sum(0), 0);
+    EXPECT_EQ(sum(5), -40);
+    EXPECT_EQ(sum(1000), 489500);
+  }
+}
+
 TEST(ParallelFor, PassesExceptionsOn) {
   for (const int num_threads : {1, 4}) {
     EXPECT_THROW(ParallelFor(Context(num_threads),

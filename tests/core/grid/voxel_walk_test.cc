@@ -20,7 +20,7 @@ TEST_P(VoxelWalkTest, NeighborsAreThoseOfTheGrid) {
   std::iota(codes.begin(), codes.end(), 0);
   std::erase_if(codes, [&](MortonCode) { return random() % 3 == 0; });
   const VoxelGrid grid = VoxelGrid::FromCodes(level, codes);
-  const VoxelWalk walk(grid);
+  const VoxelWalk walk(grid, Context(2));
   size_t visited = 0;
   walk.ForEachWithNeighbors(
       0, walk.NumBricks(), [&](const VoxelPlace& place, const auto& neighbors) {
@@ -40,7 +40,7 @@ TEST_P(VoxelWalkTest, NeighborsAreThoseOfTheGrid) {
   EXPECT_EQ(visited, grid.Size());
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, VoxelWalkTest, testing::Values(0, 1, 2, 4));
+INSTANTIATE_TEST_SUITE_P(Levels, VoxelWalkTest, testing::Values(0, 1, 2, 4, 6));
 
 TEST(CountBits, CountsAsTheStandardLibraryDoes) {
   std::mt19937_64 random(1);

@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -33,17 +32,18 @@ void CheckAll(size_t count,
               const Context& context,
               IsValid&& is_valid,
               Throw&& throw_error) {
-  constexpr size_t kGrain = 1 << 16;
-  std::vector<size_t> first_bad(NumChunks(count, kGrain), count);
-  ParallelChunks(
-      context, count, kGrain, [&](size_t chunk, size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          if (!is_valid(i)) {
-            first_bad[chunk] = i;
-            return;
-          }
-        }
-      });
+  std::vector<size_t> first_bad(NumChunks(count, kCutVoxelGrain), count);
+  ParallelChunks(context,
+                 count,
+                 kCutVoxelGrain,
+                 [&](size_t chunk, size_t begin, size_t end) {
+                   for (size_t i = begin; i < end; ++i) {
+                     if (!is_valid(i)) {
+                       first_bad[chunk] = i;
+                       return;
+                     }
+                   }
+                 });
   for (const size_t i : first_bad) {
     if (i != count) {
       throw_error(i);
@@ -167,7 +167,6 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
                       const Context& context) {
   const VoxelGrid& grid = *problem.crust;
   const bool with_evidence = !problem.evidence.empty();
-  std::vector<int64_t> costs(NumChunks(grid.Bricks().size(), kCutBrickGrain));
   const auto face_cost = [&](size_t i, int face, size_t j) {
     if (((labels[i] >> face) & 1) != ((labels[j] >> (face ^ 1)) & 1)) {
       throw InvariantError("cut: two voxels disagree on the face they share");
@@ -181,11 +180,11 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
     return is_inside ? std::max<int64_t>(0, -inside)
                      : std::max<int64_t>(0, inside);
   };
-  ParallelChunks(
+  return ParallelSum(
       context,
       grid.Bricks().size(),
       kCutBrickGrain,
-      [&](size_t chunk, size_t begin, size_t end) {
+      [&](size_t begin, size_t end) {
         int64_t cost = 0;
         walk.ForEachWithNeighbors(
             begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
@@ -203,9 +202,8 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
                 }
               }
             });
-        costs[chunk] = cost;
+        return cost;
       });
-  return std::accumulate(costs.begin(), costs.end(), int64_t{0});
 }
 
 }  // namespace octacut

@@ -18,6 +18,8 @@ namespace octacut {
 
 // Bricks a task handles at once: some ten thousand voxels.
 inline constexpr size_t kCutBrickGrain = 512;
+// Voxels, where a task does next to nothing for each.
+inline constexpr size_t kCutVoxelGrain = size_t{1} << 16;
 
 // Throws InputError unless sizes agree and every weight and evidence is
 // finite and in the range of fixed_point.h.

@@ -33,9 +33,12 @@ inline NodeId IdOf(const VoxelPlace& place) {
 }
 
 // The words of a node of no forest, and of a face that is no node; those of
-// nodes on the source side are < 0. See SearchForest.
+// nodes on the source side are < 0: source nodes, and in the end what these
+// reach. See SearchForest.
 inline constexpr int32_t kFreeNode = 8;
 inline constexpr int32_t kNoNode = 15;
+inline constexpr int32_t kSourceNode = -120;
+inline constexpr int32_t kReachedNode = -56;
 inline bool IsSourceNode(int32_t word) { return word < 0; }
 
 }  // namespace octacut

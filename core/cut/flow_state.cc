@@ -1,7 +1,6 @@
 #include "core/cut/flow_state.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -127,12 +126,11 @@ bool FlowState<Flow>::SaturateTies(int outside,
 
 template <typename Flow>
 int64_t FlowState<Flow>::FlowValue(const Context& context) const {
-  std::vector<int64_t> deficits(NumChunks(walk_->NumBricks(), kCutBrickGrain));
-  ParallelChunks(
+  const int64_t deficits = ParallelSum(
       context,
       walk_->NumBricks(),
       kCutBrickGrain,
-      [&](size_t chunk, size_t begin, size_t end) {
+      [&](size_t begin, size_t end) {
         int64_t sum = 0;
         walk_->ForEach(begin, end, [&](const VoxelPlace& place) {
           for (uint32_t axis = 0; axis < 3; ++axis) {
@@ -142,9 +140,9 @@ int64_t FlowState<Flow>::FlowValue(const Context& context) const {
             }
           }
         });
-        deficits[chunk] = sum;
+        return sum;
       });
-  return std::accumulate(deficits.begin(), deficits.end(), sink_capacity_);
+  return sink_capacity_ + deficits;
 }
 
 template class FlowState<int32_t>;

@@ -149,54 +149,6 @@ void SearchForest<Flow>::Absorb(SearchForest& next) {
   }
 }
 
-template <typename Flow>
-void SearchForest<Flow>::Finish() {
-  if (num_sources_ == 0) {
-    return;
-  }
-  constexpr int32_t kLevel = 1;
-  const auto flood = [&] {
-    while (!active_.Empty()) {
-      active_.Consume(
-          kLevel,
-          pool_,
-          [&](auto axis, NodeId id) {
-            state_.template PrefetchSearch<axis()>(id);
-          },
-          [&](auto axis, NodeId id) {
-            FloodNode(state_.template Node<axis()>(id));
-          });
-    }
-  };
-  // A few bricks at a time, so that the queue stays short.
-  constexpr uint32_t kBricks = 256;
-  for (uint32_t begin = begin_; begin < end_; begin += kBricks) {
-    context_.ThrowIfCancelled();
-    const uint32_t end = std::min(end_, begin + kBricks);
-    state_.Walk().ForEach(begin, end, [&](const VoxelPlace& place) {
-      for (uint32_t axis = 0; axis < 3; ++axis) {
-        if (state_.Word({place, axis}) == kSourceNode) {
-          active_.Add(kLevel, axis, IdOf(place), pool_);
-        }
-      }
-    });
-    flood();
-  }
-}
-
-// Those that are reached are told apart from those that are to be scanned.
-template <typename Flow>
-template <int kAxis>
-void SearchForest<Flow>::FloodNode(const AxisNode<kAxis>& node) {
-  uint32_t arcs = state_.ResidualOut(node);
-  const WordsAround words = state_.Around(node, arcs);
-  for (arcs &= words.Equal(kFreeNode); arcs != 0; arcs &= arcs - 1) {
-    const FaceNode other = state_.Across(node, std::countr_zero(arcs));
-    state_.Word(other) = kSourceNode | kActive;
-    active_.Add(1, other.axis, IdOf(other.place), pool_);
-  }
-}
-
 template class SearchForest<int32_t>;
 template class SearchForest<int16_t>;
 

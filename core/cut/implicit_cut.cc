@@ -10,6 +10,7 @@
 #include "core/cut/flow_state.h"
 #include "core/cut/region_search.h"
 #include "core/cut/search_forest.h"
+#include "core/cut/source_side.h"
 
 namespace octacut {
 namespace {
@@ -104,7 +105,6 @@ void SearchOn(const OctahedralCutProblem& problem,
   const Phase phase(context, "minimum cut of the grown crust");
   SearchForest<Flow> forest(flows, changed, context);
   forest.RunByNeighborhood();
-  forest.Finish();
 }
 
 template <typename Flow>
@@ -126,6 +126,7 @@ OctahedralCut Solve(const OctahedralCutProblem& problem,
     }
     flows = SearchAnew<Flow>(problem, walk, merged_ties, plan, context);
   }
+  FloodSourceSide(*flows, plan.flood_bricks, context);
   OctahedralCut cut;
   cut.num_nodes = flows->NumNodes();
   cut.cost_fixed_point = flows->FlowValue(context);
@@ -145,16 +146,24 @@ OctahedralCut Solve(const OctahedralCutProblem& problem,
 ImplicitCutState::ImplicitCutState() = default;
 ImplicitCutState::~ImplicitCutState() = default;
 
-SearchPlan PlanSearch(std::span<const FaceTies> merged_ties) {
+SearchPlan PlanSearch(std::span<const FaceTies> merged_ties,
+                      const Context& context) {
   // Low faces that are tied: some three for every two columns through the
   // crust, so that their share tells how thick it is.
-  size_t num_tied = 0;
-  for (const FaceTies ties : merged_ties) {
-    const int tied = ties | ties >> kNumFaces;
-    num_tied += (tied & 1) + ((tied >> 2) & 1) + ((tied >> 4) & 1);
-  }
+  const int64_t num_tied = ParallelSum(
+      context,
+      merged_ties.size(),
+      kCutVoxelGrain,
+      [&](size_t begin, size_t end) {
+        int64_t sum = 0;
+        for (const FaceTies ties : merged_ties.subspan(begin, end - begin)) {
+          const int tied = ties | ties >> kNumFaces;
+          sum += (tied & 1) + ((tied >> 2) & 1) + ((tied >> 4) & 1);
+        }
+        return sum;
+      });
   const double thickness =
-      1.5 * double(merged_ties.size()) / double(std::max<size_t>(1, num_tied));
+      1.5 * double(merged_ties.size()) / double(std::max<int64_t>(1, num_tied));
   // Some eight thicknesses wide, and not too large for a core's cache.
   SearchPlan plan;
   plan.region_voxels = uint32_t(

@@ -22,6 +22,8 @@ using SearchObserver =
 struct SearchPlan {
   // Regions of about so many voxels are searched alone, then joined pairwise.
   uint32_t region_voxels = 1 << 15;
+  // Bricks that are flooded by themselves in the end (source_side.h).
+  uint32_t flood_bricks = 2048;
   // Any other than the finest makes flows of 16 bits; the greatest weight is
   // then at most kMaxLeanWeight.
   CutScale scale = {};
@@ -44,7 +46,8 @@ struct ImplicitCutState {
 };
 
 // The plan that measurements speak for (docs/cut_engine.md).
-SearchPlan PlanSearch(std::span<const FaceTies> merged_ties);
+SearchPlan PlanSearch(std::span<const FaceTies> merged_ties,
+                      const Context& context);
 
 // Solves a problem whose values are checked (cut_problem.h). Its merged ties
 // are freed during the search and made again after it. Fills labels,

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/cut/cut_problem.h"
 #include "core/cut/fixed_point.h"
 #include "core/cut/implicit_cut.h"
@@ -43,9 +44,9 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
   if (options.observer) {
     options.observer(problem);
   }
-  const VoxelWalk walk(*problem.crust);
+  const VoxelWalk walk(*problem.crust, context);
   std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
-  SearchPlan plan = PlanSearch(ties);
+  SearchPlan plan = PlanSearch(ties, context);
   if (options.lean) {
     plan.scale = LeanScale(problem.weights);
   }
@@ -71,8 +72,14 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
     state->state_ = std::move(kept);
   }
   cut.cost = FromFixed(cut.cost_fixed_point);
-  cut.num_cut_voxels =
-      size_t(std::count_if(cut.labels.begin(), cut.labels.end(), IsCut));
+  cut.num_cut_voxels = size_t(ParallelSum(
+      context,
+      cut.labels.size(),
+      kCutVoxelGrain,
+      [&](size_t begin, size_t end) {
+        const auto labels = std::span(cut.labels).subspan(begin, end - begin);
+        return std::count_if(labels.begin(), labels.end(), IsCut);
+      }));
   return cut;
 }
 

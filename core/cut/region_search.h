@@ -43,7 +43,6 @@ class RegionSearch {
     ParallelFor(context_, ends_.size(), 1, [&](size_t region, size_t) {
       RunFrom(region, phase);
     });
-    whole_->Finish();
   }
 
  private:
@@ -104,7 +103,6 @@ class RegionSearch {
       });
       slot = join.slot;
     }
-    whole_ = std::move(forest);
   }
 
   template <typename MakeForest>
@@ -130,7 +128,6 @@ class RegionSearch {
   std::unique_ptr<Join[]> joins_;
   size_t num_joins_ = 0;
   size_t total_work_ = 0;
-  Forest whole_;
 };
 
 }  // namespace octacut

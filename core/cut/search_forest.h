@@ -25,7 +25,7 @@
 // The search ends when there is no source node or no active one. Then no
 // residual arc enters the forest, which holds every deficit; what a residual
 // path leads to from the source nodes is the least source side of all minimum
-// cuts (Finish).
+// cuts (source_side.h).
 //
 // A search covers a range of bricks. Two neighbouring ranges that have been
 // searched are joined by Absorb, which keeps their trees [in the spirit of Liu
@@ -62,8 +62,6 @@ class SearchForest {
   void Run();
   // The same, for a search that was taken up.
   void RunByNeighborhood();
-  // Marks every node that the source nodes reach as one; after Run.
-  void Finish();
   // Joins the range that follows and opens the arcs between the two.
   void Absorb(SearchForest& next);
 
@@ -82,7 +80,7 @@ class SearchForest {
   static constexpr int32_t kFlagMask = 127;
   static constexpr int kLabelShift = 7;
   static constexpr int32_t kMaxLabel = (1 << 24) - 1;
-  static constexpr int32_t kSourceNode = -(1 << kLabelShift) | kRoot;
+  static_assert(kSourceNode == (-(1 << kLabelShift) | kRoot));
 
   static int32_t Label(int32_t word) { return word >> kLabelShift; }
   static int32_t MakeWord(int32_t label, int32_t low_bits) {
@@ -131,8 +129,6 @@ class SearchForest {
                   const AxisNode<kAxis>& node,
                   int code);
   void Activate(const FaceNode& node);
-  template <int kAxis>
-  void FloodNode(const AxisNode<kAxis>& node);
 
   // draining.cc
   void QueueDrain(const FaceNode& node) {

@@ -100,9 +100,9 @@ nlohmann::json MeasureTasks(const CutInstance& instance) {
   const Context context(1);
   const double cpu_before = CpuSeconds();
   CheckCutValues(problem, context);
-  const VoxelWalk walk(*problem.crust);
+  const VoxelWalk walk(*problem.crust, context);
   std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
-  SearchPlan plan = PlanSearch(ties);
+  SearchPlan plan = PlanSearch(ties, context);
   TaskTimes tasks;
   plan.observer = tasks.Observer();
   const OctahedralCut cut = SolveImplicitly(problem, walk, ties, plan, context);

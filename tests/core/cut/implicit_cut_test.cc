@@ -18,9 +18,9 @@ void ExpectEqualsReference(const OctahedralCutProblem& problem) {
   const OctahedralCut expected = SolveWithBoost(problem, ties);
   // One region, a region a brick, and regions of a few bricks.
   const SearchPlan plans[] = {{.region_voxels = 1 << 20},
-                              {.region_voxels = 1},
-                              {.region_voxels = 100},
-                              {.region_voxels = 333}};
+                              {.region_voxels = 1, .flood_bricks = 1},
+                              {.region_voxels = 100, .flood_bricks = 2},
+                              {.region_voxels = 333, .flood_bricks = 3}};
   for (const SearchPlan& plan : plans) {
     std::vector<FaceTies> own_ties = ties;
     const OctahedralCut actual =
@@ -193,7 +193,8 @@ TEST(ImplicitCut, SameForAnyNumberOfThreadsAndRegions) {
           SolveImplicitly(view,
                           walk,
                           ties,
-                          {.region_voxels = region_voxels},
+                          {.region_voxels = region_voxels,
+                           .flood_bricks = region_voxels / 64 + 1},
                           Context(num_threads));
       EXPECT_EQ(actual.labels, expected.labels);
       EXPECT_EQ(actual.cost_fixed_point, expected.cost_fixed_point);

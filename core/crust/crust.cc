@@ -17,7 +17,7 @@ void TieInterfaces(const LabelHierarchy& hierarchy,
                    Crust* crust) {
   const VoxelGrid& voxels = crust->voxels;
   const int level = voxels.Level();
-  const VoxelWalk walk(voxels);
+  const VoxelWalk walk(voxels, context);
   crust->ties.assign(voxels.Size(), 0);
   const auto tie_face = [&](const VoxelPlace& place, int face) {
     if (walk.Neighbor(place, face) != VoxelGrid::kNone) {

@@ -126,7 +126,7 @@ size_t TieMedialVoxels(const VoxelGrid& voxels,
                        const std::vector<float>& prior,
                        const Context& context,
                        std::vector<FaceTies>* ties) {
-  const VoxelWalk walk(voxels);
+  const VoxelWalk walk(voxels, context);
   const std::vector<int8_t> depth = SignedDepth(walk, prior, context);
   const std::vector<int8_t> medial =
       FindMedial(walk, depth, NearOwnInterface(walk, depth, *ties, context));

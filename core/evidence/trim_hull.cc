@@ -35,7 +35,7 @@ VoxelGrid TrimHull(const ViewSet& views,
                    InsideEvidence* evidence) {
   std::vector<uint8_t> is_kept(hull.Size(), 1);
   const float half_edge = 0.5f / float(hull.Resolution());
-  const VoxelWalk walk(hull);
+  const VoxelWalk walk(hull, context);
   ParallelFor(
       context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
         walk.ForEachWithNeighbors(

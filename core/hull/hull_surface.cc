@@ -38,7 +38,7 @@ LabeledVoxels ComputeHullSurface(const ViewSet& views,
   LabeledVoxels crust;
   crust.voxels = VoxelGrid::FromCodes(octree.level, octree.mixed);
   crust.labels.assign(crust.voxels.Size(), 0);
-  const VoxelWalk walk(crust.voxels);
+  const VoxelWalk walk(crust.voxels, context);
   ParallelFor(
       context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
         walk.ForEachWithNeighbors(

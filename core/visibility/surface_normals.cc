@@ -79,7 +79,7 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
                                              std::span<const uint8_t> wanted) {
   std::vector<float> values = prior;
   std::vector<float> blurred(values.size());
-  const VoxelWalk walk(voxels);
+  const VoxelWalk walk(voxels, context);
   const Rings rings =
       wanted.empty() ? Rings() : RingsAround(walk, wanted, blur_steps);
   // Calls body(slot, index, values across) for what is so near to what is

@@ -32,6 +32,9 @@ void DeclareRefinementOptions(OptionManager& options,
   options.Add("Refinement.coarse_rounds",
               &refinement->coarse_rounds,
               "Rounds before, each at half the resolution of the next");
+  options.Add("Refinement.coarse_passes",
+              &refinement->coarse_passes,
+              "How often the coarse rounds are run");
   options.Add("Refinement.range",
               &refinement->range,
               "Search along the normal in the first round of a scale, pixels "

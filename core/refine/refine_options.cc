@@ -15,6 +15,10 @@ void RefineOptions::Check() const {
               "refinement.coarse_rounds",
               coarse_rounds,
               "must be in 0 .. 4");
+  CheckOption(coarse_passes >= 1 && coarse_passes <= 4,
+              "refinement.coarse_passes",
+              coarse_passes,
+              "must be in 1 .. 4");
   CheckOption(step > 0 && step <= 4,
               "refinement.step",
               step,

@@ -13,6 +13,9 @@ struct RefineOptions {
   int fine_rounds = 2;
   // Rounds before, each at half the resolution of the next; 0 .. 4.
   int coarse_rounds = 2;
+  // How often these are run: what is off by much is carried farther each time;
+  // 1 .. 4.
+  int coarse_passes = 2;
   double range = 3;
   double step = 0.5;  // between tried offsets
   // Patches have (2 r + 1)^2 samples a pixel apart; 1 .. 4.

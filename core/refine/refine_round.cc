@@ -177,6 +177,7 @@ void AddRimTargets(std::vector<EdgeTarget> targets,
 // Solves, and moves the vertices along.
 void MovePlaces(SeenSurface seen,
                 OffsetProblem problem,
+                bool smooths,
                 double pixel,
                 const RefineOptions& options,
                 const Context& context,
@@ -202,6 +203,9 @@ void MovePlaces(SeenSurface seen,
   moved.surfaces = std::move(seen.surfaces);
   moved.is_free = std::move(problem.is_free);
   moved.is_smooth = std::move(seen.is_seen);
+  if (!smooths) {
+    moved.is_smooth.assign(moved.is_smooth.size(), 0);
+  }
   summary->mean_displacement =
       MoveVertices(seen.places, moved, kReach * mean_spacing, context, mesh) /
       pixel;
@@ -268,6 +272,7 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   summary.silhouette_seconds = stopwatch.Lap();
   MovePlaces(std::move(seen),
              std::move(problem),
+             plan.smooths,
              pixel,
              options,
              context,
@@ -302,7 +307,7 @@ double MeanAgreement(const ViewSet& views,
       SearchOffsets(views,
                     seen.surfaces,
                     seen.choices,
-                    MakeSearch({1, 0}, options),
+                    MakeSearch({1, 0, true}, options),
                     context,
                     &phase);
   double sum = 0;

@@ -36,6 +36,9 @@ struct RoundSummary {
 struct RoundPlan {
   double scale;  // of the round's pixels, in pixels of the views
   double range;  // of the search, in the round's pixels
+  // Whether vertices come to lie on the fitted surface; else they keep their
+  // distances from it.
+  bool smooths;
 };
 
 // Aligns `views` in a round at their scale, moves the vertices of `mesh` (unit

@@ -13,12 +13,16 @@ namespace {
 
 std::vector<RoundPlan> PlanRounds(const RefineOptions& options) {
   std::vector<RoundPlan> plan;
-  for (int i = options.coarse_rounds; i > 0; --i) {
-    plan.push_back({double(1 << i), options.range});
+  for (int pass = 0; pass < options.coarse_passes; ++pass) {
+    for (int i = options.coarse_rounds; i > 0; --i) {
+      // The first pass has taken the steps of the voxels; to smooth coarsely
+      // once more would only take edges.
+      plan.push_back({double(1 << i), options.range, pass == 0});
+    }
   }
   double range = options.range;
   for (int i = 0; i < options.fine_rounds; ++i) {
-    plan.push_back({1, range});
+    plan.push_back({1, range, true});
     // A peak needs a neighbour on both sides.
     range = std::max(range / 2, 2 * options.step);
   }

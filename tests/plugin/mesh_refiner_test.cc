@@ -141,6 +141,7 @@ TEST_F(MeshRefiner, MistakesAreNamed) {
   const std::vector<std::pair<std::string, std::string>> refused = {
       {"fine_rounds", "0"},
       {"coarse_rounds", "5"},
+      {"coarse_passes", "0"},
       {"smoothness", "0"},
       {"patch_radius", "5"},
       {"max_views", "1"},

@@ -4,11 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
+#include "core/mesh/vertex_corners.h"
+#include "core/refine/refine_round.h"
 #include "tests/core/refine/refine_scene.h"
 
 namespace octacut {
@@ -51,11 +54,50 @@ TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
   EXPECT_GT(summary.agreement_after, summary.agreement_before);
   EXPECT_GT(summary.mean_displacement, 0.3);
   EXPECT_GE(summary.max_displacement, summary.mean_displacement);
-  ASSERT_EQ(summary.rounds.size(), 3u);
+  ASSERT_EQ(summary.rounds.size(), 4u);
   EXPECT_EQ(summary.rounds[0].scale, 2);
-  EXPECT_EQ(summary.rounds[1].scale, 1);
-  EXPECT_EQ(summary.rounds[1].num_seen, summary.rounds[1].num_places);
-  EXPECT_GT(summary.rounds[1].num_measured, summary.rounds[1].num_places / 2);
+  EXPECT_EQ(summary.rounds[1].scale, 2);
+  EXPECT_EQ(summary.rounds[2].scale, 1);
+  EXPECT_EQ(summary.rounds[2].num_seen, summary.rounds[2].num_places);
+  EXPECT_GT(summary.rounds[2].num_measured, summary.rounds[2].num_places / 2);
+}
+
+// How rough a mesh is that had steps, after a round of twice its pixels.
+double RoughnessAfter(const RefineScene& scene, bool smooths) {
+  IndexedMesh mesh = BumpyMesh(scene);
+  const double step = 0.2 * scene.Pixel();
+  const BoundingCube& cube = scene.test.region.cube;
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    mesh.positions[v] +=
+        (v % 2 == 0 ? step : -step) * mesh.positions[v].normalized();
+    mesh.positions[v] = (mesh.positions[v] - cube.min_corner) / cube.edge;
+  }
+  const VertexCorners neighbors =
+      FindVertexNeighbors(mesh.positions.size(), mesh.triangles);
+  ViewSet views = scene.test.views;
+  RefineOnce(mesh.positions,
+             neighbors,
+             scene.Pixel() / cube.edge,
+             {2, 3, smooths},
+             RefineOptions(),
+             Context(2),
+             &views,
+             &mesh);
+  double roughness = 0;
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for (const uint32_t next : neighbors.Of(v)) {
+      mean += mesh.positions[next] / double(neighbors.Of(v).size());
+    }
+    const Eigen::Vector3d bend = mesh.positions[v] - mean;
+    roughness += std::abs(bend.dot(mesh.normals[v].cast<double>()));
+  }
+  return roughness * cube.edge / scene.Pixel() / double(mesh.positions.size());
+}
+
+TEST(RefineOnce, KeepsStepsWhereItDoesNotSmooth) {
+  const RefineScene scene = testing::MakeRefineScene();
+  EXPECT_LT(RoughnessAfter(scene, true), 0.5 * RoughnessAfter(scene, false));
 }
 
 TEST(RefineSurface, LeavesWhatNobodySees) {
@@ -159,6 +201,7 @@ TEST(RefineOptions, AreChecked) {
   refused([](RefineOptions& o) { o.views.max_views = 1; });
   refused([](RefineOptions& o) { o.fine_rounds = 0; });
   refused([](RefineOptions& o) { o.coarse_rounds = 5; });
+  refused([](RefineOptions& o) { o.coarse_passes = 0; });
   refused([](RefineOptions& o) { o.step = 0; });
   refused([](RefineOptions& o) { o.range = 1.5 * o.step; });
   refused([](RefineOptions& o) { o.patch_radius = 5; });

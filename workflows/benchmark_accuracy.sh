@@ -99,6 +99,8 @@ option_sets=(
   "no-growing      --OctahedralMeshing.max_grow_rounds 0"
   "no-smoothing    --Smoothing.iterations 0"
   "no-alignment    --Refinement.alignment_steps 0"
+  "coarse-once     --Refinement.coarse_passes 1"
+  "all-handles     --OctahedralMeshing.min_handle 0"
   "mask-tolerance-0 --OctahedralMeshing.mask_tolerance 0"
 )
 

@@ -91,7 +91,7 @@ TEST_F(MeshRefiner, BringsAMeshCloserToTheTruth) {
   EXPECT_GT(refinement["moved_vertices"], before.positions.size() / 2);
   EXPECT_GT(refinement["agreement_after"].get<double>(),
             refinement["agreement_before"].get<double>());
-  EXPECT_EQ(refinement["rounds"].size(), 4u);
+  EXPECT_EQ(refinement["rounds"].size(), 6u);
 }
 
 TEST_F(MeshRefiner, GivesTheSameBytesForAnyNumberOfThreads) {
@@ -115,7 +115,7 @@ TEST_F(MeshRefiner, IsTheLastStepOfAReconstruction) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const Json report = Json::parse(ReadFile(folder_ / "refined.json"));
   const Json& refinement = report["reconstruction"]["refinement"];
-  EXPECT_EQ(refinement["rounds"].size(), 4u);
+  EXPECT_EQ(refinement["rounds"].size(), 6u);
   EXPECT_EQ(report["options"]["Refinement"]["fine_rounds"], 2);
   // As if by hand, but for the single precision of the file between and for
   // the colours, which are those of where the vertices have gone.

@@ -150,8 +150,8 @@ void DeclareMeshingOptions(OptionManager& options,
               "Components below this share of the largest one's volume go");
   options.Add("OctahedralMeshing.min_handle",
               &meshing->min_handle,
-              "Handles go that a loop of so many voxels goes around: bridges "
-              "are cut, pinholes filled; 0 keeps all");
+              "Handles go that a loop no longer than so many voxels goes "
+              "around: bridges are cut, pinholes filled; 0 keeps all");
   options.Add("Smoothing.iterations",
               &meshing->smoothing.iterations,
               "Of V <- V + lambda Laplacian(V)");
@@ -189,7 +189,8 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
             {"split_vertices", summary.extraction.num_split_vertices},
             {"fans", summary.extraction.num_fans},
             {"removed_components", summary.num_removed_components},
-            {"removed_handles", summary.num_removed_handles},
+            {"removed_handles", summary.handles.num_removed},
+            {"refused_handle_loops", summary.handles.num_refused},
             {"seconds", summary.meshing_seconds}}},
           {"refinement",
            summary.refinement ? RefinementToJson(*summary.refinement) : Json()},

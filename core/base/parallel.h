@@ -3,7 +3,7 @@
 // The chunks depend on the sizes alone, never on the number of threads, so a
 // body that writes only what its indices own gives the same bytes for any
 // number of threads; reductions go through ParallelChunks and are combined by
-// the caller in the order of the chunks.
+// the caller in the order of the chunks, sums of integers through ParallelSum.
 #pragma once
 
 #include <cstddef>

@@ -98,21 +98,26 @@ Crust RefineCrust(const LabelHierarchy& hierarchy,
 
 std::vector<uint8_t> CutAtBorder(const Crust& crust,
                                  const std::vector<FaceLabels>& labels,
+                                 const Context& context,
                                  size_t* num_voxels) {
-  const VoxelWalk walk(crust.voxels);
+  const VoxelWalk walk(crust.voxels, context);
   std::vector<uint8_t> at_border(crust.voxels.Size(), 0);
-  *num_voxels = 0;
-  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
-    if (!IsCut(labels[place.index])) {
-      return;
-    }
-    for (int face = 0; face < kNumFaces; ++face) {
-      if (walk.Neighbor(place, face) == VoxelGrid::kNone) {
-        at_border[place.index] = 1;
-      }
-    }
-    *num_voxels += at_border[place.index];
-  });
+  *num_voxels = size_t(ParallelSum(
+      context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+        int64_t sum = 0;
+        walk.ForEach(begin, end, [&](const VoxelPlace& place) {
+          if (!IsCut(labels[place.index])) {
+            return;
+          }
+          for (int face = 0; face < kNumFaces; ++face) {
+            if (walk.Neighbor(place, face) == VoxelGrid::kNone) {
+              at_border[place.index] = 1;
+            }
+          }
+          sum += at_border[place.index];
+        });
+        return sum;
+      }));
   return at_border;
 }
 

@@ -45,6 +45,7 @@ Crust RefineCrust(const LabelHierarchy& hierarchy,
 // number comes back in `num_voxels`.
 std::vector<uint8_t> CutAtBorder(const Crust& crust,
                                  const std::vector<FaceLabels>& labels,
+                                 const Context& context,
                                  size_t* num_voxels);
 
 // `crust` grown by `steps` dilations around the voxels that `from` flags.

@@ -81,6 +81,7 @@ class SearchForest {
   static constexpr int kLabelShift = 7;
   static constexpr int32_t kMaxLabel = (1 << 24) - 1;
   static_assert(kSourceNode == (-(1 << kLabelShift) | kRoot));
+  static_assert(kReachedNode == (kSourceNode | kActive));
 
   static int32_t Label(int32_t word) { return word >> kLabelShift; }
   static int32_t MakeWord(int32_t label, int32_t low_bits) {

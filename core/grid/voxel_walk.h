@@ -92,9 +92,9 @@ class VoxelWalk {
   }
 
  private:
-  // Enters the bricks [begin, end) of a grid, without a link;
+  // Enters the bricks [begin, end) of a grid, without links.
   void EnterBricks(const VoxelGrid& grid, size_t begin, size_t end);
-  // then their links downwards, and those of the bricks below to them.
+  // Enters their links downwards, and those of the bricks below to them.
   void LinkBricks(const VoxelGrid& grid, size_t begin, size_t end);
 
   static constexpr uint8_t kEmpty = 0xff;

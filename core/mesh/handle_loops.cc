@@ -1,6 +1,7 @@
 #include "core/mesh/handle_loops.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <queue>
 #include <tuple>
@@ -17,8 +18,10 @@ constexpr uint32_t kNone = 0xffffffffu;
 // The vertices around a source by their distance along edges.
 class Ball {
  public:
-  Ball(const IndexedMesh& mesh, const SurfaceHomology& homology)
-      : mesh_(mesh), homology_(homology) {}
+  Ball(const IndexedMesh& mesh,
+       const HalfEdges& half_edges,
+       const SurfaceHomology& homology)
+      : mesh_(mesh), half_edges_(half_edges), homology_(homology) {}
 
   // The shortest loop through `source` that does not separate, if there is one
   // of at most `max_length`; paths that share their beginning are cut to the
@@ -29,8 +32,8 @@ class Ball {
     loop.length = std::numeric_limits<double>::infinity();
     uint32_t best = kNone;
     for (const auto& [vertex, node] : nodes_) {
-      for (const uint32_t h : homology_.Leaving().Of(vertex)) {
-        const auto other = nodes_.find(End(h));
+      for (const uint32_t h : half_edges_.Leaving(vertex)) {
+        const auto other = nodes_.find(half_edges_.End(h));
         if (other == nodes_.end()) {
           continue;
         }
@@ -42,7 +45,6 @@ class Ball {
         if (homology_class != 0 && length <= max_length &&
             std::tie(length, h) < std::tie(loop.length, best)) {
           loop.length = length;
-          loop.homology_class = homology_class;
           best = h;
         }
       }
@@ -60,10 +62,10 @@ class Ball {
     uint32_t from = kNone;  // half-edge by which it was reached
   };
 
-  uint32_t Origin(uint32_t h) const { return mesh_.triangles[h / 3][h % 3]; }
-  uint32_t End(uint32_t h) const { return mesh_.triangles[h / 3][(h + 1) % 3]; }
   double Length(uint32_t h) const {
-    return (mesh_.positions[End(h)] - mesh_.positions[Origin(h)]).norm();
+    return (mesh_.positions[half_edges_.End(h)] -
+            mesh_.positions[half_edges_.Origin(h)])
+        .norm();
   }
 
   // Dijkstra's algorithm; of equal paths the one by the lowest half-edge.
@@ -82,13 +84,13 @@ class Ball {
       node.distance = distance;
       node.from = from;
       if (from != kNone) {
-        node.homology_class =
-            nodes_[Origin(from)].homology_class ^ homology_.Class(from);
+        node.homology_class = nodes_[half_edges_.Origin(from)].homology_class ^
+                              homology_.Class(from);
       }
-      for (const uint32_t h : homology_.Leaving().Of(vertex)) {
+      for (const uint32_t h : half_edges_.Leaving(vertex)) {
         const double further = distance + Length(h);
         if (further <= radius) {
-          queue.emplace(further, End(h), h);
+          queue.emplace(further, half_edges_.End(h), h);
         }
       }
     }
@@ -98,7 +100,7 @@ class Ball {
   std::vector<uint32_t> Path(uint32_t vertex) {
     std::vector<uint32_t> path;
     for (uint32_t h = nodes_[vertex].from; h != kNone;
-         h = nodes_[Origin(h)].from) {
+         h = nodes_[half_edges_.Origin(h)].from) {
       path.push_back(h);
     }
     std::reverse(path.begin(), path.end());
@@ -106,8 +108,8 @@ class Ball {
   }
 
   void Trace(uint32_t closing, HandleLoop& loop) {
-    const std::vector<uint32_t> there = Path(Origin(closing));
-    const std::vector<uint32_t> back = Path(End(closing));
+    const std::vector<uint32_t> there = Path(half_edges_.Origin(closing));
+    const std::vector<uint32_t> back = Path(half_edges_.End(closing));
     size_t shared = 0;
     while (shared < there.size() && shared < back.size() &&
            there[shared] == back[shared]) {
@@ -116,11 +118,12 @@ class Ball {
     loop.half_edges.assign(there.begin() + ptrdiff_t(shared), there.end());
     loop.half_edges.push_back(closing);
     for (size_t i = back.size(); i-- > shared;) {
-      loop.half_edges.push_back(homology_.Opposite(back[i]));
+      loop.half_edges.push_back(half_edges_.Opposite(back[i]));
     }
   }
 
   const IndexedMesh& mesh_;
+  const HalfEdges& half_edges_;
   const SurfaceHomology& homology_;
   std::unordered_map<uint32_t, Node> nodes_;
 };
@@ -128,26 +131,22 @@ class Ball {
 }  // namespace
 
 std::vector<HandleLoop> FindHandleLoops(const IndexedMesh& mesh,
+                                        const HalfEdges& half_edges,
                                         const SurfaceHomology& homology,
                                         double max_length,
                                         const Context& context) {
   std::vector<uint32_t> sources = homology.CrossingHalfEdges();
-  if (sources.empty()) {
-    return {};
-  }
   for (uint32_t& source : sources) {
-    source = mesh.triangles[source / 3][source % 3];
+    source = half_edges.Origin(source);
   }
   std::sort(sources.begin(), sources.end());
   sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
-  Phase phase(context, "handles", sources.size());
   std::vector<HandleLoop> loops(sources.size());
   ParallelFor(context, sources.size(), kGrain, [&](size_t begin, size_t end) {
-    Ball ball(mesh, homology);
+    Ball ball(mesh, half_edges, homology);
     for (size_t i = begin; i < end; ++i) {
       loops[i] = ball.ShortestLoop(sources[i], max_length);
     }
-    phase.Advance(end - begin);
   });
   std::erase_if(loops,
                 [](const HandleLoop& loop) { return loop.half_edges.empty(); });

@@ -15,23 +15,26 @@ namespace octacut {
 
 struct RemoveHandlesSummary {
   size_t num_removed = 0;
-  // Loops that were found but not cut: what closes them would run through
+  // Loops that were not cut: what closes them would be thin or run through
   // other triangles.
   size_t num_refused = 0;
 };
 
-struct MeshWithoutHandles {
+struct RemovedHandles {
   IndexedMesh mesh;  // without normals and colours where handles were removed
   RemoveHandlesSummary summary;
 };
 
 // Removes handles around which there is a loop of edges of at most `max_length`
 // (world units; 0: none) that does not cut the surface in two, the shortest
-// first: the genus falls by one with each, no component falls apart. `mesh` is
-// to be closed, oriented and free of self-intersections, and stays so; the
-// vertices and triangles that it has keep their numbers.
-MeshWithoutHandles RemoveHandles(IndexedMesh mesh,
-                                 double max_length,
-                                 const Context& context);
+// first: the genus falls by one with each, no component falls apart. A handle
+// all of whose loops are refused stays. `mesh` is to be closed, oriented and
+// free of self-intersections, and stays so; its vertices and triangles keep
+// their numbers. New triangles are no thinner than `min_height` (world units,
+// thin_triangles.h).
+RemovedHandles RemoveHandles(IndexedMesh mesh,
+                             double max_length,
+                             double min_height,
+                             const Context& context);
 
 }  // namespace octacut

@@ -8,23 +8,19 @@
 // two.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "core/mesh/vertex_corners.h"
+#include "core/base/context.h"
+#include "core/mesh/half_edges.h"
 
 namespace octacut {
 
-// Half-edge 3 * t + i leads from corner i of triangle t to the next one.
 class SurfaceHomology {
  public:
-  // The mesh must be closed, oriented and edge-manifold; it may have several
-  // components. Throws InvariantError for a half-edge without an opposite.
-  SurfaceHomology(size_t num_vertices,
-                  std::span<const std::array<uint32_t, 3>> triangles);
+  // Keeps a reference; the mesh may have several components.
+  SurfaceHomology(const HalfEdges& half_edges, const Context& context);
 
   // Twice the genus, summed over all components.
   size_t NumGenerators() const { return generators_.size(); }
@@ -38,23 +34,16 @@ class SurfaceHomology {
   // that does not separate has one of them.
   std::vector<uint32_t> CrossingHalfEdges() const;
 
-  uint32_t Opposite(uint32_t half_edge) const { return opposite_[half_edge]; }
-  // The half-edges that leave each vertex.
-  const VertexCorners& Leaving() const { return leaving_; }
-
  private:
   struct Generator {
     uint32_t half_edge;
     uint64_t word;
   };
 
-  void FindOpposites(std::span<const std::array<uint32_t, 3>> triangles);
-  std::vector<uint8_t> GrowTree(
-      std::span<const std::array<uint32_t, 3>> triangles) const;
+  std::vector<uint8_t> GrowTree() const;
   std::vector<uint32_t> GrowCotree(const std::vector<uint8_t>& in_tree);
 
-  VertexCorners leaving_;
-  std::vector<uint32_t> opposite_;
+  const HalfEdges& half_edges_;
   // Of every triangle: its half-edge towards the root, or kNone; and the sum
   // of the generators that begin in its part of the tree of triangles.
   std::vector<uint32_t> towards_root_;

@@ -17,17 +17,6 @@ constexpr std::array<double, 5> kFractions = {1, 0.5, 0.25, 0.125, 0};
 using Triangles = std::vector<std::array<uint32_t, 3>>;
 using Positions = std::vector<Eigen::Vector3d>;
 
-bool IsThin(const Positions& positions,
-            const std::array<uint32_t, 3>& triangle,
-            double min_height) {
-  const Eigen::Vector3d ab = positions[triangle[1]] - positions[triangle[0]];
-  const Eigen::Vector3d ac = positions[triangle[2]] - positions[triangle[0]];
-  const double longest =
-      std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
-  // height = 2 area / longest edge
-  return !(ab.cross(ac).squaredNorm() >= min_height * min_height * longest);
-}
-
 std::vector<uint32_t> FindThin(const Triangles& triangles,
                                const Positions& positions,
                                double min_height,
@@ -57,6 +46,17 @@ void SortUnique(std::vector<uint32_t>& values) {
 }
 
 }  // namespace
+
+bool IsThin(const Positions& positions,
+            const std::array<uint32_t, 3>& triangle,
+            double min_height) {
+  const Eigen::Vector3d ab = positions[triangle[1]] - positions[triangle[0]];
+  const Eigen::Vector3d ac = positions[triangle[2]] - positions[triangle[0]];
+  const double longest =
+      std::max({ab.squaredNorm(), ac.squaredNorm(), (ac - ab).squaredNorm()});
+  // height = 2 area / longest edge
+  return !(ab.cross(ac).squaredNorm() >= min_height * min_height * longest);
+}
 
 WithdrawSummary WithdrawFromThinTriangles(const Triangles& triangles,
                                           const Positions& start,

@@ -80,9 +80,11 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
   KeptComponents kept =
       KeepLargestComponents(std::move(placed.mesh), options.min_component);
   summary->num_removed_components = kept.summary.num_removed;
-  MeshWithoutHandles cleaned = RemoveHandles(
-      std::move(kept.mesh), options.min_handle * voxel_size, context);
-  summary->num_removed_handles = cleaned.summary.num_removed;
+  RemovedHandles cleaned = RemoveHandles(std::move(kept.mesh),
+                                         options.min_handle * voxel_size,
+                                         placing.min_height * voxel_size,
+                                         context);
+  summary->handles = cleaned.summary;
   const std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;
   SmoothedSurface smoothed = SmoothSurface(
       std::move(cleaned.mesh), voxel_size, options.smoothing, context);

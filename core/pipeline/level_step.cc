@@ -172,7 +172,7 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
                  options.max_grow_rounds > 0 ? &state : nullptr);
     stopwatch.Lap();
     const std::vector<uint8_t> at_border =
-        CutAtBorder(crust, cut.labels, &summary->num_border_voxels);
+        CutAtBorder(crust, cut.labels, context, &summary->num_border_voxels);
     summary->num_grow_rounds = round;
     if (round >= options.max_grow_rounds || summary->num_border_voxels == 0) {
       summary->crust_seconds += stopwatch.Lap();

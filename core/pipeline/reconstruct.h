@@ -11,6 +11,7 @@
 #include "core/mesh/audit.h"
 #include "core/mesh/extract_surface.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/remove_handles.h"
 #include "core/mesh/surface_mesh.h"
 #include "core/pipeline/options.h"
 #include "core/refine/refine_surface.h"
@@ -47,7 +48,7 @@ struct ReconstructionSummary {
   std::vector<LevelSummary> levels;
   ExtractSurfaceSummary extraction;
   size_t num_removed_components = 0;
-  size_t num_removed_handles = 0;
+  RemoveHandlesSummary handles;
   std::optional<RefineSummary> refinement;  // where options.refine says so
   double prepare_seconds = 0;
   double hull_seconds = 0;

@@ -1,7 +1,6 @@
 #include "core/refine/keep_valid.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 #include "core/base/parallel.h"
@@ -43,12 +42,9 @@ size_t WithdrawIntoHull(const ViewSet& views,
                         const Context& context,
                         IndexedMesh* mesh) {
   std::vector<Eigen::Vector3d>& positions = mesh->positions;
-  std::vector<size_t> withdrawn(NumChunks(start.size(), kGrain));
-  ParallelChunks(
-      context,
-      start.size(),
-      kGrain,
-      [&](size_t chunk, size_t begin, size_t end) {
+  return size_t(
+      ParallelSum(context, start.size(), kGrain, [&](size_t begin, size_t end) {
+        int64_t num_withdrawn = 0;
         for (size_t v = begin; v < end; ++v) {
           if (positions[v] == before[v]) {
             continue;
@@ -59,10 +55,10 @@ size_t WithdrawIntoHull(const ViewSet& views,
                  LeavesHull(views, start[v], positions[v], float(tolerance))) {
             positions[v] = before[v] + kLeftOfWay[++step] * way;
           }
-          withdrawn[chunk] += step > 0 ? 1 : 0;
+          num_withdrawn += step > 0 ? 1 : 0;
         }
-      });
-  return std::accumulate(withdrawn.begin(), withdrawn.end(), size_t{0});
+        return num_withdrawn;
+      }));
 }
 
 }  // namespace

@@ -230,8 +230,9 @@ TEST(GrowCrust, ACutThatLiesStrictlyInsideTouchesNoBorder) {
   const Solid ball = Ball({0.5, 0.5, 0.5}, 0.3);
   const Crust crust = RefineCrust(OneLevel(ball, 4), Dilation(2), Context(2));
   size_t num_voxels = 99;
-  EXPECT_EQ(CutAtBorder(crust, LabelsOf(ball, crust.voxels), &num_voxels),
-            std::vector<uint8_t>(crust.voxels.Size(), 0));
+  EXPECT_EQ(
+      CutAtBorder(crust, LabelsOf(ball, crust.voxels), Context(2), &num_voxels),
+      std::vector<uint8_t>(crust.voxels.Size(), 0));
   EXPECT_EQ(num_voxels, 0u);
 }
 
@@ -254,7 +255,7 @@ TEST(GrowCrust, GrowsWhereTheCutTouchesTheBorder) {
   ASSERT_GT(expected, 10u);
   ASSERT_LT(expected, crust.voxels.Size() / 2);
   size_t num_voxels = 0;
-  EXPECT_EQ(CutAtBorder(crust, labels, &num_voxels), touches);
+  EXPECT_EQ(CutAtBorder(crust, labels, Context(2), &num_voxels), touches);
   EXPECT_EQ(num_voxels, expected);
   const Crust grown = GrowCrust(hierarchy, crust, touches, 2, Context(2));
   EXPECT_EQ(

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <random>
 
+#include "core/base/error.h"
 #include "tests/core/mesh/label_crust.h"
 
 namespace octacut {
@@ -12,6 +15,7 @@ namespace {
 
 constexpr int kLevel = 6;
 constexpr double kVoxel = 1.0 / (1 << kLevel);
+constexpr double kMinHeight = 0.02;  // voxels
 
 double DistanceToSegment(const Eigen::Vector3d& point,
                          const Eigen::Vector3d& a,
@@ -43,7 +47,8 @@ IndexedMesh JoinedBalls(double first_radius, double second_radius) {
 TEST(RemoveHandles, CutsTheThinnerOfTwoBars) {
   const IndexedMesh mesh = JoinedBalls(1.1 * kVoxel, 3 * kVoxel);
   ASSERT_EQ(AuditMesh(mesh).genus, 1);
-  const MeshWithoutHandles cut = RemoveHandles(mesh, 12 * kVoxel, Context(2));
+  const RemovedHandles cut =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(2));
   EXPECT_EQ(cut.summary.num_removed, 1u);
   const MeshAudit audit = AuditMesh(cut.mesh);
   ExpectClosedManifold(audit);
@@ -67,8 +72,8 @@ TEST(RemoveHandles, FillsAPinholeThroughAPlate) {
   });
   ASSERT_EQ(AuditMesh(mesh).genus, 1);
   const double volume = AuditMesh(mesh).volume;
-  const MeshWithoutHandles filled =
-      RemoveHandles(mesh, 12 * kVoxel, Context(2));
+  const RemovedHandles filled =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(2));
   EXPECT_EQ(filled.summary.num_removed, 1u);
   const MeshAudit audit = AuditMesh(filled.mesh);
   ExpectClosedManifold(audit);
@@ -80,7 +85,8 @@ TEST(RemoveHandles, FillsAPinholeThroughAPlate) {
 
 TEST(RemoveHandles, LeavesThickHandles) {
   const IndexedMesh mesh = MeshOf(TorusDistance);
-  const MeshWithoutHandles same = RemoveHandles(mesh, 12 * kVoxel, Context(2));
+  const RemovedHandles same =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(2));
   EXPECT_EQ(same.summary.num_removed, 0u);
   EXPECT_EQ(same.mesh.positions, mesh.positions);
   EXPECT_EQ(same.mesh.triangles, mesh.triangles);
@@ -99,7 +105,7 @@ TEST(RemoveHandles, KeepsRandomBlocksValid) {
       continue;
     }
     const MeshAudit before = AuditMesh(mesh);
-    const MeshWithoutHandles cut = RemoveHandles(mesh, 12, Context(1));
+    const RemovedHandles cut = RemoveHandles(mesh, 12, kMinHeight, Context(1));
     const MeshAudit audit = AuditMesh(cut.mesh);
     ExpectClosedManifold(audit);
     EXPECT_EQ(audit.num_components, before.num_components);
@@ -112,14 +118,66 @@ TEST(RemoveHandles, KeepsRandomBlocksValid) {
   EXPECT_GT(num_removed, 100u);
 }
 
-TEST(RemoveHandles, IsTheSameForAnyNumberOfThreads) {
-  std::mt19937 random(5);
-  const IndexedMesh mesh =
-      Place(LabelRandomBlock(6, false, random), UnitVoxels(4)).mesh;
-  const IndexedMesh one = RemoveHandles(mesh, 20, Context(1)).mesh;
-  const IndexedMesh two = RemoveHandles(mesh, 20, Context(2)).mesh;
-  EXPECT_EQ(one.positions, two.positions);
-  EXPECT_EQ(one.triangles, two.triangles);
+TEST(RemoveHandles, FillsAHundredPinholesTheSameWithAnyNumberOfThreads) {
+  const IndexedMesh mesh = MeshOf([](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d q = p - Eigen::Vector3d(0.5, 0.5, 0.5);
+    const double plate = std::max({std::abs(q.x()) - 0.45,
+                                   std::abs(q.y()) - 0.45,
+                                   std::abs(q.z()) - 4 * kVoxel});
+    const auto from_hole = [](double x) {
+      return std::abs(x / 0.08 - std::floor(x / 0.08) - 0.5) * 0.08;
+    };
+    const bool has_hole = std::max(std::abs(q.x()), std::abs(q.y())) < 0.4;
+    return has_hole ? std::max(plate,
+                               1.2 * kVoxel - std::hypot(from_hole(q.x()),
+                                                         from_hole(q.y())))
+                    : plate;
+  });
+  ASSERT_EQ(AuditMesh(mesh).genus, 100);
+  const RemovedHandles filled =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(1));
+  EXPECT_EQ(filled.summary.num_removed, 100u);
+  EXPECT_EQ(AuditMesh(filled.mesh).genus, 0);
+  EXPECT_EQ(NumIntersections(filled.mesh), 0u);
+  const RemovedHandles threaded =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(3));
+  EXPECT_EQ(threaded.mesh.positions, filled.mesh.positions);
+  EXPECT_EQ(threaded.mesh.triangles, filled.mesh.triangles);
+}
+
+// A rod through the pinhole leaves no place for what would fill it.
+TEST(RemoveHandles, RefusesWhatWouldIntersect) {
+  const IndexedMesh mesh = MeshOf([](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d q = p - Eigen::Vector3d(0.5, 0.5, 0.5);
+    const double radius = std::hypot(q.x(), q.y());
+    const double plate = std::max(radius - 0.35, std::abs(q.z()) - 2 * kVoxel);
+    const double rod = std::max(radius - 1.5 * kVoxel, std::abs(q.z()) - 0.4);
+    return std::min(std::max(plate, 4 * kVoxel - radius), rod);
+  });
+  const MeshAudit before = AuditMesh(mesh);
+  ASSERT_EQ(before.genus, 1);
+  ASSERT_EQ(before.num_components, 2);
+  const RemovedHandles kept =
+      RemoveHandles(mesh, 36 * kVoxel, kMinHeight * kVoxel, Context(2));
+  EXPECT_EQ(kept.summary.num_removed, 0u);
+  EXPECT_GT(kept.summary.num_refused, 0u);
+  EXPECT_EQ(kept.mesh.positions, mesh.positions);
+  EXPECT_EQ(kept.mesh.triangles, mesh.triangles);
+}
+
+TEST(RemoveHandles, LeavesAllWhereTheLengthIsNone) {
+  const IndexedMesh mesh = JoinedBalls(1.1 * kVoxel, 3 * kVoxel);
+  EXPECT_EQ(
+      RemoveHandles(mesh, 0, kMinHeight * kVoxel, Context(1)).mesh.triangles,
+      mesh.triangles);
+}
+
+TEST(RemoveHandles, CanBeCancelled) {
+  const IndexedMesh mesh = MeshOf(TorusDistance);
+  std::atomic<bool> cancelled = true;
+  const Context context(1, nullptr, &cancelled);
+  EXPECT_THROW(RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, context),
+               CancelledError);
 }
 
 }  // namespace

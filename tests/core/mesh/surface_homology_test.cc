@@ -11,12 +11,40 @@
 namespace octacut {
 namespace {
 
-SurfaceHomology HomologyOf(const IndexedMesh& mesh) {
-  return SurfaceHomology(mesh.positions.size(), mesh.triangles);
+HalfEdges HalfEdgesOf(const IndexedMesh& mesh) {
+  return HalfEdges(mesh.positions.size(), mesh.triangles, Context(2));
+}
+
+TEST(HalfEdges, LeadAroundTrianglesAndVertices) {
+  const IndexedMesh mesh = Sphere(6, 0.4);
+  const HalfEdges half_edges = HalfEdgesOf(mesh);
+  ASSERT_EQ(half_edges.Size(), 3 * mesh.triangles.size());
+  for (uint32_t h = 0; h < half_edges.Size(); ++h) {
+    const uint32_t o = half_edges.Opposite(h);
+    ASSERT_EQ(half_edges.Opposite(o), h);
+    ASSERT_EQ(half_edges.Origin(o), half_edges.End(h));
+    ASSERT_EQ(half_edges.End(o), half_edges.Origin(h));
+    const uint32_t vertex = half_edges.Origin(h);
+    size_t count = 0;
+    uint32_t around = h;
+    do {
+      ASSERT_EQ(half_edges.Origin(around), vertex);
+      around = half_edges.NextAround(around);
+      ++count;
+    } while (around != h);
+    ASSERT_EQ(count, half_edges.Leaving(vertex).size());
+  }
+}
+
+TEST(HalfEdges, RefuseABorder) {
+  const IndexedMesh mesh = HeightField(3, [](double, double) { return 0.0; });
+  EXPECT_THROW(HalfEdgesOf(mesh), InvariantError);
 }
 
 TEST(SurfaceHomology, SphereHasNoGenerator) {
-  const SurfaceHomology homology = HomologyOf(Sphere(6, 0.4));
+  const IndexedMesh mesh = Sphere(6, 0.4);
+  const HalfEdges half_edges = HalfEdgesOf(mesh);
+  const SurfaceHomology homology(half_edges, Context(1));
   EXPECT_EQ(homology.NumGenerators(), 0u);
   EXPECT_TRUE(homology.CrossingHalfEdges().empty());
 }
@@ -31,7 +59,8 @@ TEST(SurfaceHomology, GeneratorsAreTwiceTheGenusAndTrianglesSeparate) {
     if (mesh.triangles.empty()) {
       continue;
     }
-    const SurfaceHomology homology = HomologyOf(mesh);
+    const HalfEdges half_edges = HalfEdgesOf(mesh);
+    const SurfaceHomology homology(half_edges, Context(1));
     const MeshAudit audit = AuditMesh(mesh);
     ASSERT_EQ(homology.NumGenerators(),
               size_t(2 * audit.num_components - audit.euler_characteristic));
@@ -42,7 +71,7 @@ TEST(SurfaceHomology, GeneratorsAreTwiceTheGenusAndTrianglesSeparate) {
                 0u);
     }
     for (uint32_t h = 0; h < 3 * mesh.triangles.size(); ++h) {
-      ASSERT_EQ(homology.Class(h), homology.Class(homology.Opposite(h)));
+      ASSERT_EQ(homology.Class(h), homology.Class(half_edges.Opposite(h)));
     }
   }
   EXPECT_GT(num_generators, 100u);
@@ -63,11 +92,12 @@ TEST(SurfaceHomology, LoopsAroundAndAlongATubeDifferAndDoNotSeparate) {
           {vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)});
     }
   }
-  const SurfaceHomology homology(size_t(kAround * kAcross), triangles);
+  const HalfEdges half_edges(size_t(kAround * kAcross), triangles, Context(1));
+  const SurfaceHomology homology(half_edges, Context(1));
   EXPECT_EQ(homology.NumGenerators(), 2u);
   const auto class_of = [&](uint32_t from, uint32_t to) {
-    for (const uint32_t h : homology.Leaving().Of(from)) {
-      if (triangles[h / 3][(h + 1) % 3] == to) {
+    for (const uint32_t h : half_edges.Leaving(from)) {
+      if (half_edges.End(h) == to) {
         return homology.Class(h);
       }
     }
@@ -89,11 +119,6 @@ TEST(SurfaceHomology, LoopsAroundAndAlongATubeDifferAndDoNotSeparate) {
   EXPECT_EQ(along(0), along(3));
   EXPECT_NE(around, 0u);
   EXPECT_NE(around, along(0));
-}
-
-TEST(SurfaceHomology, RefusesABorder) {
-  const IndexedMesh mesh = HeightField(3, [](double, double) { return 0.0; });
-  EXPECT_THROW(HomologyOf(mesh), InvariantError);
 }
 
 }  // namespace

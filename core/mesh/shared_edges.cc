@@ -70,9 +70,10 @@ class SharedEdgeFinder {
 
   bool LosesChord(const CutVoxel& voxel, int a, int b) const {
     const unsigned shared = SharedAxes(a, b);
-    if (IsFaceDiagonal(a, b) && LosesFace(voxel, a, shared)) {
-      return true;
+    if (IsFaceDiagonal(a, b)) {
+      return LosesFace(voxel, a, shared);
     }
+    // A cube edge; voxels have no body diagonal in common.
     for (unsigned axes = shared; axes != 0; axes = (axes - 1) & shared) {
       if (!SharesVertices(voxel, a, b, axes)) {
         continue;
@@ -80,7 +81,7 @@ class SharedEdgeFinder {
       const auto other = cut_.FindAcross(voxel.coordinates, a, axes);
       const int other_a = a ^ int(axes);
       const int other_b = b ^ int(axes);
-      if (IsCubeEdge(a, b) && IsSplitEdge(other.labels, other_a, other_b)) {
+      if (IsSplitEdge(other.labels, other_a, other_b)) {
         return true;
       }
       const bool drawn_by_other =

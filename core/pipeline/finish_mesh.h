@@ -18,8 +18,8 @@ IndexedMesh PlacedMesh(const LabeledVoxels& surface,
                        const Context& context);
 
 // Extraction, placement and smoothing, as far as no triangles intersect;
-// components smaller than the option says are removed. With normals, without
-// colours. Throws InputError when there is no surface.
+// components and handles smaller than the options say are removed. With
+// normals, without colours. Throws InputError when there is no surface.
 IndexedMesh FinalMesh(const LabeledVoxels& surface,
                       const BoundingCube& cube,
                       const ReconstructionOptions& options,

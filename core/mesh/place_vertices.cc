@@ -8,7 +8,7 @@
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/mesh/octant_mean.h"
-#include "core/mesh/thin_triangles.h"
+#include "core/mesh/untangle.h"
 
 namespace octacut {
 
@@ -38,11 +38,10 @@ PlacedSurface PlaceVertices(ExtractedSurface surface,
     }
   });
   const WithdrawSummary withdrawn =
-      WithdrawFromThinTriangles(result.mesh.triangles,
-                                result.corners,
-                                options.min_height * surface.voxel_size,
-                                context,
-                                positions);
+      Untangle(result.corners,
+               options.min_height * surface.voxel_size,
+               context,
+               &result.mesh);
   result.summary.num_withdrawn = withdrawn.num_withdrawn;
   if (withdrawn.num_thin > 0) {
     throw InvariantError(fmt::format(

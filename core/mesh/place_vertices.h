@@ -19,8 +19,9 @@ namespace octacut {
 
 struct PlaceVerticesOptions {
   // Least height of a triangle over its longest edge, in voxels. Parts that
-  // are thinner than a voxel would collapse: their vertices stay closer to
-  // their corners, where every triangle is higher than 0.4 voxels.
+  // are thinner than a voxel would collapse or run into each other: their
+  // vertices stay closer to their corners, where every triangle is higher than
+  // 0.4 voxels and none intersect.
   double min_height = 0.02;
 
   void Check() const;
@@ -38,6 +39,7 @@ struct PlacedSurface {
   PlaceVerticesSummary summary;
 };
 
+// No triangles of the mesh intersect.
 PlacedSurface PlaceVertices(ExtractedSurface surface,
                             const PlaceVerticesOptions& options,
                             const Context& context);

@@ -7,7 +7,7 @@
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
-#include "core/mesh/thin_triangles.h"
+#include "core/mesh/untangle.h"
 #include "core/mesh/vertex_corners.h"
 
 namespace octacut {
@@ -112,11 +112,7 @@ SmoothedSurface SmoothSurface(IndexedMesh mesh,
     }
   }
   const WithdrawSummary withdrawn =
-      WithdrawFromThinTriangles(result.mesh.triangles,
-                                anchors,
-                                options.min_height * voxel_size,
-                                context,
-                                positions);
+      Untangle(anchors, options.min_height * voxel_size, context, &result.mesh);
   result.summary.num_withdrawn = withdrawn.num_withdrawn;
   result.summary.num_thin = withdrawn.num_thin;
   Summarize(

@@ -20,7 +20,8 @@ struct SmoothOptions {
   // How far a vertex may come from where it began, in voxels.
   double max_displacement = 1;
   // Least height of a triangle over its longest edge, in voxels: vertices of
-  // triangles that end up thinner are moved back towards where they began.
+  // triangles that end up thinner, or intersect others, are moved back towards
+  // where they began.
   double min_height = 0.02;
 
   void Check() const;
@@ -30,7 +31,7 @@ struct SmoothSummary {
   double max_displacement = 0;   // in voxels
   double mean_displacement = 0;  // in voxels
   size_t num_bounded = 0;        // vertices at the bound
-  size_t num_withdrawn = 0;      // vertices moved back for thin triangles
+  size_t num_withdrawn = 0;      // vertices moved back
   size_t num_thin = 0;           // triangles that were too thin from the first
 };
 
@@ -41,7 +42,8 @@ struct SmoothedSurface {
 
 // `voxel_size` is the unit of the options, in world units. All vertices of an
 // iteration move at once (Jacobi). The mesh is to be closed and oriented;
-// vertices without triangles stay.
+// vertices without triangles stay. No triangles intersect but those that did
+// before.
 SmoothedSurface SmoothSurface(IndexedMesh mesh,
                               double voxel_size,
                               const SmoothOptions& options,

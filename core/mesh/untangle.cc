@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "core/mesh/self_intersections.h"
-#include "core/mesh/thin_triangles.h"
 
 namespace octacut {
 namespace {
@@ -71,24 +70,23 @@ size_t WithdrawFromIntersections(const std::vector<Eigen::Vector3d>& start,
 
 }  // namespace
 
-size_t Untangle(const std::vector<Eigen::Vector3d>& start,
-                double min_height,
-                const Context& context,
-                IndexedMesh* mesh) {
+WithdrawSummary Untangle(const std::vector<Eigen::Vector3d>& start,
+                         double min_height,
+                         const Context& context,
+                         IndexedMesh* mesh) {
   NewIntersections intersections;
-  size_t num_withdrawn = 0;
+  WithdrawSummary summary;
   size_t num_intersecting;
   do {
-    num_withdrawn +=
-        WithdrawFromThinTriangles(
-            mesh->triangles, start, min_height, context, mesh->positions)
-            .num_withdrawn;
+    const WithdrawSummary thin = WithdrawFromThinTriangles(
+        mesh->triangles, start, min_height, context, mesh->positions);
     num_intersecting =
         WithdrawFromIntersections(start, context, &intersections, mesh);
-    num_withdrawn += num_intersecting;
+    summary.num_withdrawn += thin.num_withdrawn + num_intersecting;
+    summary.num_thin = thin.num_thin;
     // What is moved back may be thin again, until all of it is at the start.
   } while (num_intersecting > 0);
-  return num_withdrawn;
+  return summary;
 }
 
 }  // namespace octacut

@@ -8,6 +8,7 @@
 
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/thin_triangles.h"
 
 namespace octacut {
 
@@ -17,10 +18,11 @@ inline constexpr std::array<double, 4> kLeftOfWay = {1, 0.5, 0.25, 0};
 // Moves vertices of `mesh` back towards `start` (as kLeftOfWay has it) that
 // belong to triangles which intersect others, until none do but those that did
 // at `start`; and keeps triangles from being thinner than `min_height` as
-// WithdrawFromThinTriangles does. Returns how many vertices were moved back.
-size_t Untangle(const std::vector<Eigen::Vector3d>& start,
-                double min_height,
-                const Context& context,
-                IndexedMesh* mesh);
+// WithdrawFromThinTriangles does. A vertex that is moved back for both reasons
+// counts for both.
+WithdrawSummary Untangle(const std::vector<Eigen::Vector3d>& start,
+                         double min_height,
+                         const Context& context,
+                         IndexedMesh* mesh);
 
 }  // namespace octacut

@@ -12,7 +12,6 @@
 #include "core/mesh/place_vertices.h"
 #include "core/mesh/remove_handles.h"
 #include "core/mesh/smooth.h"
-#include "core/mesh/untangle.h"
 
 namespace octacut {
 namespace {
@@ -75,8 +74,6 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
   const PlaceVerticesOptions placing;
   PlacedSurface placed = PlaceVertices(std::move(extracted), placing, context);
   const double voxel_size = cube.VoxelSize(surface.voxels.Level());
-  Untangle(
-      placed.corners, placing.min_height * voxel_size, context, &placed.mesh);
   KeptComponents kept =
       KeepLargestComponents(std::move(placed.mesh), options.min_component);
   summary->num_removed_components = kept.summary.num_removed;
@@ -85,13 +82,8 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
                                          placing.min_height * voxel_size,
                                          context);
   summary->handles = cleaned.summary;
-  const std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;
   SmoothedSurface smoothed = SmoothSurface(
       std::move(cleaned.mesh), voxel_size, options.smoothing, context);
-  Untangle(before,
-           options.smoothing.min_height * voxel_size,
-           context,
-           &smoothed.mesh);
   smoothed.mesh.normals = ComputeVertexNormals(smoothed.mesh, context);
   return std::move(smoothed.mesh);
 }

@@ -17,9 +17,9 @@ IndexedMesh PlacedMesh(const LabeledVoxels& surface,
                        const BoundingCube& cube,
                        const Context& context);
 
-// Extraction, placement and smoothing, as far as no triangles intersect;
-// components and handles smaller than the options say are removed. With
-// normals, without colours. Throws InputError when there is no surface.
+// Extraction, placement and smoothing; components and handles smaller than the
+// options say are removed. No triangles intersect. With normals, without
+// colours. Throws InputError when there is no surface.
 IndexedMesh FinalMesh(const LabeledVoxels& surface,
                       const BoundingCube& cube,
                       const ReconstructionOptions& options,

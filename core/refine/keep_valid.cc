@@ -73,7 +73,8 @@ size_t KeepValid(const ViewSet& views,
   const Phase phase(context, "refined mesh kept valid");
   size_t num_withdrawn =
       WithdrawIntoHull(views, start, before, tolerance, context, mesh);
-  num_withdrawn += Untangle(before, kMinHeight * pixel, context, mesh);
+  num_withdrawn +=
+      Untangle(before, kMinHeight * pixel, context, mesh).num_withdrawn;
   return num_withdrawn;
 }
 

@@ -50,7 +50,7 @@ TEST(PlaceVertices, PutsAFlatCutIntoTheMiddleOfItsVoxels) {
   }
 }
 
-TEST(PlaceVertices, StaysWithinHalfAVoxelDiagonalAndKeepsHeights) {
+TEST(PlaceVertices, StaysWithinHalfAVoxelDiagonalAndKeepsTrianglesApart) {
   std::mt19937 random(4);
   size_t num_withdrawn = 0;
   for (int round = 0; round < 600; ++round) {
@@ -71,6 +71,7 @@ TEST(PlaceVertices, StaysWithinHalfAVoxelDiagonalAndKeepsHeights) {
     }
     ExpectClosedManifold(AuditMesh(placed.mesh));
     EXPECT_GE(SmallestHeight(placed.mesh), 0.02 - 1e-12);
+    EXPECT_EQ(NumIntersections(placed.mesh), 0u);
     num_withdrawn += placed.summary.num_withdrawn;
   }
   EXPECT_GT(num_withdrawn, 1000);

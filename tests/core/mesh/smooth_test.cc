@@ -86,6 +86,7 @@ TEST(SmoothSurface, KeepsTheBoundAndTheAuditOnRandomBlocks) {
     EXPECT_LE(largest, options.max_displacement * (1 + 1e-12));
     EXPECT_DOUBLE_EQ(smooth.summary.max_displacement, largest);
     EXPECT_EQ(smooth.summary.num_thin, 0);
+    EXPECT_EQ(NumIntersections(smooth.mesh), 0u);
     ExpectClosedManifold(AuditMesh(smooth.mesh));
     num_bounded += smooth.summary.num_bounded;
     num_withdrawn += smooth.summary.num_withdrawn;

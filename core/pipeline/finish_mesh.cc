@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -28,11 +29,14 @@ SurfaceMesh::Color BlendColor(const ViewSet& views,
   float weights = 0;
   for (int i = 0; i < selection.count; ++i) {
     const PreparedView& view = views[selection.views[i].view];
-    const Eigen::Vector3f h = view.projection.Homogeneous(point);
+    const std::optional<ProjectedPoint> p = view.projection.Project(point);
+    if (!p) {
+      continue;
+    }
     const Float4 color =
         view.pyramid
-            .LevelForFootprint(view.projection.Footprint(spacing, h.z()))
-            .Sample(h.x() / h.z(), h.y() / h.z());
+            .LevelForFootprint(view.projection.Footprint(spacing, p->depth))
+            .Sample(p->u, p->v);
     sum += color * selection.views[i].weight;
     weights += selection.views[i].weight;
   }

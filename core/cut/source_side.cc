@@ -35,8 +35,9 @@ class RangeFlood {
   }
   void Add(uint32_t axis, NodeId id) { queue_.Add(kLevel, axis, id, pool_); }
 
-  void Run() {
+  void Run(const Context& context) {
     while (!queue_.Empty()) {
+      context.ThrowIfCancelled();
       queue_.Consume(
           kLevel,
           pool_,
@@ -107,19 +108,18 @@ void FloodSourceSide(FlowState<Flow>& state,
                  [&](size_t chunk, size_t begin, size_t end) {
                    RangeFlood<Flow> flood(state, begin, end);
                    flood.AddSources();
-                   flood.Run();
+                   flood.Run(context);
                    leaving[chunk] = std::move(flood.Leaving());
                  });
   // What is reached from other ranges alone is little, and flooded last.
   RangeFlood<Flow> flood(state, 0, num_bricks);
   for (const Lists& lists : leaving) {
-    context.ThrowIfCancelled();
     for (uint32_t axis = 0; axis < 3; ++axis) {
       for (const NodeId id : lists[axis]) {
         flood.Add(axis, id);
       }
     }
-    flood.Run();
+    flood.Run(context);
   }
 }
 

@@ -85,6 +85,9 @@ degradations=(
 # `hull` is no option set but the visual hull alone; without evidence thin parts
 # need more ballooning than by default, or nothing is left.
 ablated_scenes=(example lump cup-1 rods-3 rocker-exact)
+# And single ones, where a scene shows what an option is for: the deep cup has
+# handles to remove.
+single_ablations=("cup-2 all-handles")
 option_sets=(
   "default"
   "hull"
@@ -189,17 +192,27 @@ line_of() {
   return 1
 }
 
-# made FOLDER NAME REPORT SOURCES COMMAND OPTION...: `step`, unless its REPORT
-# is newer than the SOURCES (separated by blanks) and of the same options, which
-# are noted when it is done.
-made() {
+# is_made FOLDER NAME REPORT SOURCES COMMAND OPTION...: the step was done with
+# this executable and these options, and its REPORT is newer than the SOURCES
+# (separated by blanks).
+# shellcheck disable=SC2317 # called by its name
+is_made() {
   local folder=$1 name=$2 report=$3 sources=$4
   shift 4
   # shellcheck disable=SC2086 # of folders without blanks
-  if [[ $redo == 0 && -f $folder/$name.options ]] &&
-    [[ $(<"$folder/$name.options") == "$*" ]] && fresh "$report" $sources; then
+  [[ -f $folder/$name.options ]] &&
+    [[ $(<"$folder/$name.options") == "$*" ]] && fresh "$report" $sources
+}
+
+# made FOLDER NAME REPORT SOURCES COMMAND OPTION...: `step`, unless it is_made.
+# Its options are noted when it is done.
+# shellcheck disable=SC2317 # called by its name
+made() {
+  local folder=$1 name=$2
+  if ((!redo)) && is_made "$@"; then
     return 0
   fi
+  shift 4
   mkdir -p "$folder"
   rm -f "$folder/$name.options"
   step "$folder" "$name" "$@" || return 1
@@ -208,9 +221,10 @@ made() {
 
 # The functions below are run under `if`, where set -e does not hold.
 
-# make_scene SCENE DEGRADATION: an own scene in $work/scenes.
-make_scene() {
-  local scene=$1 degradation=$2 folder=$work/scenes/$1/$2
+# with_scene CHECK SCENE DEGRADATION: CHECK (is_made or made) of an own scene in
+# $work/scenes.
+with_scene() {
+  local scene=$2 degradation=$3 folder=$work/scenes/$2/$3
   local options=() all=("${own_options[@]}")
   line_of "$scene" "${own_scenes[@]}"
   all+=("${options[@]}")
@@ -218,7 +232,7 @@ make_scene() {
     line_of "$degradation" "${degradations[@]}"
     all+=("${options[@]}")
   fi
-  made "$work/scenes/$scene" "$degradation" "$folder/example.json" "" \
+  "$1" "$work/scenes/$scene" "$degradation" "$folder/example.json" "" \
     example_creator --output_path "$folder" --overwrite 1 "${all[@]}"
 }
 
@@ -240,58 +254,72 @@ hull_level_of() {
   echo "$(($2 < first ? $2 : first))"
 }
 
-# measure FOLDER SET LEVEL HULL_LEVEL WORKSPACE MODEL JUDGE TRUTH ALIGN: reconstructs
-# WORKSPACE; the workspace JUDGE has the right cameras, masks and images.
-measure() {
-  local folder=$1 set=$2 at=$3 first=$4 workspace=$5 model=$6 judge=$7 truth=$8
-  local align=$9
-  local options=() mesher=octahedral_mesher
-  line_of "$set" "${option_sets[@]}"
-  options=(--OctahedralMeshing.hull_level "$first"
-    --OctahedralMeshing.target_level "$at" "${options[@]}")
-  if [[ $set == hull ]]; then
-    mesher=visual_hull_mesher
-    options=(--OctahedralMeshing.hull_level "$at")
-  fi
-  made "$folder" mesh "$folder/mesh.json" \
-    "$workspace/images $workspace/masks $workspace/$model" \
-    $mesher --workspace_path "$workspace" --input_path "$workspace/$model" \
-    --output_path "$folder/mesh.ply" "${options[@]}" || return 1
-  if [[ $truth != - ]]; then
-    made "$folder" comparison "$folder/comparison.json" \
-      "$folder/mesh.json $judge/$truth" mesh_comparer \
-      --input_path "$folder/mesh.ply" --reference_path "$judge/$truth" \
-      --views_path "$judge/$model" --min_views 3 --align "$align" \
-      --num_samples 200000 --self_intersections 0 \
-      --output_path "$folder/comparison.json" || return 1
-  fi
-  # What the truth itself scores says how good masks and images are.
-  local meshes=(--mesh_path "$folder/mesh.ply")
-  if [[ $truth != - && $align == 0 && $folder == */clean/default ]]; then
-    meshes+=(--mesh_path "$judge/$truth")
-  fi
-  made "$folder" evaluation "$folder/evaluation.json" \
-    "$folder/mesh.json $judge/masks $judge/images" mesh_evaluator \
-    --workspace_path "$judge" --input_path "$judge/$model" "${meshes[@]}" \
-    --output_path "$folder/evaluation.json"
+# with_step CHECK NAME: CHECK (is_made or made) of a step of the run that `run`
+# is at: mesh, comparison (only where there is a truth) or evaluation. `judge` is
+# the workspace with the right cameras, masks and images.
+with_step() {
+  local check=$1 name=$2 options=() first
+  case $name in
+    mesh)
+      if [[ $set == hull ]]; then
+        options=(visual_hull_mesher --OctahedralMeshing.hull_level "$at")
+      else
+        line_of "$set" "${option_sets[@]}"
+        first=$(hull_level_of "$scene" "$at")
+        options=(octahedral_mesher --OctahedralMeshing.hull_level "$first"
+          --OctahedralMeshing.target_level "$at" "${options[@]}")
+      fi
+      "$check" "$folder" mesh "$folder/mesh.json" \
+        "$workspace/images $workspace/masks $workspace/$model" \
+        "${options[0]}" --workspace_path "$workspace" \
+        --input_path "$workspace/$model" --output_path "$folder/mesh.ply" \
+        "${options[@]:1}"
+      ;;
+    comparison)
+      "$check" "$folder" comparison "$folder/comparison.json" \
+        "$folder/mesh.json $judge/$truth" mesh_comparer \
+        --input_path "$folder/mesh.ply" --reference_path "$judge/$truth" \
+        --views_path "$judge/$model" --min_views 3 --align "$align" \
+        --num_samples 200000 --self_intersections 0 \
+        --output_path "$folder/comparison.json"
+      ;;
+    evaluation)
+      # What the truth itself scores says how good masks and images are.
+      local meshes=(--mesh_path "$folder/mesh.ply")
+      if [[ $truth != - && $align == 0 && $folder == */clean/default ]]; then
+        meshes+=(--mesh_path "$judge/$truth")
+      fi
+      "$check" "$folder" evaluation "$folder/evaluation.json" \
+        "$folder/mesh.json $judge/masks $judge/images" mesh_evaluator \
+        --workspace_path "$judge" --input_path "$judge/$model" "${meshes[@]}" \
+        --output_path "$folder/evaluation.json"
+      ;;
+  esac
 }
 
-# is_there FOLDER NAME: a step was done with this executable.
-is_there() {
-  [[ -f $1/$2.options ]] && fresh "$1/$2.json"
+# with_run CHECK: CHECK of all that the run that `run` is at takes.
+with_run() {
+  if [[ $dataset == - ]]; then
+    with_scene "$1" "$scene" clean || return 1
+    [[ $degradation == clean ]] ||
+      with_scene "$1" "$scene" "$degradation" || return 1
+  fi
+  with_step "$1" mesh || return 1
+  [[ $truth == - ]] || with_step "$1" comparison || return 1
+  with_step "$1" evaluation
 }
 
-# record STATE MESSAGE SCENE DEGRADATION SET LEVEL: a line of JSON, for the
+# record STATE MESSAGE: a line of JSON about the run that `run` is at, for the
 # tables. Paths of this machine are no figures.
 record() {
-  local folder=$work/level_$6/$3/$4/$5 part
-  local message=${2//"$work"/WORK} cpu=null
+  local part message=${2//"$work"/WORK} cpu=null
   [[ -f $folder/mesh.cpu && $1 != left_out ]] && cpu=$(<"$folder/mesh.cpu")
   local arguments=(--arg state "$1" --arg message "${message//"$data"/DATA_FOLDER}"
-    --arg scene "$3" --arg degradation "$4" --arg set "$5" --argjson level "$6"
-    --argjson cpu "${cpu:-null}")
+    --arg scene "$scene" --arg degradation "$degradation" --arg set "$set"
+    --argjson level "$at" --argjson cpu "${cpu:-null}")
   for part in mesh comparison evaluation; do
-    if [[ $1 != left_out ]] && is_there "$folder" "$part"; then
+    if [[ $1 != left_out && ($part != comparison || $truth != -) ]] &&
+      with_step is_made "$part"; then
       arguments+=(--slurpfile "$part" "$folder/$part.json")
     else
       arguments+=(--argjson "$part" "[]")
@@ -336,46 +364,42 @@ run() {
   error=
   local state="done"
   if ((!wanted)); then
-    if ! is_there "$folder" mesh || ! is_there "$folder" evaluation; then
-      state=left_out
-    fi
+    with_run is_made || state=left_out
   elif [[ $dataset != - && ! -d $workspace/$model ]]; then
     state=left_out
     error="skipped: $workspace/$model is missing"
     echo "== $name: $error"
   else
     echo "== $name"
-    if [[ $dataset == - ]] && ! { make_scene "$scene" clean &&
-      { [[ $degradation == clean ]] || make_scene "$scene" "$degradation"; }; } ||
-      ! measure "$folder" "$set" "$at" "$(hull_level_of "$scene" "$at")" \
-        "$workspace" "$model" "$judge" "$truth" "$align"; then
+    if ! with_run made; then
       state=failed
       failed=1
       echo "benchmark_accuracy: $name: $error" >&2
     fi
   fi
-  record "$state" "$error" "$scene" "$degradation" "$set" "$at" >>"$records"
+  record "$state" "$error" >>"$records"
+  if [[ $part == scenes && $state != left_out ]] && with_step is_made mesh; then
+    pictures[$scene]=$folder/mesh.png
+  fi
 }
 
 # sheet FILE WIDTH SCENE...: their default meshes side by side, of those there
 # are.
 sheet() {
-  local file=$1 width=$2 scene pictures=()
+  local file=$1 width=$2 scene shown=()
   for scene in "${@:3}"; do
-    local folder
-    folder=$work/level_$(level_of "$scene")/$scene/clean/default
-    if is_there "$folder" mesh && [[ -f $folder/mesh.png ]]; then
-      pictures+=("$scene" "$folder/mesh.png")
+    if [[ -f ${pictures[$scene]-} ]]; then
+      shown+=("$scene" "${pictures[$scene]}")
     fi
   done
-  if ((${#pictures[@]})); then
-    "$build/tests/bench/octacut_contact_sheet" "$file" 2 "$width" \
-      "${pictures[@]}"
+  if ((${#shown[@]})); then
+    "$build/tests/bench/octacut_contact_sheet" "$file" 2 "$width" "${shown[@]}"
   fi
 }
 
 trap 'exit 130' INT
 failed=0
+declare -A pictures=() # of the scenes' default meshes
 records=$work/runs_${level}_$data_level.jsonl
 ((list)) || : >"$records"
 for scene in "${own_scenes[@]%% *}" "${data_sets[@]%% *}"; do
@@ -390,6 +414,9 @@ for scene in "${ablated_scenes[@]}"; do
   for set in "${option_sets[@]:1}"; do
     run ablations "$scene" clean "${set%% *}"
   done
+done
+for pair in "${single_ablations[@]}"; do
+  run ablations "${pair% *}" clean "${pair#* }"
 done
 ((!list)) || exit 0
 

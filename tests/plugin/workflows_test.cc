@@ -137,6 +137,10 @@ TEST(Workflows, BenchmarkAccuracyPicksScenesAndSets) {
   EXPECT_EQ(
       list("--only ablations --scenes rocker --sets hull --data_level 7").out,
       "ablations: rocker-exact clean hull at level 7\n");
+  EXPECT_EQ(list("--only ablations --scenes cup --sets hull,all-handles").out,
+            "ablations: cup-1 clean hull at level 8\n"
+            "ablations: cup-1 clean all-handles at level 8\n"
+            "ablations: cup-2 clean all-handles at level 8\n");
   for (const auto& [options, message] :
        {std::pair("--scenes teapot", "scenes = teapot: there are example"),
         std::pair("--sets best", "sets = best: there are default"),

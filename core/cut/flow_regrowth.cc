@@ -101,7 +101,7 @@ bool FlowState<Flow>::Revise(const OctahedralCutProblem& problem,
                              FaceTies ties) {
   const uint32_t voxel = place.index;
   SearchRecord& search = search_[voxel];
-  FlowRecord& record = flows_[voxel];
+  FlowRecord<Flow>& record = flows_[voxel];
   const Flow weight = Flow(scale_.Weight(problem.weights[voxel]));
   const int outside = ties & kAllFaces;
   const int inside = ties >> kNumFaces;
@@ -116,7 +116,7 @@ bool FlowState<Flow>::Revise(const OctahedralCutProblem& problem,
     return false;
   }
   record.weight = weight;
-  changed |= SaturateTies(outside, inside, record);
+  changed |= record.SaturateTies(outside, inside);
   if (!changed) {
     return false;
   }

@@ -1,7 +1,7 @@
 #include "core/cut/flow_state.h"
 
 #include <algorithm>
-#include <utility>
+#include <bit>
 
 #include "core/base/parallel.h"
 #include "core/cut/cut_problem.h"
@@ -84,7 +84,7 @@ void FlowState<Flow>::InitVoxel(const OctahedralCutProblem& problem,
                                 uint32_t region_end) {
   const uint32_t voxel = place.index;
   const int32_t weight = scale_.Weight(problem.weights[voxel]);
-  FlowRecord& record = flows_[voxel];
+  FlowRecord<Flow>& record = flows_[voxel];
   record = {Flow(weight), {}};
   if (!problem.evidence.empty()) {
     evidence_[voxel] = scale_.FaceEvidence(problem.evidence[voxel]);
@@ -100,28 +100,38 @@ void FlowState<Flow>::InitVoxel(const OctahedralCutProblem& problem,
   }
   search_[voxel].residual = kFreeArcs[blocked] | blocked << kNumOctahedronArcs;
   if (tied != 0) {
-    SaturateTies(outside, inside, record);
+    record.SaturateTies(outside, inside);
   }
 }
 
-// From the source or into the sink; between two tied faces no node cares.
 template <typename Flow>
-bool FlowState<Flow>::SaturateTies(int outside,
-                                   int inside,
-                                   FlowRecord& record) {
-  bool changed = false;
-  for (int arc = 0; arc < kNumOctahedronArcs; ++arc) {
-    const int head = kOctahedron.head[arc];
-    const int tied = outside | inside;
-    if (kOctahedron.sign[arc] > 0 && ((tied >> (arc / 4) | tied >> head) & 1)) {
-      const int from = ((outside >> (arc / 4)) & 1) | ((inside >> head) & 1);
-      const int to = ((inside >> (arc / 4)) & 1) | ((outside >> head) & 1);
-      Flow& flow = record.flow[kOctahedron.edge[arc]];
-      const Flow saturated = Flow((from - to) * record.weight);
-      changed |= std::exchange(flow, saturated) != saturated;
+uint32_t FlowState<Flow>::OpenArcs(const VoxelPlace& place, uint32_t end) {
+  const uint32_t residual = Residual(place.index);
+  const uint32_t before = residual >> kNumOctahedronArcs;
+  uint32_t blocked = before;
+  for (int face = 1; face < kNumFaces; face += 2) {
+    if ((blocked >> face) & 1) {
+      const uint32_t owner = walk_->Neighbor(place, face);
+      if (owner != VoxelGrid::kNone && owner < walk_->FirstVoxelOrEnd(end) &&
+          search_[owner].word[face / 2] != kNoNode) {
+        blocked &= ~(1u << face);
+      }
     }
   }
-  return changed;
+  if (blocked == before) {
+    return 0;
+  }
+  uint32_t opened = kFreeArcs[blocked] & ~kFreeArcs[before];
+  for (uint32_t rest = opened; rest != 0; rest &= rest - 1) {
+    const uint32_t arc = uint32_t(std::countr_zero(rest));
+    if (Capacity(place.index, arc) == 0) {
+      opened &= ~(1u << arc);
+    }
+  }
+  constexpr uint32_t kArcs = (1u << kNumOctahedronArcs) - 1;
+  SetResidual(place.index,
+              (residual & kArcs) | blocked << kNumOctahedronArcs | opened);
+  return opened;
 }
 
 template <typename Flow>

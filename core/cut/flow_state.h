@@ -16,9 +16,7 @@
 // when regions are merged. A high face is blocked while its node is foreign.
 #pragma once
 
-#include <array>
 #include <atomic>
-#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,6 +24,7 @@
 #include "core/base/context.h"
 #include "core/cut/face_node.h"
 #include "core/cut/fixed_point.h"
+#include "core/cut/flow_records.h"
 #include "core/cut/growable_array.h"
 #include "core/cut/octahedral_cut.h"
 #include "core/cut/octahedron.h"
@@ -34,23 +33,13 @@
 
 namespace octacut {
 
-// `Flow` holds a weight and a flow of its magnitude: int32_t or int16_t.
+// Of `Flow`, int32_t or int16_t, are weights and flows.
 template <typename Flow>
 class FlowState {
  public:
-  struct SearchRecord {
-    int32_t word[3];    // of the three nodes; see SearchForest
-    uint32_t residual;  // bit a: arc a has a residual capacity;
-                        // bit 24 + f: face f is blocked (tied or foreign)
-  };
-  struct FlowRecord {
-    Flow weight;
-    Flow flow[kNumOctahedronEdges];  // > 0 along the edge
-  };
-
   // All tied arcs saturated and what straight lines take is pushed, every
-  // node's word kFreeNode. Region r holds the
-  // bricks from region_ends[r - 1], or 0, to region_ends[r].
+  // node's word kFreeNode. Region r holds the bricks from region_ends[r - 1],
+  // or 0, to region_ends[r].
   FlowState(const OctahedralCutProblem& problem,
             const VoxelWalk& walk,
             std::span<const FaceTies> merged_ties,
@@ -76,7 +65,7 @@ class FlowState {
                              const Context& context);
 
   static constexpr size_t kBytesPerVoxel =
-      sizeof(SearchRecord) + sizeof(FlowRecord);
+      sizeof(SearchRecord) + sizeof(FlowRecord<Flow>);
 
   const VoxelWalk& Walk() const { return *walk_; }
   size_t NumNodes() const { return num_nodes_; }
@@ -141,16 +130,11 @@ class FlowState {
   }
 
   int32_t Capacity(uint32_t voxel, uint32_t arc) const {
-    const FlowRecord& record = flows_[voxel];
-    return record.weight -
-           kOctahedron.sign[arc] * record.flow[kOctahedron.edge[arc]];
+    return flows_[voxel].Capacity(arc);
   }
   // Sends `amount` along an arc; returns whether that saturates it.
   bool Push(uint32_t voxel, uint32_t arc, int32_t amount) {
-    FlowRecord& record = flows_[voxel];
-    Flow& flow = record.flow[kOctahedron.edge[arc]];
-    flow = Flow(flow + kOctahedron.sign[arc] * amount);
-    const bool saturated = kOctahedron.sign[arc] * flow == record.weight;
+    const bool saturated = flows_[voxel].Push(arc, amount);
     const uint32_t residual = Residual(voxel);
     SetResidual(voxel,
                 (residual | 1u << kOctahedron.reverse[arc]) &
@@ -159,10 +143,9 @@ class FlowState {
   }
 
   // Shows the arcs of a voxel whose high faces have their nodes in bricks
-  // below `end`, and calls opened(arc) for each that has a residual and did
-  // not show before.
-  template <typename Opened>
-  void OpenArcs(const VoxelPlace& place, uint32_t end, Opened&& opened);
+  // below `end`; returns those that have a residual and did not show before,
+  // bit a for arc a.
+  uint32_t OpenArcs(const VoxelPlace& place, uint32_t end);
   // The node of a voxel's face, which must exist.
   FaceNode NodeOf(const VoxelPlace& place, int face) const {
     return {walk_->Step(place, (face & 1) ? face : kNumFaces),
@@ -250,9 +233,6 @@ class FlowState {
   void TakeTallies(std::span<const Tally> tallies);
   // Moves every voxel's records to its place in the problem's grid.
   void Spread(const VoxelGrid& grid, std::span<const VoxelGrid::Brick> before);
-  // Sets the flow of every edge at a tied face; returns whether that changed
-  // any.
-  static bool SaturateTies(int outside, int inside, FlowRecord& record);
   // Brings a voxel's records in line with the problem; returns whether that
   // changed any.
   bool Revise(const OctahedralCutProblem& problem,
@@ -268,29 +248,15 @@ class FlowState {
   size_t num_nodes_ = 0;
   int64_t sink_capacity_ = 0;
   GrowableArray<SearchRecord> search_;
-  GrowableArray<FlowRecord> flows_;
+  GrowableArray<FlowRecord<Flow>> flows_;
   std::vector<int32_t> evidence_;  // a voxel's share in each of its faces
 };
-
-namespace internal {
-
-template <int kFace, typename Flow>
-inline int64_t Outflow(const Flow* flow) {
-  constexpr int kArc = 4 * kFace;
-  const auto out = [flow](int arc) {
-    return int64_t{kOctahedron.sign[arc]} * flow[kOctahedron.edge[arc]];
-  };
-  return out(kArc) + out(kArc + 1) + out(kArc + 2) + out(kArc + 3);
-}
-
-}  // namespace internal
 
 template <typename Flow>
 template <int kAxis>
 inline int64_t FlowState<Flow>::Imbalance(const AxisNode<kAxis>& node) const {
-  int64_t inflow =
-      -internal::Outflow<2 * kAxis>(flows_[node.place.index].flow) -
-      internal::Outflow<2 * kAxis + 1>(flows_[node.low.index].flow);
+  int64_t inflow = -flows_[node.place.index].template Outflow<2 * kAxis>() -
+                   flows_[node.low.index].template Outflow<2 * kAxis + 1>();
   if (!evidence_.empty()) {
     inflow -= int64_t{evidence_[node.place.index]} + evidence_[node.low.index];
   }
@@ -321,41 +287,6 @@ inline WordsAround FlowState<Flow>::Around(const AxisNode<kAxis>& node,
   };
   return WordsAround(
       {word(0), word(1), word(2), word(3), word(4), word(5), word(6), word(7)});
-}
-
-template <typename Flow>
-template <typename Opened>
-void FlowState<Flow>::OpenArcs(const VoxelPlace& place,
-                               uint32_t end,
-                               Opened&& opened) {
-  uint32_t residual = Residual(place.index);
-  const uint32_t before = residual >> kNumOctahedronArcs;
-  uint32_t blocked = before;
-  for (int face = 1; face < kNumFaces; face += 2) {
-    if ((blocked >> face) & 1) {
-      const uint32_t owner = walk_->Neighbor(place, face);
-      if (owner != VoxelGrid::kNone && owner < walk_->FirstVoxelOrEnd(end) &&
-          search_[owner].word[face / 2] != kNoNode) {
-        blocked &= ~(1u << face);
-      }
-    }
-  }
-  if (blocked == before) {
-    return;
-  }
-  uint32_t arcs = kFreeArcs[blocked] & ~kFreeArcs[before];
-  residual &= (1u << kNumOctahedronArcs) - 1;
-  residual |= blocked << kNumOctahedronArcs;
-  for (uint32_t rest = arcs; rest != 0; rest &= rest - 1) {
-    const uint32_t arc = uint32_t(std::countr_zero(rest));
-    if (Capacity(place.index, arc) == 0) {
-      arcs &= ~(1u << arc);
-    }
-  }
-  SetResidual(place.index, residual | arcs);
-  for (; arcs != 0; arcs &= arcs - 1) {
-    opened(uint32_t(std::countr_zero(arcs)));
-  }
 }
 
 }  // namespace octacut

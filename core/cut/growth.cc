@@ -142,8 +142,10 @@ void SearchForest<Flow>::Absorb(SearchForest& next) {
     };
     if (crosses(1) || crosses(3) || crosses(5)) {
       state_.Walk().ForEach(brick, brick + 1, [&](const VoxelPlace& place) {
-        state_.OpenArcs(
-            place, end_, [&](uint32_t arc) { wake_head(place, arc); });
+        for (uint32_t arcs = state_.OpenArcs(place, end_); arcs != 0;
+             arcs &= arcs - 1) {
+          wake_head(place, uint32_t(std::countr_zero(arcs)));
+        }
       });
     }
   }

@@ -4,38 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <utility>
 
 #include "core/base/check_option.h"
 #include "core/base/error.h"
-#include "core/scene/coarse_hull.h"
+#include "core/scene/silhouette_box.h"
 #include "core/scene/silhouette_pyramid.h"
 
 namespace octacut {
 namespace {
 
-// The search begins with a box this many times as large as the cameras are
-// spread; what is farther away than that has no parallax.
-constexpr double kSearchExtent = 100;
-constexpr int kMaxIterations = 40;
-// Refining ends when no side of the box shrinks by more.
-constexpr double kConverged = 0.01;
-constexpr double kPhantomFraction = 0.02;
 constexpr size_t kMinPoints = 8;
-// Length of the mean viewing direction above which all cameras are on one
-// side: that of directions spread over a cone of 45 degrees about its axis.
-constexpr double kOneSided = 0.85;
-
-std::vector<SilhouettePyramid> MakeSilhouettes(const std::vector<View>& views,
-                                               bool trust_sides) {
-  std::vector<SilhouettePyramid> silhouettes;
-  silhouettes.reserve(views.size());
-  for (const View& view : views) {
-    silhouettes.emplace_back(view, trust_sides);
-  }
-  return silhouettes;
-}
 
 Region MakeRegion(const Eigen::AlignedBox3d& box,
                   RegionSource source,
@@ -47,56 +25,6 @@ Region MakeRegion(const Eigen::AlignedBox3d& box,
   region.cube.min_corner =
       box.center() - Eigen::Vector3d::Constant(region.cube.edge / 2);
   return region;
-}
-
-// Shrinks the box to the hull inside it until nothing changes.
-Eigen::AlignedBox3d ShrinkToHull(
-    const std::vector<SilhouettePyramid>& silhouettes,
-    Eigen::AlignedBox3d box,
-    int level,
-    const Context& context) {
-  // Pieces are told apart only once cells are small against the object.
-  double min_fraction = 0;
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    const CoarseHull hull = CarveBox(silhouettes, box, level, context);
-    const Eigen::AlignedBox3d next = BoundingBoxOfPieces(hull, min_fraction);
-    if (next.isEmpty()) {
-      return next;
-    }
-    const bool converged =
-        (next.sizes().array() >= (1 - kConverged) * box.sizes().array()).all();
-    box = next;
-    if (converged && min_fraction > 0) {
-      break;
-    }
-    if (converged) {
-      min_fraction = kPhantomFraction;
-    }
-  }
-  return box;
-}
-
-Eigen::AlignedBox3d SearchBox(const std::vector<View>& views) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const View& view : views) {
-    mean += view.Center() / double(views.size());
-  }
-  double spread = 0;
-  for (const View& view : views) {
-    spread = std::max(spread, (view.Center() - mean).norm());
-  }
-  const Eigen::Vector3d half =
-      Eigen::Vector3d::Constant(kSearchExtent * spread);
-  return {mean - half, mean + half};
-}
-
-bool AllOnOneSide(const std::vector<View>& views,
-                  const Eigen::Vector3d& center) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const View& view : views) {
-    sum += (view.Center() - center).normalized();
-  }
-  return sum.norm() > kOneSided * double(views.size());
 }
 
 // Box between the first and the last percentile of the points on each axis.
@@ -128,13 +56,6 @@ Eigen::AlignedBox3d PointBox(const std::vector<View>& views,
   return RobustBox(inside);
 }
 
-struct SilhouetteBox {
-  Eigen::AlignedBox3d box;  // empty when the silhouettes leave it unbounded
-  // Nothing is wrong with it; otherwise `doubt` says what is.
-  bool sure = false;
-  std::string_view doubt;
-};
-
 // The region of silhouettes that may be too small. Its cube is that of the
 // silhouettes as they are, so that the tolerance moves no voxel.
 Region MakeTolerantRegion(const std::vector<View>& views,
@@ -153,70 +74,6 @@ Region MakeTolerantRegion(const std::vector<View>& views,
   region.box = cube.intersection(
       Eigen::AlignedBox3d(box.min() - grown, box.max() + grown));
   return region;
-}
-
-// Names the one mask without which the others have points in common, if there
-// is just one: among hundreds it is hard to find by eye.
-[[noreturn]] void RefuseMasks(const std::vector<View>& views,
-                              const Eigen::AlignedBox3d& search,
-                              const RegionOptions& options,
-                              const Context& context) {
-  std::vector<SilhouettePyramid> silhouettes = MakeSilhouettes(views, false);
-  std::vector<size_t> culprits;
-  for (size_t i = 0; i < views.size() && culprits.size() < 2; ++i) {
-    context.ThrowIfCancelled();
-    std::swap(silhouettes[i], silhouettes.back());
-    const SilhouettePyramid left_out = std::move(silhouettes.back());
-    silhouettes.pop_back();
-    if (!ShrinkToHull(silhouettes, search, options.hull_level, context)
-             .isEmpty()) {
-      culprits.push_back(i);
-    }
-    silhouettes.push_back(left_out);
-    std::swap(silhouettes[i], silhouettes.back());
-  }
-  throw InputError(fmt::format(
-      "no point in space is object in all {} masks: the masks do not fit the "
-      "camera poses ({})",
-      views.size(),
-      culprits.size() == 1
-          ? fmt::format(
-                "but for that of {}, which is wrong or has a wrong pose",
-                views[culprits.front()].name)
-          : "wrong or inverted masks, or another geometry"));
-}
-
-// What the silhouettes alone say.
-SilhouetteBox BoxOfSilhouettes(const std::vector<View>& views,
-                               const RegionOptions& options,
-                               const Context& context) {
-  const Eigen::AlignedBox3d search = SearchBox(views);
-  if (!(search.sizes().x() > 0)) {
-    return {{}, false, "all cameras are at one place"};
-  }
-  const Eigen::Vector3d slack =
-      Eigen::Vector3d::Constant(1e-6 * search.sizes().x());
-  const Eigen::AlignedBox3d interior(search.min() + slack,
-                                     search.max() - slack);
-  // Views that cut the object off bound it only if the others do not: their
-  // untouched sides need the object not to turn back outside of the frame.
-  for (const bool trust_sides : {false, true}) {
-    const Eigen::AlignedBox3d box =
-        ShrinkToHull(MakeSilhouettes(views, trust_sides),
-                     search,
-                     options.hull_level,
-                     context);
-    if (box.isEmpty()) {
-      RefuseMasks(views, search, options, context);
-    }
-    if (interior.contains(box)) {
-      if (AllOnOneSide(views, box.center())) {
-        return {box, false, "all cameras are on one side of it"};
-      }
-      return {box, !trust_sides, "it leaves the frame in too many views"};
-    }
-  }
-  return {{}, false, "it leaves the frame or the views are too much alike"};
 }
 
 // The region where the silhouettes do not settle it: from the sparse points,
@@ -254,8 +111,8 @@ Region FallBack(const std::vector<View>& views,
       "sparse points inside the masks; "
       "--OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1 overrides it",
       hull.doubt));
-  const Eigen::AlignedBox3d carved = ShrinkToHull(
-      MakeSilhouettes(views, true), box, options.hull_level, context);
+  const Eigen::AlignedBox3d carved =
+      ShrinkToHull(views, true, box, options.hull_level, context);
   return MakeRegion(
       carved.isEmpty() ? box : carved, RegionSource::kSparsePoints, options);
 }
@@ -329,7 +186,8 @@ Region EstimateRegion(const std::vector<View>& views,
   if (views.empty()) {
     throw InputError("the region cannot be estimated without views");
   }
-  const SilhouetteBox hull = BoxOfSilhouettes(views, options, context);
+  const SilhouetteBox hull =
+      BoxOfSilhouettes(views, options.hull_level, context);
   return hull.sure ? MakeTolerantRegion(views, hull.box, options)
                    : FallBack(views, points, hull, options, context);
 }

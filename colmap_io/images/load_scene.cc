@@ -15,7 +15,7 @@
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/image_header.h"
 #include "colmap_io/images/mask_content.h"
-#include "colmap_io/images/reduce_mask.h"
+#include "colmap_io/images/mask_view.h"
 #include "colmap_io/images/scene_points.h"
 #include "colmap_io/images/undistort.h"
 #include "colmap_io/images/view_files.h"
@@ -28,16 +28,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kReducedMaskSize = 640;
 // Decoded bytes of one photograph in flight, a pixel: image, mask, file.
 constexpr size_t kBytesPerPixel = 6;
 
 // An image of the model on its way to a view.
 struct Candidate {
   ViewFiles files;
-  SparseCamera mask_camera;
-  MaskContent mask_content = MaskContent::kOutline;
-  bool object_all_around = false;  // the mask's border is all object
+  MaskView mask;
 };
 
 double SecondsSince(std::chrono::steady_clock::time_point begin) {
@@ -72,11 +69,7 @@ class Loader {
     summary.mask_seconds = SecondsSince(begin);
 
     begin = std::chrono::steady_clock::now();
-    result_.scene.points = ScenePoints(workspace_.model, reduced_);
-    summary.num_points = result_.scene.points.size();
-    result_.region = EstimateRegion(
-        reduced_, result_.scene.points, options_.region, context_);
-    reduced_ = {};
+    FindRegion();
     summary.region_seconds = SecondsSince(begin);
 
     begin = std::chrono::steady_clock::now();
@@ -89,9 +82,8 @@ class Loader {
  private:
   void FindCandidates();
   void ReadReducedMasks();
-  // Empty for a mask without outline.
-  View ReadReducedMask(Candidate* candidate) const;
   void LeaveOutMasksWithoutOutline();
+  void FindRegion();
   void PlanWindows();
   void ReadViews();
   void ReadView(const Candidate& candidate, View* view) const;
@@ -111,7 +103,6 @@ class Loader {
   const MaskCameras mask_cameras_;
   std::map<uint32_t, Frame> frames_;  // by camera id
   std::vector<Candidate> candidates_;
-  std::vector<View> reduced_;
   LoadedScene result_;
 };
 
@@ -147,47 +138,16 @@ void Loader::ForEachCandidate(std::string_view phase,
               body);
 }
 
-View Loader::ReadReducedMask(Candidate* candidate) const {
-  const std::string name = candidate->files.mask_file.string();
-  const cv::Mat mask = ReadMask(candidate->files.mask_file);
-  candidate->mask_camera =
-      mask_cameras_.Find(*candidate->files.image,
-                         *candidate->files.camera,
-                         {uint64_t(mask.cols), uint64_t(mask.rows)},
-                         name);
-  const cv::Mat object = mask >= 128;
-  candidate->mask_content = ContentOfMask(object);
-  if (candidate->mask_content != MaskContent::kOutline) {
-    return {};
-  }
-  candidate->object_all_around = BorderIsObject(object);
-  const bool own =
-      candidate->mask_camera.model_id == candidate->files.camera->model_id &&
-      candidate->mask_camera.params == candidate->files.camera->params;
-  ReducedMask reduced = ReduceMask(mask,
-                                   candidate->mask_camera,
-                                   own ? FrameOf(*candidate->files.camera)
-                                       : FrameOfCamera(candidate->mask_camera),
-                                   kReducedMaskSize);
-  View view;
-  view.name = candidate->files.image->name;
-  view.camera = reduced.camera;
-  view.cam_from_world = candidate->files.image->CamFromWorld();
-  view.mask = std::move(reduced.mask);
-  view.scale = reduced.camera.fx /
-               CameraProjector(candidate->mask_camera).Intrinsics().fx;
-  return view;
-}
-
 void Loader::ReadReducedMasks() {
-  reduced_.resize(candidates_.size());
   ForEachCandidate("reading masks", [&](size_t i) {
-    reduced_[i] = ReadReducedMask(&candidates_[i]);
+    const ViewFiles& files = candidates_[i].files;
+    candidates_[i].mask =
+        ReadMaskView(files, FrameOf(*files.camera), mask_cameras_);
   });
   LeaveOutMasksWithoutOutline();
   const auto suspects = std::count_if(
       candidates_.begin(), candidates_.end(), [](const Candidate& c) {
-        return c.object_all_around;
+        return c.mask.object_all_around;
       });
   if (size_t(suspects) * 2 > candidates_.size()) {
     context_.Warn(fmt::format(
@@ -200,7 +160,7 @@ void Loader::ReadReducedMasks() {
 
 void Loader::LeaveOutMasksWithoutOutline() {
   const auto has_outline = [](const Candidate& candidate) {
-    return candidate.mask_content == MaskContent::kOutline;
+    return candidate.mask.content == MaskContent::kOutline;
   };
   const auto first =
       std::find_if_not(candidates_.begin(), candidates_.end(), has_outline);
@@ -213,7 +173,7 @@ void Loader::LeaveOutMasksWithoutOutline() {
   const std::string message = fmt::format(
       "{}: the mask is all {}; {} of {} masks show no outline",
       first->files.mask_file.string(),
-      first->mask_content == MaskContent::kAllObject ? "object" : "background",
+      first->mask.content == MaskContent::kAllObject ? "object" : "background",
       num_masks - num_outlines,
       num_masks);
   if (!options_.skip_missing_masks) {
@@ -222,17 +182,19 @@ void Loader::LeaveOutMasksWithoutOutline() {
   }
   context_.Warn(message + ", whose images are left out");
   result_.summary.num_masks_without_outline = num_masks - num_outlines;
-  std::vector<Candidate> kept;
-  std::vector<View> kept_views;
-  for (size_t i = 0; i < num_masks; ++i) {
-    if (has_outline(candidates_[i])) {
-      kept.push_back(std::move(candidates_[i]));
-      kept_views.push_back(std::move(reduced_[i]));
-    }
-  }
-  candidates_ = std::move(kept);
-  reduced_ = std::move(kept_views);
+  std::erase_if(candidates_, std::not_fn(has_outline));
   RequireEnoughViews(workspace_, candidates_.size());
+}
+
+void Loader::FindRegion() {
+  std::vector<View> views;
+  for (Candidate& candidate : candidates_) {
+    views.push_back(std::move(candidate.mask.view));
+  }
+  result_.scene.points = ScenePoints(workspace_.model, views);
+  result_.summary.num_points = result_.scene.points.size();
+  result_.region =
+      EstimateRegion(views, result_.scene.points, options_.region, context_);
 }
 
 void Loader::PlanWindows() {
@@ -278,7 +240,7 @@ void Loader::ReadView(const Candidate& candidate, View* view) const {
   // Views are loaded side by side; each by one thread.
   const Context alone(1);
   view->mask = Undistort(ReadMask(candidate.files.mask_file),
-                         candidate.mask_camera,
+                         candidate.mask.camera,
                          view->camera,
                          255,
                          alone);

@@ -6,9 +6,12 @@ string(RANDOM LENGTH 8 suffix)
 set(scratch ${BUILD}/installed_test_${suffix})
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix
                         ${scratch} OUTPUT_QUIET RESULT_VARIABLE installed)
+set(suites CommandLine.* ExampleCreator.* InputErrors.* OctahedralMesher.*
+           MeshComparer*)
+list(JOIN suites : suites)
 execute_process(
   COMMAND ${CMAKE_COMMAND} -E env OCTACUT_EXECUTABLE=${scratch}/bin/octacut
-          ${TESTS} --gtest_filter=CommandLine.*:ExampleCreator.*:InputErrors.*:OctahedralMesher.*:MeshComparer*
+          ${TESTS} --gtest_filter=${suites}
   RESULT_VARIABLE tested)
 file(REMOVE_RECURSE ${scratch})
 if(NOT installed EQUAL 0 OR NOT tested EQUAL 0)

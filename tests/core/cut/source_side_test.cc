@@ -67,7 +67,7 @@ TEST(SourceSide, StopsInTheMiddle) {
   Block block;
   for (const uint32_t range_bricks : {1u, 100000u}) {
     bool stopped_within = false;
-    for (int delay = 0; delay < 1000 && !stopped_within; ++delay) {
+    for (int delay = 0; delay < 200 && !stopped_within; ++delay) {
       FlowState<int32_t> state = block.State();
       std::atomic<bool> cancelled = false;
       std::thread canceller([&] {

@@ -42,13 +42,22 @@ struct PyramidLevel {
     return top * (1 - fy) + bottom * fy;
   }
 
+  // In steps of twice the width, which are an instruction each; converted at
+  // once, the bytes would be taken apart one by one.
   static Float4 Unpack(uint32_t texel) {
-    using Byte4 = uint8_t __attribute__((vector_size(4)));
-    union {
-      uint32_t word;
-      Byte4 bytes;
-    } packed = {texel};
-    return __builtin_convertvector(packed.bytes, Float4);
+    using Byte16 = uint8_t __attribute__((vector_size(16)));
+    using Short8 = uint16_t __attribute__((vector_size(16)));
+    using Word4 = uint32_t __attribute__((vector_size(16)));
+    using Int4 = int32_t __attribute__((vector_size(16)));
+    const Byte16 bytes = Byte16(Word4{texel, 0, 0, 0});
+    // clang-format off
+    const Short8 shorts = Short8(__builtin_shufflevector(
+        bytes, Byte16{},
+        0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23));
+    // clang-format on
+    const Int4 words = Int4(
+        __builtin_shufflevector(shorts, Short8{}, 0, 8, 1, 9, 2, 10, 3, 11));
+    return __builtin_convertvector(words, Float4);
   }
 };
 

@@ -14,8 +14,14 @@ constexpr size_t kGrain = 256;
 constexpr float kMaxSecondPeak = 0.93f;
 // Keeps the weight of perfect agreement finite.
 constexpr float kScoreSlack = 0.05f;
-constexpr float kMaxWeight = 12;
-constexpr float kPrecision = 19;
+// Standard deviation of an offset at the views' own scale: what shape and gloss
+// leave even where all views agree, and the part of their noise; as measured
+// on three scenes with a truth (docs/design.md).
+constexpr float kLeastDeviation = 0.1f;  // pixels
+constexpr float kNoise = 0.4f;
+// Of weights in coarser rounds.
+constexpr float kMaxCoarseWeight = 12;
+constexpr float kCoarsePrecision = 19;
 
 // Whether a maximum other than scores[best] is nearly as high.
 bool IsAmbiguous(const std::vector<float>& scores, size_t best) {
@@ -28,9 +34,25 @@ bool IsAmbiguous(const std::vector<float>& scores, size_t best) {
   return false;
 }
 
+// What an offset is worth whose score is `lack` short of 1 and bends by
+// `sharpness` (1 / pixels^2), for views whose weights come to `num_views`.
+float WeightOfPeak(float lack,
+                   float sharpness,
+                   float num_views,
+                   const OffsetSearch& search) {
+  const float blur = (std::max(0.0f, lack) + kScoreSlack) / sharpness;
+  if (search.spacing > 1) {
+    // Large samples have no noise for more views to average, and what few views
+    // see is off by most.
+    return std::min(kMaxCoarseWeight, kCoarsePrecision / blur);
+  }
+  return 1 / std::hypot(kLeastDeviation, kNoise * blur / num_views);
+}
+
 // The top of the parabola through the best score and its neighbours.
 OffsetMeasurement FindPeak(const std::vector<float>& scores,
                            const OffsetSearch& search,
+                           float num_views,
                            float pixel) {
   const size_t middle = scores.size() / 2;
   OffsetMeasurement measurement;
@@ -52,13 +74,8 @@ OffsetMeasurement FindPeak(const std::vector<float>& scores,
   const float peak = 0.5f * (after - before) / bend;
   measurement.score += 0.25f * (after - before) * peak;
   measurement.offset = (float(best) - float(middle) + peak) * step * pixel;
-  // What a sharp peak of a high score is worth, as measured: the error falls
-  // with the bend of the score over what is missing from 1.
-  const float sharpness = bend / (2 * step * step);
-  measurement.weight =
-      std::min(kMaxWeight,
-               kPrecision * sharpness /
-                   (std::max(0.0f, 1 - measurement.score) + kScoreSlack));
+  measurement.weight = WeightOfPeak(
+      1 - measurement.score, bend / (2 * step * step), num_views, search);
   return measurement;
 }
 
@@ -90,7 +107,8 @@ std::vector<OffsetMeasurement> SearchOffsets(
         scores[size_t(k + half)] =
             patch.Score(float(k) * float(search.step) * chosen.pixel);
       }
-      measurements[i] = FindPeak(scores, search, chosen.pixel);
+      measurements[i] =
+          FindPeak(scores, search, patch.SumOfWeights(), chosen.pixel);
     }
     phase->Advance(end - begin);
   });

@@ -78,6 +78,14 @@ void SurfacePatch::Place(const LocalSurface& surface,
   }
 }
 
+float SurfacePatch::SumOfWeights() const {
+  float sum = 0;
+  for (int n = 0; n < num_views_; ++n) {
+    sum += projected_[n].weight;
+  }
+  return sum;
+}
+
 bool SurfacePatch::IsBackground(const Projected& projected) const {
   int num_background = 0;
   for (int s = 0; s < num_samples_; ++s) {

@@ -40,6 +40,8 @@ class SurfacePatch {
              const ChosenViews& chosen,
              float spacing);
   int NumViews() const { return num_views_; }
+  // Of the views.
+  float SumOfWeights() const;
 
   // Agreement of the views about the patch moved by `offset` along the normal:
   // mean over pairs of views of the correlation of their colours, weighted by

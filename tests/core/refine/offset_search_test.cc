@@ -10,6 +10,41 @@ namespace {
 
 using testing::RefineScene;
 
+// Offsets of a sphere that is `pixels` too large, in pixels, searched with
+// the defaults but for `max_views`.
+std::vector<OffsetMeasurement> MeasureIn(
+    const RefineScene& scene,
+    double pixels,
+    int max_views = ViewChoiceOptions().max_views) {
+  const RefineOptions options;
+  const OffsetSearch search = {.range = options.range,
+                               .step = options.step,
+                               .spacing = 1,
+                               .patch_radius = options.patch_radius,
+                               .pixel_noise = options.pixel_noise,
+                               .min_score = options.min_score};
+  const IndexedMesh mesh = scene.ToUnitMesh(RefineScene::Mesh(
+      16, [&](const auto&) { return pixels * scene.Pixel(); }));
+  const Context context(2);
+  const std::vector<LocalSurface> surfaces =
+      FitLocalSurfaces(mesh,
+                       RefineScene::Neighbors(mesh),
+                       testing::AllVertices(mesh),
+                       0.1,
+                       context);
+  ViewChoiceOptions choice;
+  choice.max_views = max_views;
+  const std::vector<ChosenViews> choices = ChooseViews(
+      scene.test.views, RayScene(mesh), surfaces, 0.02, choice, context);
+  Phase phase(context, "test");
+  std::vector<OffsetMeasurement> measurements = SearchOffsets(
+      scene.test.views, surfaces, choices, search, context, &phase);
+  for (OffsetMeasurement& measurement : measurements) {
+    measurement.offset *= float(scene.test.region.cube.edge / scene.Pixel());
+  }
+  return measurements;
+}
+
 class OffsetSearchTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
@@ -17,39 +52,8 @@ class OffsetSearchTest : public ::testing::Test {
   }
   static void TearDownTestSuite() { delete scene_; }
 
-  // Offsets of a sphere that is `pixels` too large, in pixels, searched with
-  // the defaults.
   std::vector<OffsetMeasurement> Measure(double pixels) const {
-    const RefineOptions options;
-    const OffsetSearch search = {.range = options.range,
-                                 .step = options.step,
-                                 .spacing = 1,
-                                 .patch_radius = options.patch_radius,
-                                 .pixel_noise = options.pixel_noise,
-                                 .min_score = options.min_score};
-    const IndexedMesh mesh = scene_->ToUnitMesh(RefineScene::Mesh(
-        16, [&](const auto&) { return pixels * scene_->Pixel(); }));
-    const std::vector<LocalSurface> surfaces =
-        FitLocalSurfaces(mesh,
-                         RefineScene::Neighbors(mesh),
-                         testing::AllVertices(mesh),
-                         0.1,
-                         Context(2));
-    const std::vector<ChosenViews> choices = ChooseViews(scene_->test.views,
-                                                         RayScene(mesh),
-                                                         surfaces,
-                                                         0.02,
-                                                         ViewChoiceOptions(),
-                                                         Context(2));
-    const Context context(2);
-    Phase phase(context, "test");
-    std::vector<OffsetMeasurement> measurements = SearchOffsets(
-        scene_->test.views, surfaces, choices, search, context, &phase);
-    for (OffsetMeasurement& measurement : measurements) {
-      measurement.offset *=
-          float(scene_->test.region.cube.edge / scene_->Pixel());
-    }
-    return measurements;
+    return MeasureIn(*scene_, pixels);
   }
 
   static RefineScene* scene_;
@@ -84,6 +88,38 @@ TEST_F(OffsetSearchTest, TellsAgreementBeforeAndAtThePeak) {
     EXPECT_LE(measurement.score_before, measurement.score);
     EXPECT_LE(measurement.score, 1.05);
   }
+}
+
+// Means over the offsets that were found.
+struct Quality {
+  double error = 0;
+  double weight = 0;
+  double error_in_deviations = 0;
+};
+
+Quality MeasureQuality(const RefineScene& scene, int max_views) {
+  Quality sum;
+  double count = 0;
+  for (const OffsetMeasurement& measurement : MeasureIn(scene, 0, max_views)) {
+    if (measurement.weight > 0) {
+      const double error = std::abs(measurement.offset);
+      sum.error += error;
+      sum.weight += measurement.weight;
+      sum.error_in_deviations += error * measurement.weight;
+      ++count;
+    }
+  }
+  return {
+      sum.error / count, sum.weight / count, sum.error_in_deviations / count};
+}
+
+TEST(OffsetSearch, FewNoisyViewsWeighAsLittleAsTheyTell) {
+  const RefineScene scene = testing::MakeRefineScene(-60, 20);
+  const Quality few = MeasureQuality(scene, 3);
+  const Quality many = MeasureQuality(scene, 16);
+  EXPECT_GT(few.error, 2 * many.error);
+  EXPECT_LT(few.weight, many.weight / 2);
+  EXPECT_LT(few.error_in_deviations, 1.5 * many.error_in_deviations);
 }
 
 }  // namespace

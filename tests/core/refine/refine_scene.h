@@ -54,12 +54,15 @@ struct RefineScene {
 };
 
 // `min_elevation` of the cameras, degrees: from 10 on nobody sees the bottom.
-inline RefineScene MakeRefineScene(double min_elevation = -60) {
+// `pixel_noise` of the photographs: grey levels.
+inline RefineScene MakeRefineScene(double min_elevation = -60,
+                                   double pixel_noise = 0) {
   SceneSpec spec = TestSpec("sphere", 240, 180, 28);
   spec.rig.min_elevation = min_elevation;
   spec.texture.kind = TextureKind::kSpeckle;
   spec.texture.scale = 0.18;
   spec.reference.resolution = 64;
+  spec.degrade.pixel_noise = pixel_noise;
   return {MakeTestScene(spec)};
 }
 

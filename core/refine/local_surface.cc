@@ -4,15 +4,20 @@
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <optional>
+#include <span>
 
 #include "core/base/parallel.h"
+#include "core/refine/surface_places.h"
 
 namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 4096;
-// More would be a mesh much finer than the radius: the nearest ones will do.
-constexpr size_t kMaxNeighbors = 1024;
+// Of samples that stand for a mesh much finer than the radius.
+constexpr double kSamplesPerRadius = 12;
+// Below this many edges of the mesh they would be hardly fewer.
+constexpr double kMinSpacing = 1.5;
 constexpr size_t kMinNeighbors = 8;
 // Least cosine between the normals of a vertex and of what counts as the same
 // side of the surface.
@@ -22,24 +27,76 @@ constexpr double kSigma = 0.5;
 // Pulls curvatures to zero that the vertices leave open.
 constexpr double kRidge = 1e-3;
 
-// The vertices within the radius of a vertex, found along the edges of the
-// mesh, the nearest in edges first.
+// Points of a surface: the vertices of a mesh, or means of them.
+struct Samples {
+  std::span<const Eigen::Vector3d> positions;
+  std::span<const Eigen::Vector3f> normals;
+  const VertexCorners* neighbors = nullptr;
+  std::span<const uint32_t> sample_of;  // of every vertex; empty: itself
+
+  uint32_t Of(uint32_t vertex) const {
+    return sample_of.empty() ? vertex : sample_of[vertex];
+  }
+};
+
+double MeanEdge(const IndexedMesh& mesh, const VertexCorners& neighbors) {
+  double sum = 0;
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    for (const uint32_t next : neighbors.Of(v)) {
+      sum += (mesh.positions[next] - mesh.positions[v]).norm();
+    }
+  }
+  return sum / double(std::max<size_t>(neighbors.corners.size(), 1));
+}
+
+// Places on a mesh that stand for the vertices around them.
+struct CoarseSurface {
+  SurfacePlaces places;
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<Eigen::Vector3f> normals;
+
+  CoarseSurface(const IndexedMesh& mesh,
+                const VertexCorners& neighbors,
+                double spacing)
+      : places(SpreadPlaces(mesh, neighbors, spacing)),
+        positions(places.vertices.size(), Eigen::Vector3d::Zero()),
+        normals(places.vertices.size(), Eigen::Vector3f::Zero()) {
+    std::vector<uint32_t> sizes(positions.size(), 0);
+    for (size_t v = 0; v < mesh.positions.size(); ++v) {
+      const uint32_t place = places.place_of[v];
+      positions[place] += mesh.positions[v];
+      normals[place] += mesh.normals[v];
+      ++sizes[place];
+    }
+    for (size_t i = 0; i < positions.size(); ++i) {
+      positions[i] /= double(sizes[i]);
+      normals[i].normalize();
+    }
+  }
+  Samples All() const {
+    return {positions, normals, &places.neighbors, places.place_of};
+  }
+};
+
+// The samples within the radius of a point, found from one next to it along
+// their joints.
 class Neighborhood {
  public:
-  Neighborhood(const IndexedMesh& mesh, const VertexCorners& neighbors)
-      : mesh_(mesh),
-        neighbors_(neighbors),
-        found_by_(mesh.positions.size(), kNone) {}
+  explicit Neighborhood(const Samples& samples)
+      : samples_(samples), found_by_(samples.positions.size(), kNone) {}
 
-  const std::vector<uint32_t>& Gather(uint32_t vertex, double radius) {
-    found_.assign(1, vertex);
-    found_by_[vertex] = vertex;
+  // `vertex` is another one in every call.
+  const std::vector<uint32_t>& Gather(uint32_t vertex,
+                                      const Eigen::Vector3d& position,
+                                      const Eigen::Vector3f& normal,
+                                      double radius) {
+    const uint32_t first = samples_.Of(vertex);
+    found_.assign(1, first);
+    found_by_[first] = vertex;
     for (size_t i = 0; i < found_.size(); ++i) {
-      for (const uint32_t next : neighbors_.Of(found_[i])) {
-        if (found_.size() >= kMaxNeighbors) {
-          return found_;
-        }
-        if (found_by_[next] != vertex && IsNear(vertex, next, radius)) {
+      for (const uint32_t next : samples_.neighbors->Of(found_[i])) {
+        if (found_by_[next] != vertex &&
+            IsNear(next, position, normal, radius)) {
           found_by_[next] = vertex;
           found_.push_back(next);
         }
@@ -51,14 +108,16 @@ class Neighborhood {
  private:
   static constexpr uint32_t kNone = 0xffffffffu;
 
-  bool IsNear(uint32_t vertex, uint32_t other, double radius) const {
-    return (mesh_.positions[other] - mesh_.positions[vertex]).squaredNorm() <=
+  bool IsNear(uint32_t sample,
+              const Eigen::Vector3d& position,
+              const Eigen::Vector3f& normal,
+              double radius) const {
+    return (samples_.positions[sample] - position).squaredNorm() <=
                radius * radius &&
-           mesh_.normals[other].dot(mesh_.normals[vertex]) >= kMinCosine;
+           samples_.normals[sample].dot(normal) >= kMinCosine;
   }
 
-  const IndexedMesh& mesh_;
-  const VertexCorners& neighbors_;
+  const Samples& samples_;
   std::vector<uint32_t> found_by_;
   std::vector<uint32_t> found_;
 };
@@ -80,27 +139,32 @@ double Weight(const Eigen::Vector3d& offset, double radius) {
   return std::exp(-0.5 * offset.squaredNorm() * scaled * scaled);
 }
 
-Eigen::Vector3d MeanNormal(const IndexedMesh& mesh,
-                           const std::vector<uint32_t>& vertices,
+// Of what is near a vertex with this position and normal.
+Eigen::Vector3d MeanNormal(const Samples& samples,
+                           const std::vector<uint32_t>& near,
+                           const Eigen::Vector3d& position,
+                           const Eigen::Vector3f& normal,
                            double radius) {
-  const Eigen::Vector3d& middle = mesh.positions[vertices[0]];
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const uint32_t vertex : vertices) {
-    sum += Weight(mesh.positions[vertex] - middle, radius) *
-           mesh.normals[vertex].cast<double>();
+  for (const uint32_t sample : near) {
+    sum += Weight(samples.positions[sample] - position, radius) *
+           samples.normals[sample].cast<double>();
   }
-  return sum.normalized();  // all are within a cone: never zero
+  // All are within a cone but for the first one, which stands for the vertex.
+  const Eigen::Vector3d own = normal.cast<double>();
+  return sum.dot(own) > 0 ? sum.normalized() : own;
 }
 
-// z = a + b x + c y + d x^2 + e x y + f y^2 in the frame of the mean normal,
-// lengths in units of the radius.
-LocalSurface Fit(const IndexedMesh& mesh,
-                 const std::vector<uint32_t>& vertices,
+// z = a + b x + c y + d x^2 + e x y + f y^2 over `middle`, in the frame of the
+// mean normal, lengths in units of the radius.
+LocalSurface Fit(const Samples& samples,
+                 const std::vector<uint32_t>& near,
+                 const Eigen::Vector3d& middle,
+                 const Eigen::Vector3f& vertex_normal,
                  double radius) {
-  const Eigen::Vector3d middle = mesh.positions[vertices[0]];
-  LocalSurface surface =
-      TangentPlane(middle, MeanNormal(mesh, vertices, radius));
-  if (vertices.size() < kMinNeighbors) {
+  LocalSurface surface = TangentPlane(
+      middle, MeanNormal(samples, near, middle, vertex_normal, radius));
+  if (near.size() < kMinNeighbors) {
     return surface;
   }
   Eigen::Matrix3d axes;
@@ -111,8 +175,8 @@ LocalSurface Fit(const IndexedMesh& mesh,
   using Vector6d = Eigen::Matrix<double, 6, 1>;
   Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
   Vector6d right = Vector6d::Zero();
-  for (const uint32_t vertex : vertices) {
-    const Eigen::Vector3d offset = mesh.positions[vertex] - middle;
+  for (const uint32_t sample : near) {
+    const Eigen::Vector3d offset = samples.positions[sample] - middle;
     const double weight = Weight(offset, radius);
     const Eigen::Vector3d p = axes * offset;
     Vector6d row;
@@ -150,11 +214,26 @@ std::vector<LocalSurface> FitLocalSurfaces(
     const std::vector<uint32_t>& vertices,
     double radius,
     const Context& context) {
+  const double spacing = radius / kSamplesPerRadius;
+  std::optional<CoarseSurface> coarse;
+  if (spacing > kMinSpacing * MeanEdge(mesh, neighbors)) {
+    coarse.emplace(mesh, neighbors, spacing);
+  }
+  const Samples samples =
+      coarse ? coarse->All()
+             : Samples{mesh.positions, mesh.normals, &neighbors, {}};
   std::vector<LocalSurface> surfaces(vertices.size());
   ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
-    Neighborhood neighborhood(mesh, neighbors);
+    Neighborhood neighborhood(samples);
     for (size_t i = begin; i < end; ++i) {
-      surfaces[i] = Fit(mesh, neighborhood.Gather(vertices[i], radius), radius);
+      const uint32_t vertex = vertices[i];
+      const Eigen::Vector3d& position = mesh.positions[vertex];
+      const Eigen::Vector3f& normal = mesh.normals[vertex];
+      surfaces[i] = Fit(samples,
+                        neighborhood.Gather(vertex, position, normal, radius),
+                        position,
+                        normal,
+                        radius);
     }
   });
   return surfaces;

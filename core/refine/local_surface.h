@@ -32,8 +32,10 @@ struct LocalSurface {
 
 // One for each of `vertices` of `mesh`, which has normals, by weighted least
 // squares over the vertices that are within `radius` and connected with it
-// there. `neighbors` are those of FindVertexNeighbors. A vertex with too few
-// neighbours gets its tangent plane.
+// there; where the mesh is much finer than the radius, over points that stand
+// for several vertices, so that neither the surface nor the time depends on how
+// fine it is. `neighbors` are those of FindVertexNeighbors. A vertex with too
+// few neighbours gets its tangent plane.
 std::vector<LocalSurface> FitLocalSurfaces(
     const IndexedMesh& mesh,
     const VertexCorners& neighbors,

@@ -19,7 +19,7 @@ struct RefineOptions {
   double range = 3;
   double step = 0.5;  // between tried offsets
   // Patches have (2 r + 1)^2 samples a pixel apart; 1 .. 4.
-  int patch_radius = 4;
+  int patch_radius = 3;
   // Between the places where offsets are measured.
   double measure_spacing = 2;
   // Of the pieces of the surface that are taken for smooth.

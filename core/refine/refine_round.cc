@@ -28,6 +28,9 @@ constexpr int kBlendRings = 2;
 constexpr double kClearance = 1.5;
 // A piece of the surface needs some triangles, however large they are.
 constexpr double kMinFitEdges = 2.5;
+// Pieces grow with the pixels of the round up to so many times; larger ones
+// would level what coarse rounds must see.
+constexpr double kMaxFitScale = 2.7;
 // How far a place speaks of vertices, in distances between places.
 constexpr double kReach = 1.3;
 
@@ -227,14 +230,15 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   const std::vector<Eigen::Vector3d> before = mesh->positions;
   const double round_pixel = plan.scale * pixel;
   const double spacing = options.measure_spacing * round_pixel;
-  SeenSurface seen = LookAtSurface(*views,
-                                   neighbors,
-                                   spacing,
-                                   options.fit_radius * round_pixel,
-                                   options,
-                                   context,
-                                   mesh,
-                                   &summary);
+  SeenSurface seen = LookAtSurface(
+      *views,
+      neighbors,
+      spacing,
+      options.fit_radius * pixel * std::min(plan.scale, kMaxFitScale),
+      options,
+      context,
+      mesh,
+      &summary);
   Stopwatch stopwatch;
   if (plan.scale == 1) {
     Align(seen, options, context, views, &summary);

@@ -36,6 +36,33 @@ TEST(LocalSurface, FindsCurvatureAndNormalOfASphere) {
   }
 }
 
+// Of some 30 vertices a radius; samples stand for several of them.
+TEST(LocalSurface, OfAFineMeshIsThatOfTheSphere) {
+  const double radius = 0.4;
+  const double window = 0.16;
+  const IndexedMesh mesh = WithNormals(Sphere(120, radius));
+  const std::vector<LocalSurface> surfaces =
+      FitLocalSurfaces(mesh,
+                       testing::RefineScene::Neighbors(mesh),
+                       {0, 1000, 40000, 86000},
+                       window,
+                       Context(2));
+  const IndexedMesh coarse_mesh = WithNormals(Sphere(30, radius));
+  const LocalSurface coarse =
+      FitLocalSurfaces(coarse_mesh,
+                       testing::RefineScene::Neighbors(coarse_mesh),
+                       {2000},
+                       window,
+                       Context(2))
+          .front();
+  for (const LocalSurface& surface : surfaces) {
+    EXPECT_NEAR(surface.center.norm(), coarse.center.norm(), 2e-4);
+    EXPECT_NEAR(surface.uu, coarse.uu, 0.02);
+    EXPECT_NEAR(surface.vv, coarse.vv, 0.02);
+    EXPECT_GT(surface.normal.dot(surface.center.normalized()), 0.9999);
+  }
+}
+
 TEST(LocalSurface, LooksThroughNoise) {
   Random random(1);
   const double noise = 0.004;

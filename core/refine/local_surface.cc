@@ -4,20 +4,16 @@
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <optional>
-#include <span>
 
 #include "core/base/parallel.h"
-#include "core/refine/surface_places.h"
+#include "core/refine/surface_samples.h"
 
 namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 4096;
-// Of samples that stand for a mesh much finer than the radius.
+// Of a mesh much finer than the radius.
 constexpr double kSamplesPerRadius = 12;
-// Below this many edges of the mesh they would be hardly fewer.
-constexpr double kMinSpacing = 1.5;
 constexpr size_t kMinNeighbors = 8;
 // Least cosine between the normals of a vertex and of what counts as the same
 // side of the surface.
@@ -27,63 +23,12 @@ constexpr double kSigma = 0.5;
 // Pulls curvatures to zero that the vertices leave open.
 constexpr double kRidge = 1e-3;
 
-// Points of a surface: the vertices of a mesh, or means of them.
-struct Samples {
-  std::span<const Eigen::Vector3d> positions;
-  std::span<const Eigen::Vector3f> normals;
-  const VertexCorners* neighbors = nullptr;
-  std::span<const uint32_t> sample_of;  // of every vertex; empty: itself
-
-  uint32_t Of(uint32_t vertex) const {
-    return sample_of.empty() ? vertex : sample_of[vertex];
-  }
-};
-
-double MeanEdge(const IndexedMesh& mesh, const VertexCorners& neighbors) {
-  double sum = 0;
-  for (size_t v = 0; v < mesh.positions.size(); ++v) {
-    for (const uint32_t next : neighbors.Of(v)) {
-      sum += (mesh.positions[next] - mesh.positions[v]).norm();
-    }
-  }
-  return sum / double(std::max<size_t>(neighbors.corners.size(), 1));
-}
-
-// Places on a mesh that stand for the vertices around them.
-struct CoarseSurface {
-  SurfacePlaces places;
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<Eigen::Vector3f> normals;
-
-  CoarseSurface(const IndexedMesh& mesh,
-                const VertexCorners& neighbors,
-                double spacing)
-      : places(SpreadPlaces(mesh, neighbors, spacing)),
-        positions(places.vertices.size(), Eigen::Vector3d::Zero()),
-        normals(places.vertices.size(), Eigen::Vector3f::Zero()) {
-    std::vector<uint32_t> sizes(positions.size(), 0);
-    for (size_t v = 0; v < mesh.positions.size(); ++v) {
-      const uint32_t place = places.place_of[v];
-      positions[place] += mesh.positions[v];
-      normals[place] += mesh.normals[v];
-      ++sizes[place];
-    }
-    for (size_t i = 0; i < positions.size(); ++i) {
-      positions[i] /= double(sizes[i]);
-      normals[i].normalize();
-    }
-  }
-  Samples All() const {
-    return {positions, normals, &places.neighbors, places.place_of};
-  }
-};
-
 // The samples within the radius of a point, found from one next to it along
 // their joints.
 class Neighborhood {
  public:
-  explicit Neighborhood(const Samples& samples)
-      : samples_(samples), found_by_(samples.positions.size(), kNone) {}
+  explicit Neighborhood(const SurfaceSamples& samples)
+      : samples_(samples), found_by_(samples.Positions().size(), kNone) {}
 
   // `vertex` is another one in every call.
   const std::vector<uint32_t>& Gather(uint32_t vertex,
@@ -94,7 +39,7 @@ class Neighborhood {
     found_.assign(1, first);
     found_by_[first] = vertex;
     for (size_t i = 0; i < found_.size(); ++i) {
-      for (const uint32_t next : samples_.neighbors->Of(found_[i])) {
+      for (const uint32_t next : samples_.Neighbors(found_[i])) {
         if (found_by_[next] != vertex &&
             IsNear(next, position, normal, radius)) {
           found_by_[next] = vertex;
@@ -112,12 +57,12 @@ class Neighborhood {
               const Eigen::Vector3d& position,
               const Eigen::Vector3f& normal,
               double radius) const {
-    return (samples_.positions[sample] - position).squaredNorm() <=
+    return (samples_.Positions()[sample] - position).squaredNorm() <=
                radius * radius &&
-           samples_.normals[sample].dot(normal) >= kMinCosine;
+           samples_.Normals()[sample].dot(normal) >= kMinCosine;
   }
 
-  const Samples& samples_;
+  const SurfaceSamples& samples_;
   std::vector<uint32_t> found_by_;
   std::vector<uint32_t> found_;
 };
@@ -140,15 +85,15 @@ double Weight(const Eigen::Vector3d& offset, double radius) {
 }
 
 // Of what is near a vertex with this position and normal.
-Eigen::Vector3d MeanNormal(const Samples& samples,
+Eigen::Vector3d MeanNormal(const SurfaceSamples& samples,
                            const std::vector<uint32_t>& near,
                            const Eigen::Vector3d& position,
                            const Eigen::Vector3f& normal,
                            double radius) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const uint32_t sample : near) {
-    sum += Weight(samples.positions[sample] - position, radius) *
-           samples.normals[sample].cast<double>();
+    sum += Weight(samples.Positions()[sample] - position, radius) *
+           samples.Normals()[sample].cast<double>();
   }
   // All are within a cone but for the first one, which stands for the vertex.
   const Eigen::Vector3d own = normal.cast<double>();
@@ -157,7 +102,7 @@ Eigen::Vector3d MeanNormal(const Samples& samples,
 
 // z = a + b x + c y + d x^2 + e x y + f y^2 over `middle`, in the frame of the
 // mean normal, lengths in units of the radius.
-LocalSurface Fit(const Samples& samples,
+LocalSurface Fit(const SurfaceSamples& samples,
                  const std::vector<uint32_t>& near,
                  const Eigen::Vector3d& middle,
                  const Eigen::Vector3f& vertex_normal,
@@ -176,7 +121,7 @@ LocalSurface Fit(const Samples& samples,
   Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
   Vector6d right = Vector6d::Zero();
   for (const uint32_t sample : near) {
-    const Eigen::Vector3d offset = samples.positions[sample] - middle;
+    const Eigen::Vector3d offset = samples.Positions()[sample] - middle;
     const double weight = Weight(offset, radius);
     const Eigen::Vector3d p = axes * offset;
     Vector6d row;
@@ -214,14 +159,7 @@ std::vector<LocalSurface> FitLocalSurfaces(
     const std::vector<uint32_t>& vertices,
     double radius,
     const Context& context) {
-  const double spacing = radius / kSamplesPerRadius;
-  std::optional<CoarseSurface> coarse;
-  if (spacing > kMinSpacing * MeanEdge(mesh, neighbors)) {
-    coarse.emplace(mesh, neighbors, spacing);
-  }
-  const Samples samples =
-      coarse ? coarse->All()
-             : Samples{mesh.positions, mesh.normals, &neighbors, {}};
+  const SurfaceSamples samples(mesh, neighbors, radius / kSamplesPerRadius);
   std::vector<LocalSurface> surfaces(vertices.size());
   ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
     Neighborhood neighborhood(samples);

@@ -18,6 +18,7 @@
 #include "core/refine/rim_targets.h"
 #include "core/refine/solve_offsets.h"
 #include "core/refine/surface_places.h"
+#include "core/refine/surface_samples.h"
 
 namespace octacut {
 namespace {
@@ -33,18 +34,6 @@ constexpr double kMinFitEdges = 2.5;
 constexpr double kMaxFitScale = 2.7;
 // How far a place speaks of vertices, in distances between places.
 constexpr double kReach = 1.3;
-
-double MeanEdge(const IndexedMesh& mesh) {
-  double sum = 0;
-  for (const auto& triangle : mesh.triangles) {
-    for (int i = 0; i < 3; ++i) {
-      sum +=
-          (mesh.positions[triangle[i]] - mesh.positions[triangle[(i + 1) % 3]])
-              .norm();
-    }
-  }
-  return sum / double(3 * mesh.triangles.size());
-}
 
 // Mean distance between neighbouring places.
 double MeanSpacing(const IndexedMesh& mesh, const SurfacePlaces& places) {
@@ -93,7 +82,7 @@ SeenSurface LookAtSurface(const ViewSet& views,
                           RoundSummary* summary) {
   Stopwatch stopwatch;
   mesh->normals = ComputeVertexNormals(*mesh, context);
-  const double edge = MeanEdge(*mesh);
+  const double edge = MeanEdge(*mesh, neighbors);
   SurfacePlaces places = SpreadPlaces(*mesh, neighbors, spacing);
   std::vector<LocalSurface> surfaces =
       FitLocalSurfaces(*mesh,

@@ -15,6 +15,13 @@ namespace octacut {
 // What is left of a vertex' way each time that it is moved back.
 inline constexpr std::array<double, 4> kLeftOfWay = {1, 0.5, 0.25, 0};
 
+// A position as files keep it. What does not intersect in doubles may once it
+// is rounded; so meshes are rounded before they are untangled for the last
+// time.
+inline Eigen::Vector3d RoundedToFloats(const Eigen::Vector3d& position) {
+  return position.cast<float>().cast<double>();
+}
+
 // Moves vertices of `mesh` back towards `start` (as kLeftOfWay has it) that
 // belong to triangles which intersect others, until none do but those that did
 // at `start`; and keeps triangles from being thinner than `min_height` as

@@ -13,6 +13,7 @@
 #include "core/mesh/place_vertices.h"
 #include "core/mesh/remove_handles.h"
 #include "core/mesh/smooth.h"
+#include "core/mesh/untangle.h"
 
 namespace octacut {
 namespace {
@@ -46,6 +47,12 @@ SurfaceMesh::Color BlendColor(const ViewSet& views,
   sum /= weights;
   const auto channel = [&](int i) { return uint8_t(std::lround(sum[i])); };
   return {channel(2), channel(1), channel(0)};  // blue, green, red in `sum`
+}
+
+void RoundToFloats(std::vector<Eigen::Vector3d>* positions) {
+  for (Eigen::Vector3d& position : *positions) {
+    position = RoundedToFloats(position);
+  }
 }
 
 }  // namespace
@@ -86,8 +93,15 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
                                          placing.min_height * voxel_size,
                                          context);
   summary->handles = cleaned.summary;
+  std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;
   SmoothedSurface smoothed = SmoothSurface(
       std::move(cleaned.mesh), voxel_size, options.smoothing, context);
+  RoundToFloats(&before);
+  RoundToFloats(&smoothed.mesh.positions);
+  Untangle(before,
+           options.smoothing.min_height * voxel_size,
+           context,
+           &smoothed.mesh);
   smoothed.mesh.normals = ComputeVertexNormals(smoothed.mesh, context);
   return std::move(smoothed.mesh);
 }

@@ -71,11 +71,16 @@ size_t KeepValid(const ViewSet& views,
                  const Context& context,
                  IndexedMesh* mesh) {
   const Phase phase(context, "refined mesh kept valid");
-  size_t num_withdrawn =
+  const size_t num_withdrawn =
       WithdrawIntoHull(views, start, before, tolerance, context, mesh);
-  num_withdrawn +=
-      Untangle(before, kMinHeight * pixel, context, mesh).num_withdrawn;
-  return num_withdrawn;
+  return num_withdrawn + KeepUntangled(before, pixel, context, mesh);
+}
+
+size_t KeepUntangled(const std::vector<Eigen::Vector3d>& before,
+                     double pixel,
+                     const Context& context,
+                     IndexedMesh* mesh) {
+  return Untangle(before, kMinHeight * pixel, context, mesh).num_withdrawn;
 }
 
 }  // namespace octacut

@@ -30,4 +30,10 @@ size_t KeepValid(const ViewSet& views,
                  const Context& context,
                  IndexedMesh* mesh);
 
+// The last part of that alone.
+size_t KeepUntangled(const std::vector<Eigen::Vector3d>& before,
+                     double pixel,
+                     const Context& context,
+                     IndexedMesh* mesh);
+
 }  // namespace octacut

@@ -7,6 +7,8 @@
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/mesh/normals.h"
+#include "core/mesh/untangle.h"
+#include "core/refine/keep_valid.h"
 
 namespace octacut {
 namespace {
@@ -68,6 +70,20 @@ std::vector<Eigen::Vector3d> SomePositions(const IndexedMesh& mesh) {
   return some;
 }
 
+// `world` with what has moved from `start` in unit coordinates put there, as
+// files keep it.
+std::vector<Eigen::Vector3d> PutMoved(const std::vector<Eigen::Vector3d>& start,
+                                      const std::vector<Eigen::Vector3d>& moved,
+                                      const BoundingCube& cube,
+                                      std::vector<Eigen::Vector3d> world) {
+  for (size_t v = 0; v < start.size(); ++v) {
+    if (moved[v] != start[v]) {
+      world[v] = RoundedToFloats(cube.min_corner + cube.edge * moved[v]);
+    }
+  }
+  return world;
+}
+
 void SummarizeMoves(const std::vector<Eigen::Vector3d>& start,
                     const IndexedMesh& mesh,
                     double pixel,
@@ -113,7 +129,9 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   }
   summary.agreement_before =
       MeanAgreement(*views, neighbors, pixel, options, context, &unit);
+  std::vector<Eigen::Vector3d> before;  // the last round
   for (const RoundPlan& plan : PlanRounds(options)) {
+    before = unit.positions;
     RoundSummary round = RefineOnce(
         start, neighbors, pixel, plan, options, context, views, &unit);
     summary.num_withdrawn += round.num_withdrawn;
@@ -124,11 +142,11 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   summary.agreement_after =
       MeanAgreement(*views, neighbors, pixel, options, context, &unit);
   SummarizeMoves(start, unit, pixel, &summary);
-  for (size_t v = 0; v < start.size(); ++v) {
-    if (unit.positions[v] != start[v]) {
-      mesh.positions[v] = cube.min_corner + cube.edge * unit.positions[v];
-    }
-  }
+  before = PutMoved(start, before, cube, mesh.positions);
+  mesh.positions =
+      PutMoved(start, unit.positions, cube, std::move(mesh.positions));
+  summary.num_withdrawn +=
+      KeepUntangled(before, summary.pixel_size, context, &mesh);
   mesh.normals = ComputeVertexNormals(mesh, context);
   result.mesh = std::move(mesh);
   summary.seconds = whole.Lap();

@@ -96,6 +96,7 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
   std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;
   SmoothedSurface smoothed = SmoothSurface(
       std::move(cleaned.mesh), voxel_size, options.smoothing, context);
+  // Smoothing leaves nothing that intersects, but in doubles.
   RoundToFloats(&before);
   RoundToFloats(&smoothed.mesh.positions);
   Untangle(before,

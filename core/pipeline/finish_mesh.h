@@ -18,8 +18,9 @@ IndexedMesh PlacedMesh(const LabeledVoxels& surface,
                        const Context& context);
 
 // Extraction, placement and smoothing; components and handles smaller than the
-// options say are removed. No triangles intersect. With normals, without
-// colours. Throws InputError when there is no surface.
+// options say are removed. No triangles intersect, once coordinates are rounded
+// to the floats of files either. With normals, without colours. Throws
+// InputError when there is no surface.
 IndexedMesh FinalMesh(const LabeledVoxels& surface,
                       const BoundingCube& cube,
                       const ReconstructionOptions& options,

@@ -30,7 +30,7 @@ size_t KeepValid(const ViewSet& views,
                  const Context& context,
                  IndexedMesh* mesh);
 
-// The last part of that alone.
+// The last two parts of that alone, in any coordinates; `pixel` is in those.
 size_t KeepUntangled(const std::vector<Eigen::Vector3d>& before,
                      double pixel,
                      const Context& context,

@@ -84,6 +84,22 @@ std::vector<Eigen::Vector3d> PutMoved(const std::vector<Eigen::Vector3d>& start,
   return world;
 }
 
+// Moves `mesh` from `start` to `after`, unit coordinates. That is valid in
+// doubles; what the rounding makes intersect goes back towards `before`, where
+// the last round began. Returns how many vertices do.
+size_t MoveMesh(const std::vector<Eigen::Vector3d>& start,
+                const std::vector<Eigen::Vector3d>& before,
+                const std::vector<Eigen::Vector3d>& after,
+                const BoundingCube& cube,
+                double pixel_size,
+                const Context& context,
+                IndexedMesh* mesh) {
+  const std::vector<Eigen::Vector3d> world_before =
+      PutMoved(start, before, cube, mesh->positions);
+  mesh->positions = PutMoved(start, after, cube, std::move(mesh->positions));
+  return KeepUntangled(world_before, pixel_size, context, mesh);
+}
+
 void SummarizeMoves(const std::vector<Eigen::Vector3d>& start,
                     const IndexedMesh& mesh,
                     double pixel,
@@ -129,7 +145,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   }
   summary.agreement_before =
       MeanAgreement(*views, neighbors, pixel, options, context, &unit);
-  std::vector<Eigen::Vector3d> before;  // the last round
+  std::vector<Eigen::Vector3d> before;  // where the last round began
   for (const RoundPlan& plan : PlanRounds(options)) {
     before = unit.positions;
     RoundSummary round = RefineOnce(
@@ -142,11 +158,8 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   summary.agreement_after =
       MeanAgreement(*views, neighbors, pixel, options, context, &unit);
   SummarizeMoves(start, unit, pixel, &summary);
-  before = PutMoved(start, before, cube, mesh.positions);
-  mesh.positions =
-      PutMoved(start, unit.positions, cube, std::move(mesh.positions));
-  summary.num_withdrawn +=
-      KeepUntangled(before, summary.pixel_size, context, &mesh);
+  summary.num_withdrawn += MoveMesh(
+      start, before, unit.positions, cube, summary.pixel_size, context, &mesh);
   mesh.normals = ComputeVertexNormals(mesh, context);
   result.mesh = std::move(mesh);
   summary.seconds = whole.Lap();

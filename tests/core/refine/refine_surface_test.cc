@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
+#include "core/mesh/untangle.h"
 #include "core/mesh/vertex_corners.h"
 #include "core/refine/refine_round.h"
 #include "tests/core/refine/refine_scene.h"
@@ -60,6 +61,22 @@ TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
   EXPECT_EQ(summary.rounds[2].scale, 1);
   EXPECT_EQ(summary.rounds[2].num_seen, summary.rounds[2].num_places);
   EXPECT_GT(summary.rounds[2].num_measured, summary.rounds[2].num_places / 2);
+}
+
+// Files keep floats; a mesh that is only valid in doubles may cross itself
+// there.
+TEST(RefineSurface, MovesVerticesToFloats) {
+  const RefineScene scene = testing::MakeRefineScene();
+  const IndexedMesh before = BumpyMesh(scene);
+  const IndexedMesh refined = Refine(scene).mesh;
+  size_t num_moved = 0;
+  for (size_t v = 0; v < before.positions.size(); ++v) {
+    if (refined.positions[v] != before.positions[v]) {
+      EXPECT_EQ(refined.positions[v], RoundedToFloats(refined.positions[v]));
+      ++num_moved;
+    }
+  }
+  EXPECT_GT(num_moved, before.positions.size() / 2);
 }
 
 // How rough a mesh is that had steps, after a round of twice its pixels.

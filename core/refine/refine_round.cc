@@ -7,31 +7,20 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/mesh/normals.h"
-#include "core/raycast/ray_scene.h"
 #include "core/refine/align_views.h"
 #include "core/refine/keep_valid.h"
-#include "core/refine/local_surface.h"
 #include "core/refine/move_vertices.h"
 #include "core/refine/offset_search.h"
 #include "core/refine/place_planes.h"
 #include "core/refine/rim_targets.h"
+#include "core/refine/seen_surface.h"
 #include "core/refine/solve_offsets.h"
-#include "core/refine/surface_places.h"
-#include "core/refine/surface_samples.h"
 
 namespace octacut {
 namespace {
 
 // Rings of unseen places around seen ones that may move along with them.
 constexpr int kBlendRings = 2;
-// Rays begin this far before the surface, in edges of the mesh.
-constexpr double kClearance = 1.5;
-// A piece of the surface needs some triangles, however large they are.
-constexpr double kMinFitEdges = 2.5;
-// Pieces grow with the pixels of the round up to so many times; larger ones
-// would level what coarse rounds must see.
-constexpr double kMaxFitScale = 2.7;
 // How far a place speaks of vertices, in distances between places.
 constexpr double kReach = 1.3;
 
@@ -60,52 +49,6 @@ std::vector<uint8_t> Dilate(std::vector<uint8_t> set,
     }
   }
   return set;
-}
-
-// What is known of the surface, at every place, before anything is measured.
-struct SeenSurface {
-  double edge;  // of the mesh
-  SurfacePlaces places;
-  std::vector<LocalSurface> surfaces;
-  RayScene rays;
-  std::vector<ChosenViews> choices;
-  std::vector<uint8_t> is_seen;  // by at least two views
-};
-
-SeenSurface LookAtSurface(const ViewSet& views,
-                          const VertexCorners& neighbors,
-                          double spacing,
-                          double fit_radius,
-                          const RefineOptions& options,
-                          const Context& context,
-                          IndexedMesh* mesh,
-                          RoundSummary* summary) {
-  Stopwatch stopwatch;
-  mesh->normals = ComputeVertexNormals(*mesh, context);
-  const double edge = MeanEdge(*mesh, neighbors);
-  SurfacePlaces places = SpreadPlaces(*mesh, neighbors, spacing);
-  std::vector<LocalSurface> surfaces =
-      FitLocalSurfaces(*mesh,
-                       neighbors,
-                       places.vertices,
-                       std::max(fit_radius, kMinFitEdges * edge),
-                       context);
-  SeenSurface seen{
-      edge, std::move(places), std::move(surfaces), RayScene(*mesh), {}, {}};
-  summary->fit_seconds = stopwatch.Lap();
-  seen.choices = ChooseViews(views,
-                             seen.rays,
-                             seen.surfaces,
-                             kClearance * edge,
-                             options.views,
-                             context);
-  for (const ChosenViews& chosen : seen.choices) {
-    seen.is_seen.push_back(chosen.count >= 2);
-    summary->num_seen += chosen.count >= 2 ? 1 : 0;
-  }
-  summary->num_places = seen.choices.size();
-  summary->view_seconds = stopwatch.Lap();
-  return seen;
 }
 
 void Align(const SeenSurface& seen,
@@ -217,17 +160,19 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   summary.scale = plan.scale;
   summary.range = plan.range * plan.scale;
   const std::vector<Eigen::Vector3d> before = mesh->positions;
-  const double round_pixel = plan.scale * pixel;
-  const double spacing = options.measure_spacing * round_pixel;
-  SeenSurface seen = LookAtSurface(
-      *views,
-      neighbors,
-      spacing,
-      options.fit_radius * pixel * std::min(plan.scale, kMaxFitScale),
-      options,
-      context,
-      mesh,
-      &summary);
+  SeenSurface seen =
+      LookAtSurface(*views,
+                    neighbors,
+                    {.pixel = pixel,
+                     .scale = plan.scale,
+                     .spacing = options.measure_spacing * plan.scale * pixel},
+                    options,
+                    context,
+                    mesh);
+  summary.num_places = seen.choices.size();
+  summary.num_seen = seen.NumSeen();
+  summary.fit_seconds = seen.fit_seconds;
+  summary.view_seconds = seen.view_seconds;
   Stopwatch stopwatch;
   if (plan.scale == 1) {
     Align(seen, options, context, views, &summary);
@@ -286,15 +231,15 @@ double MeanAgreement(const ViewSet& views,
                      const RefineOptions& options,
                      const Context& context,
                      IndexedMesh* mesh) {
-  RoundSummary summary;
-  const SeenSurface seen = LookAtSurface(views,
-                                         neighbors,
-                                         2 * options.measure_spacing * pixel,
-                                         options.fit_radius * pixel,
-                                         options,
-                                         context,
-                                         mesh,
-                                         &summary);
+  const SeenSurface seen =
+      LookAtSurface(views,
+                    neighbors,
+                    {.pixel = pixel,
+                     .scale = 1,
+                     .spacing = 2 * options.measure_spacing * pixel},
+                    options,
+                    context,
+                    mesh);
   Phase phase(context, "agreement of the views", seen.surfaces.size());
   const std::vector<OffsetMeasurement> measurements =
       SearchOffsets(views,
@@ -307,7 +252,7 @@ double MeanAgreement(const ViewSet& views,
   for (const OffsetMeasurement& measurement : measurements) {
     sum += measurement.score_before;
   }
-  return sum / double(std::max<size_t>(summary.num_seen, 1));
+  return sum / double(std::max<size_t>(seen.NumSeen(), 1));
 }
 
 }  // namespace octacut

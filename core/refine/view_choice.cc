@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/base/check_option.h"
@@ -11,6 +12,7 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 1024;
+constexpr int kRingPoints = 8;
 
 float CosineOfDegrees(double degrees) {
   return float(std::cos(degrees * std::numbers::pi / 180));
@@ -53,10 +55,44 @@ void FindCandidates(const ViewSet& views,
             });
 }
 
+bool IsHidden(const RayScene& rays,
+              const Eigen::Vector3f& point,
+              const Eigen::Vector3f& direction) {
+  return rays.IsOccluded(point.cast<double>(),
+                         direction.cast<double>(),
+                         0,
+                         std::numeric_limits<double>::infinity());
+}
+
+// Whether the view sees the place and the ring around it.
+bool SeesPiece(const RayScene& rays,
+               const LocalSurface& surface,
+               const Candidate& candidate,
+               const LinesOfSight& lines) {
+  if (IsHidden(rays,
+               surface.center + float(lines.clearance) * surface.normal,
+               candidate.direction)) {
+    return false;
+  }
+  const float radius = float(lines.ring_radius) * candidate.pixel;
+  for (int k = 0; radius > 0 && k < kRingPoints; ++k) {
+    const float angle = 2 * std::numbers::pi_v<float> * float(k) / kRingPoints;
+    const float x = radius * std::cos(angle);
+    const float y = radius * std::sin(angle);
+    const Eigen::Vector3f point =
+        surface.center + x * surface.tangent_u + y * surface.TangentV() +
+        (surface.Height(x, y) + float(lines.ring_clearance)) * surface.normal;
+    if (IsHidden(rays, point, candidate.direction)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 ChosenViews Choose(const RayScene& rays,
                    const LocalSurface& surface,
                    const std::vector<Candidate>& candidates,
-                   double clearance,
+                   const LinesOfSight& lines,
                    int max_views,
                    float max_similarity) {
   ChosenViews chosen;
@@ -68,12 +104,7 @@ ChosenViews Choose(const RayScene& rays,
         [&](const Eigen::Vector3f& direction) {
           return direction.dot(candidate.direction) > max_similarity;
         });
-    if (is_double ||
-        rays.IsOccluded(surface.center.cast<double>() +
-                            clearance * surface.normal.cast<double>(),
-                        candidate.direction.cast<double>(),
-                        0,
-                        std::numeric_limits<double>::infinity())) {
+    if (is_double || !SeesPiece(rays, surface, candidate, lines)) {
       continue;
     }
     directions[chosen.count] = candidate.direction;
@@ -110,7 +141,7 @@ void ViewChoiceOptions::Check() const {
 std::vector<ChosenViews> ChooseViews(const ViewSet& views,
                                      const RayScene& rays,
                                      const std::vector<LocalSurface>& surfaces,
-                                     double clearance,
+                                     const LinesOfSight& lines,
                                      const ViewChoiceOptions& options,
                                      const Context& context) {
   const float min_cosine = CosineOfDegrees(options.max_angle);
@@ -123,7 +154,7 @@ std::vector<ChosenViews> ChooseViews(const ViewSet& views,
       choices[v] = Choose(rays,
                           surfaces[v],
                           candidates,
-                          clearance,
+                          lines,
                           options.max_views,
                           max_similarity);
     }

@@ -14,7 +14,7 @@ namespace octacut {
 
 struct ViewChoiceOptions {
   // Views at more than this angle (degrees) to the normal do not count.
-  double max_angle = 80;
+  double max_angle = 85;
   // At most this many views a place, those most nearly frontal; 2 .. 24.
   int max_views = 16;
   // Between the directions of any two of them, degrees: nearly equal views
@@ -32,14 +32,24 @@ struct ChosenViews {
   float pixel = 0;  // mean size of their pixels at the place
 };
 
+// The rays that have to reach a camera; lengths in unit coordinates.
+struct LinesOfSight {
+  // They begin this far before the surface.
+  double clearance = 0;
+  // As must those from a ring around the place, of so many pixels of the view:
+  // a patch that is hidden in part draws the surface towards what hides it, out
+  // of every furrow. 0: no ring.
+  double ring_radius = 0;
+  double ring_clearance = 0;
+};
+
 // One choice a vertex. A view counts when the vertex is within its frame, on
-// its silhouette's object and not hidden: no ray from `clearance` before the
-// surface to the camera meets `rays`. Coordinates are unit coordinates
-// throughout, those of `rays` too.
+// its silhouette's object and not hidden: none of `lines` meets `rays`.
+// Coordinates are unit coordinates throughout, those of `rays` too.
 std::vector<ChosenViews> ChooseViews(const ViewSet& views,
                                      const RayScene& rays,
                                      const std::vector<LocalSurface>& surfaces,
-                                     double clearance,
+                                     const LinesOfSight& lines,
                                      const ViewChoiceOptions& options,
                                      const Context& context);
 

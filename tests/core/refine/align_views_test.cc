@@ -58,8 +58,12 @@ class AlignViewsTest : public ::testing::Test {
     const ViewChoiceOptions options;
     size_t num_aligned = 0;
     for (int i = 0; i < steps; ++i) {
-      const std::vector<ChosenViews> choices = ChooseViews(
-          *views, RayScene(mesh_), surfaces_, 0.02, options, context);
+      const std::vector<ChosenViews> choices = ChooseViews(*views,
+                                                           RayScene(mesh_),
+                                                           surfaces_,
+                                                           {.clearance = 0.02},
+                                                           options,
+                                                           context);
       num_aligned = AlignViews(surfaces_, choices, kAlignment, context, views);
     }
     return num_aligned;

@@ -34,8 +34,12 @@ std::vector<OffsetMeasurement> MeasureIn(
                        context);
   ViewChoiceOptions choice;
   choice.max_views = max_views;
-  const std::vector<ChosenViews> choices = ChooseViews(
-      scene.test.views, RayScene(mesh), surfaces, 0.02, choice, context);
+  const std::vector<ChosenViews> choices = ChooseViews(scene.test.views,
+                                                       RayScene(mesh),
+                                                       surfaces,
+                                                       {.clearance = 0.02},
+                                                       choice,
+                                                       context);
   Phase phase(context, "test");
   std::vector<OffsetMeasurement> measurements = SearchOffsets(
       scene.test.views, surfaces, choices, search, context, &phase);

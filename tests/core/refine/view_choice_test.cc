@@ -37,8 +37,12 @@ TEST_F(ViewChoice, TakesTheMostFrontalViewsThatSee) {
   ViewChoiceOptions options;
   options.max_views = 5;
   options.max_angle = 60;
-  const std::vector<ChosenViews> choices =
-      ChooseViews(Views(), RayScene(mesh), surfaces, 0.02, options, Context(2));
+  const std::vector<ChosenViews> choices = ChooseViews(Views(),
+                                                       RayScene(mesh),
+                                                       surfaces,
+                                                       {.clearance = 0.02},
+                                                       options,
+                                                       Context(2));
   for (size_t v = 0; v < choices.size(); ++v) {
     const auto cosine = [&](size_t view) {
       return (Views()[view].projection.center - surfaces[v].center)
@@ -73,8 +77,12 @@ TEST_F(ViewChoice, KeepsViewsApart) {
   const std::vector<LocalSurface> surfaces = Fit(mesh);
   ViewChoiceOptions options;
   options.min_separation = 35;
-  const std::vector<ChosenViews> choices =
-      ChooseViews(Views(), RayScene(mesh), surfaces, 0.02, options, Context(2));
+  const std::vector<ChosenViews> choices = ChooseViews(Views(),
+                                                       RayScene(mesh),
+                                                       surfaces,
+                                                       {.clearance = 0.02},
+                                                       options,
+                                                       Context(2));
   for (size_t v = 0; v < choices.size(); ++v) {
     for (int i = 0; i < choices[v].count; ++i) {
       for (int j = 0; j < i; ++j) {
@@ -99,11 +107,49 @@ TEST_F(ViewChoice, LeavesOutViewsBehindAnObstacle) {
   for (const ChosenViews& chosen : ChooseViews(Views(),
                                                RayScene(Joined(mesh, hood)),
                                                Fit(mesh),
-                                               0.02,
+                                               {.clearance = 0.02},
                                                ViewChoiceOptions(),
                                                Context(2))) {
     EXPECT_EQ(chosen.count, 0);
   }
+}
+
+TEST_F(ViewChoice, LeavesOutViewsFromWhichAPieceIsHiddenInPart) {
+  // A wall 0.1 high stands around the north pole, 0.1 away; the rest is smooth.
+  const auto away_from_pole = [](const Eigen::Vector3d& direction) {
+    return std::acos(direction.z()) * RefineScene::kRadius;
+  };
+  const IndexedMesh world = RefineScene::Mesh(60, [&](const auto& direction) {
+    const double away = away_from_pole(direction);
+    return away > 0.1 && away < 0.2 ? 0.1 : 0.0;
+  });
+  const IndexedMesh mesh = scene_->ToUnitMesh(world);
+  const std::vector<LocalSurface> surfaces = Fit(mesh);
+  const RayScene rays(mesh);
+  const auto choose = [&](double ring_pixels) {
+    return ChooseViews(Views(),
+                       rays,
+                       surfaces,
+                       {.clearance = 0.005,
+                        .ring_radius = ring_pixels,
+                        .ring_clearance = 0.005},
+                       {.max_angle = 70},
+                       Context(2));
+  };
+  const std::vector<ChosenViews> centers = choose(0);
+  const std::vector<ChosenViews> pieces = choose(3);
+  int num_at_pole = 0;
+  for (size_t v = 0; v < centers.size(); ++v) {
+    const double away = away_from_pole(world.positions[v].normalized());
+    if (away < 0.03) {
+      EXPECT_GT(pieces[v].count, 0);
+      EXPECT_LT(pieces[v].count, centers[v].count);
+      ++num_at_pole;
+    } else if (away > 0.5) {
+      EXPECT_EQ(pieces[v].count, centers[v].count);
+    }
+  }
+  EXPECT_GT(num_at_pole, 2);
 }
 
 TEST(ViewChoiceOptions, AreChecked) {

@@ -1,0 +1,78 @@
+#include "core/refine/seen_surface.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/mesh/normals.h"
+#include "core/refine/surface_samples.h"
+
+namespace octacut {
+namespace {
+
+// Rays begin this far before the surface, in edges of the mesh.
+constexpr double kClearance = 1.5;
+// At the views' own scale a view has to see what a patch covers and so many
+// pixels more; rays from there begin closer to the surface, by edges of the
+// mesh or pixels. In coarser rounds the surface is still too rough for that.
+constexpr double kRingMargin = 2;
+constexpr double kRingClearance = 0.4;
+// A piece of the surface needs some triangles, however large they are.
+constexpr double kMinFitEdges = 2.5;
+// Pieces grow with the pixels of the round up to so many times; larger ones
+// would level what coarse rounds must see.
+constexpr double kMaxFitScale = 2.7;
+
+LinesOfSight MakeLines(double edge,
+                       const Look& look,
+                       const RefineOptions& options) {
+  LinesOfSight lines;
+  lines.clearance = kClearance * edge;
+  if (look.scale == 1) {
+    lines.ring_radius = options.patch_radius + kRingMargin;
+    lines.ring_clearance = kRingClearance * std::max(edge, look.pixel);
+  }
+  return lines;
+}
+
+}  // namespace
+
+size_t SeenSurface::NumSeen() const {
+  return size_t(std::count(is_seen.begin(), is_seen.end(), 1));
+}
+
+SeenSurface LookAtSurface(const ViewSet& views,
+                          const VertexCorners& neighbors,
+                          const Look& look,
+                          const RefineOptions& options,
+                          const Context& context,
+                          IndexedMesh* mesh) {
+  Stopwatch stopwatch;
+  mesh->normals = ComputeVertexNormals(*mesh, context);
+  const double edge = MeanEdge(*mesh, neighbors);
+  SurfacePlaces places = SpreadPlaces(*mesh, neighbors, look.spacing);
+  const double fit_radius =
+      options.fit_radius * look.pixel * std::min(look.scale, kMaxFitScale);
+  std::vector<LocalSurface> surfaces =
+      FitLocalSurfaces(*mesh,
+                       neighbors,
+                       places.vertices,
+                       std::max(fit_radius, kMinFitEdges * edge),
+                       context);
+  SeenSurface seen{
+      edge, std::move(places), std::move(surfaces), RayScene(*mesh), {}, {}};
+  seen.fit_seconds = stopwatch.Lap();
+  seen.choices = ChooseViews(views,
+                             seen.rays,
+                             seen.surfaces,
+                             MakeLines(edge, look, options),
+                             options.views,
+                             context);
+  for (const ChosenViews& chosen : seen.choices) {
+    seen.is_seen.push_back(chosen.count >= 2);
+  }
+  seen.view_seconds = stopwatch.Lap();
+  return seen;
+}
+
+}  // namespace octacut

@@ -1,0 +1,50 @@
+// What a round of refinement knows of the surface before it measures: places on
+// it, its shape there and the views that see it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/mesh/vertex_corners.h"
+#include "core/raycast/ray_scene.h"
+#include "core/refine/local_surface.h"
+#include "core/refine/refine_options.h"
+#include "core/refine/surface_places.h"
+#include "core/refine/view_choice.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// Of a round; lengths in unit coordinates.
+struct Look {
+  double pixel;    // of the views, at the surface
+  double scale;    // pixels between the samples of a patch
+  double spacing;  // between places
+};
+
+struct SeenSurface {
+  double edge;  // mean one of the mesh
+  SurfacePlaces places;
+  std::vector<LocalSurface> surfaces;  // at the places
+  RayScene rays;                       // of the mesh
+  std::vector<ChosenViews> choices;    // of the places
+  std::vector<uint8_t> is_seen;        // by at least two views
+  double fit_seconds = 0;
+  double view_seconds = 0;
+
+  size_t NumSeen() const;
+};
+
+// `mesh` (unit coordinates) is given normals; `neighbors` are those of
+// FindVertexNeighbors.
+SeenSurface LookAtSurface(const ViewSet& views,
+                          const VertexCorners& neighbors,
+                          const Look& look,
+                          const RefineOptions& options,
+                          const Context& context,
+                          IndexedMesh* mesh);
+
+}  // namespace octacut

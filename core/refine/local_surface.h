@@ -28,6 +28,11 @@ struct LocalSurface {
   float Height(float x, float y) const {
     return uu * x * x + uv * x * y + vv * y * y;
   }
+  // Outward, not of unit length.
+  Eigen::Vector3f NormalAt(float x, float y) const {
+    return normal - (2 * uu * x + uv * y) * tangent_u -
+           (uv * x + 2 * vv * y) * TangentV();
+  }
 };
 
 // One for each of `vertices` of `mesh`, which has normals, by weighted least

@@ -64,7 +64,7 @@ bool IsHidden(const RayScene& rays,
                          std::numeric_limits<double>::infinity());
 }
 
-// Whether the view sees the place and the ring around it.
+// Whether the view sees the place and what faces it of the ring around.
 bool SeesPiece(const RayScene& rays,
                const LocalSurface& surface,
                const Candidate& candidate,
@@ -79,6 +79,9 @@ bool SeesPiece(const RayScene& rays,
     const float angle = 2 * std::numbers::pi_v<float> * float(k) / kRingPoints;
     const float x = radius * std::cos(angle);
     const float y = radius * std::sin(angle);
+    if (surface.NormalAt(x, y).dot(candidate.direction) <= 0) {
+      continue;
+    }
     const Eigen::Vector3f point =
         surface.center + x * surface.tangent_u + y * surface.TangentV() +
         (surface.Height(x, y) + float(lines.ring_clearance)) * surface.normal;

@@ -14,7 +14,7 @@ namespace octacut {
 
 struct ViewChoiceOptions {
   // Views at more than this angle (degrees) to the normal do not count.
-  double max_angle = 85;
+  double max_angle = 80;
   // At most this many views a place, those most nearly frontal; 2 .. 24.
   int max_views = 16;
   // Between the directions of any two of them, degrees: nearly equal views

@@ -104,6 +104,26 @@ TEST(LocalSurface, IsFittedWhereAskedFor) {
   }
 }
 
+TEST(LocalSurface, HasTheNormalOfItsQuadric) {
+  LocalSurface surface;
+  surface.normal = Eigen::Vector3f(1, 2, -2) / 3;
+  surface.tangent_u = Eigen::Vector3f(2, 1, 2) / 3;
+  surface.uu = 0.4f;
+  surface.uv = -0.7f;
+  surface.vv = 0.2f;
+  const auto point = [&](float x, float y) -> Eigen::Vector3f {
+    return x * surface.tangent_u + y * surface.TangentV() +
+           surface.Height(x, y) * surface.normal;
+  };
+  const float step = 1e-2f;
+  for (const auto& [x, y] : {std::pair(0.0f, 0.0f), std::pair(0.8f, -0.3f)}) {
+    const Eigen::Vector3f normal = surface.NormalAt(x, y);
+    EXPECT_NEAR(normal.dot(point(x + step, y) - point(x - step, y)), 0, 1e-6);
+    EXPECT_NEAR(normal.dot(point(x, y + step) - point(x, y - step)), 0, 1e-6);
+    EXPECT_GT(normal.dot(surface.normal), 0);
+  }
+}
+
 TEST(LocalSurface, IsThePlaneOfAVertexWithFewNeighbors) {
   const IndexedMesh mesh = WithNormals(Cube(1));
   const std::vector<LocalSurface> surfaces =

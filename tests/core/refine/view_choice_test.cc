@@ -152,6 +152,28 @@ TEST_F(ViewChoice, LeavesOutViewsFromWhichAPieceIsHiddenInPart) {
   EXPECT_GT(num_at_pole, 2);
 }
 
+TEST_F(ViewChoice, ThatAPieceTurnsAwayHidesNothing) {
+  const IndexedMesh mesh =
+      scene_->ToUnitMesh(RefineScene::Mesh(20, [](const auto&) { return 0; }));
+  const std::vector<LocalSurface> surfaces = Fit(mesh);
+  const auto choose = [&](double ring_radius) {
+    return ChooseViews(Views(),
+                       RayScene(mesh),
+                       surfaces,
+                       {.clearance = 0.02,
+                        .ring_radius = ring_radius / scene_->Pixel(),
+                        .ring_clearance = 0.02},
+                       {.max_angle = 75},
+                       Context(2));
+  };
+  // A third of the radius, or 20 degrees: rings lie beyond many horizons.
+  const std::vector<ChosenViews> pieces = choose(RefineScene::kRadius / 3);
+  const std::vector<ChosenViews> centers = choose(0);
+  for (size_t v = 0; v < centers.size(); ++v) {
+    EXPECT_EQ(pieces[v].count, centers[v].count) << v;
+  }
+}
+
 TEST(ViewChoiceOptions, AreChecked) {
   EXPECT_NO_THROW(ViewChoiceOptions().Check());
   EXPECT_THROW(ViewChoiceOptions{.max_angle = 90}.Check(), OptionError);

@@ -154,7 +154,7 @@ TEST_F(ViewChoice, LeavesOutViewsFromWhichAPieceIsHiddenInPart) {
 
 TEST_F(ViewChoice, ThatAPieceTurnsAwayHidesNothing) {
   const IndexedMesh mesh =
-      scene_->ToUnitMesh(RefineScene::Mesh(20, [](const auto&) { return 0; }));
+      scene_->ToUnitMesh(RefineScene::Mesh(40, [](const auto&) { return 0; }));
   const std::vector<LocalSurface> surfaces = Fit(mesh);
   const auto choose = [&](double ring_radius) {
     return ChooseViews(Views(),
@@ -162,8 +162,8 @@ TEST_F(ViewChoice, ThatAPieceTurnsAwayHidesNothing) {
                        surfaces,
                        {.clearance = 0.02,
                         .ring_radius = ring_radius / scene_->Pixel(),
-                        .ring_clearance = 0.02},
-                       {.max_angle = 75},
+                        .ring_clearance = 0.002},
+                       {.max_angle = 85},
                        Context(2));
   };
   // A third of the radius, or 20 degrees: rings lie beyond many horizons.

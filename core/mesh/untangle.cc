@@ -68,6 +68,25 @@ size_t WithdrawFromIntersections(const std::vector<Eigen::Vector3d>& start,
   }
 }
 
+// Of vertices that have been moved back since `before`. Returns whether any is
+// elsewhere now.
+bool RoundWithdrawn(const std::vector<Eigen::Vector3d>& start,
+                    const std::vector<Eigen::Vector3d>& before,
+                    std::vector<Eigen::Vector3d>* positions) {
+  bool is_changed = false;
+  for (size_t v = 0; v < before.size(); ++v) {
+    Eigen::Vector3d& position = (*positions)[v];
+    const Eigen::Vector3d rounded = RoundedToFloats(position);
+    if (position == before[v] || position == start[v] || position == rounded) {
+      continue;
+    }
+    // Half of the last bit may be rounded up again and again.
+    position = rounded == before[v] ? start[v] : rounded;
+    is_changed = true;
+  }
+  return is_changed;
+}
+
 }  // namespace
 
 WithdrawSummary Untangle(const std::vector<Eigen::Vector3d>& start,
@@ -86,6 +105,21 @@ WithdrawSummary Untangle(const std::vector<Eigen::Vector3d>& start,
     summary.num_thin = thin.num_thin;
     // What is moved back may be thin again, until all of it is at the start.
   } while (num_intersecting > 0);
+  return summary;
+}
+
+WithdrawSummary UntangleFloats(const std::vector<Eigen::Vector3d>& start,
+                               double min_height,
+                               const Context& context,
+                               IndexedMesh* mesh) {
+  WithdrawSummary summary;
+  std::vector<Eigen::Vector3d> before;
+  do {
+    before = mesh->positions;
+    const WithdrawSummary once = Untangle(start, min_height, context, mesh);
+    summary.num_withdrawn += once.num_withdrawn;
+    summary.num_thin = once.num_thin;
+  } while (RoundWithdrawn(start, before, &mesh->positions));
   return summary;
 }
 

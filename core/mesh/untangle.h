@@ -16,8 +16,7 @@ namespace octacut {
 inline constexpr std::array<double, 4> kLeftOfWay = {1, 0.5, 0.25, 0};
 
 // A position as files keep it. What does not intersect in doubles may once it
-// is rounded; so meshes are rounded before they are untangled for the last
-// time.
+// is rounded.
 inline Eigen::Vector3d RoundedToFloats(const Eigen::Vector3d& position) {
   return position.cast<float>().cast<double>();
 }
@@ -31,5 +30,12 @@ WithdrawSummary Untangle(const std::vector<Eigen::Vector3d>& start,
                          double min_height,
                          const Context& context,
                          IndexedMesh* mesh);
+
+// The same for positions that are floats, at `start` too: so are those of
+// vertices that were moved back.
+WithdrawSummary UntangleFloats(const std::vector<Eigen::Vector3d>& start,
+                               double min_height,
+                               const Context& context,
+                               IndexedMesh* mesh);
 
 }  // namespace octacut

@@ -99,10 +99,10 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
   // Smoothing leaves nothing that intersects, but in doubles.
   RoundToFloats(&before);
   RoundToFloats(&smoothed.mesh.positions);
-  Untangle(before,
-           options.smoothing.min_height * voxel_size,
-           context,
-           &smoothed.mesh);
+  UntangleFloats(before,
+                 options.smoothing.min_height * voxel_size,
+                 context,
+                 &smoothed.mesh);
   smoothed.mesh.normals = ComputeVertexNormals(smoothed.mesh, context);
   return std::move(smoothed.mesh);
 }

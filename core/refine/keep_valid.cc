@@ -73,14 +73,16 @@ size_t KeepValid(const ViewSet& views,
   const Phase phase(context, "refined mesh kept valid");
   const size_t num_withdrawn =
       WithdrawIntoHull(views, start, before, tolerance, context, mesh);
-  return num_withdrawn + KeepUntangled(before, pixel, context, mesh);
+  return num_withdrawn +
+         Untangle(before, kMinHeight * pixel, context, mesh).num_withdrawn;
 }
 
-size_t KeepUntangled(const std::vector<Eigen::Vector3d>& before,
-                     double pixel,
-                     const Context& context,
-                     IndexedMesh* mesh) {
-  return Untangle(before, kMinHeight * pixel, context, mesh).num_withdrawn;
+size_t KeepFloatsValid(const std::vector<Eigen::Vector3d>& before,
+                       double pixel,
+                       const Context& context,
+                       IndexedMesh* mesh) {
+  return UntangleFloats(before, kMinHeight * pixel, context, mesh)
+      .num_withdrawn;
 }
 
 }  // namespace octacut

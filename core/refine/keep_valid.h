@@ -30,10 +30,11 @@ size_t KeepValid(const ViewSet& views,
                  const Context& context,
                  IndexedMesh* mesh);
 
-// The last two parts of that alone, in any coordinates; `pixel` is in those.
-size_t KeepUntangled(const std::vector<Eigen::Vector3d>& before,
-                     double pixel,
-                     const Context& context,
-                     IndexedMesh* mesh);
+// The last two parts of that alone, in any coordinates, which are floats and
+// stay so; `pixel` is in those.
+size_t KeepFloatsValid(const std::vector<Eigen::Vector3d>& before,
+                       double pixel,
+                       const Context& context,
+                       IndexedMesh* mesh);
 
 }  // namespace octacut

@@ -70,34 +70,24 @@ std::vector<Eigen::Vector3d> SomePositions(const IndexedMesh& mesh) {
   return some;
 }
 
-// `world` with what has moved from `start` in unit coordinates put there, as
-// files keep it.
-std::vector<Eigen::Vector3d> PutMoved(const std::vector<Eigen::Vector3d>& start,
-                                      const std::vector<Eigen::Vector3d>& moved,
-                                      const BoundingCube& cube,
-                                      std::vector<Eigen::Vector3d> world) {
-  for (size_t v = 0; v < start.size(); ++v) {
-    if (moved[v] != start[v]) {
-      world[v] = RoundedToFloats(cube.min_corner + cube.edge * moved[v]);
-    }
-  }
-  return world;
-}
-
-// Moves `mesh` from `start` to `after`, unit coordinates. That is valid in
-// doubles; what the rounding makes intersect goes back towards `before`, where
-// the last round began. Returns how many vertices do.
+// Moves `mesh` from `start` to `after`, unit coordinates, to positions as files
+// keep them. Those of the rounds are valid in doubles alone: what the rounding
+// makes intersect goes back towards where the mesh has been given. Returns how
+// many vertices do.
 size_t MoveMesh(const std::vector<Eigen::Vector3d>& start,
-                const std::vector<Eigen::Vector3d>& before,
                 const std::vector<Eigen::Vector3d>& after,
                 const BoundingCube& cube,
                 double pixel_size,
                 const Context& context,
                 IndexedMesh* mesh) {
-  const std::vector<Eigen::Vector3d> world_before =
-      PutMoved(start, before, cube, mesh->positions);
-  mesh->positions = PutMoved(start, after, cube, std::move(mesh->positions));
-  return KeepUntangled(world_before, pixel_size, context, mesh);
+  const std::vector<Eigen::Vector3d> given = mesh->positions;
+  for (size_t v = 0; v < start.size(); ++v) {
+    if (after[v] != start[v]) {
+      mesh->positions[v] =
+          RoundedToFloats(cube.min_corner + cube.edge * after[v]);
+    }
+  }
+  return KeepFloatsValid(given, pixel_size, context, mesh);
 }
 
 void SummarizeMoves(const std::vector<Eigen::Vector3d>& start,
@@ -145,9 +135,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   }
   summary.agreement_before =
       MeanAgreement(*views, neighbors, pixel, options, context, &unit);
-  std::vector<Eigen::Vector3d> before;  // where the last round began
   for (const RoundPlan& plan : PlanRounds(options)) {
-    before = unit.positions;
     RoundSummary round = RefineOnce(
         start, neighbors, pixel, plan, options, context, views, &unit);
     summary.num_withdrawn += round.num_withdrawn;
@@ -158,8 +146,8 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   summary.agreement_after =
       MeanAgreement(*views, neighbors, pixel, options, context, &unit);
   SummarizeMoves(start, unit, pixel, &summary);
-  summary.num_withdrawn += MoveMesh(
-      start, before, unit.positions, cube, summary.pixel_size, context, &mesh);
+  summary.num_withdrawn +=
+      MoveMesh(start, unit.positions, cube, summary.pixel_size, context, &mesh);
   mesh.normals = ComputeVertexNormals(mesh, context);
   result.mesh = std::move(mesh);
   summary.seconds = whole.Lap();

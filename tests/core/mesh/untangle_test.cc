@@ -57,5 +57,48 @@ TEST(Untangle, LeavesRandomBlocksWithoutIntersections) {
   EXPECT_GT(num_tangled, 100u);
 }
 
+// What is half-way back need not be a float, and what does not intersect there
+// may when it is rounded.
+TEST(UntangleFloats, LeavesFloatsWithoutIntersections) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> way(-1, 1);
+  const auto round_all = [](std::vector<Eigen::Vector3d>* positions) {
+    for (Eigen::Vector3d& position : *positions) {
+      position = RoundedToFloats(position);
+    }
+  };
+  size_t num_half_way = 0;
+  for (int round = 0; round < 100; ++round) {
+    // Far off the origin the last bit of a float is a hundredth of a voxel.
+    const Eigen::Vector3d offset = Eigen::Vector3d::Constant(1e5);
+    IndexedMesh start =
+        Place(LabelRandomBlock(2 + round % 4, true, random), UnitVoxels(4))
+            .mesh;
+    for (Eigen::Vector3d& position : start.positions) {
+      position += offset;
+    }
+    round_all(&start.positions);
+    if (NumIntersections(start) > 0) {
+      continue;
+    }
+    IndexedMesh mesh = start;
+    for (Eigen::Vector3d& position : mesh.positions) {
+      position += Eigen::Vector3d(way(random), way(random), way(random));
+    }
+    round_all(&mesh.positions);
+    const std::vector<Eigen::Vector3d> moved = mesh.positions;
+    UntangleFloats(start.positions, 0.02, Context(2), &mesh);
+    EXPECT_EQ(NumIntersections(mesh), 0u) << round;
+    for (size_t v = 0; v < moved.size(); ++v) {
+      EXPECT_EQ(mesh.positions[v], RoundedToFloats(mesh.positions[v]));
+      num_half_way += mesh.positions[v] != moved[v] &&
+                              mesh.positions[v] != start.positions[v]
+                          ? 1
+                          : 0;
+    }
+  }
+  EXPECT_GT(num_half_way, 100u);
+}
+
 }  // namespace
 }  // namespace octacut

@@ -89,6 +89,12 @@ bool RoundWithdrawn(const std::vector<Eigen::Vector3d>& start,
 
 }  // namespace
 
+void RoundToFloats(std::vector<Eigen::Vector3d>* positions) {
+  for (Eigen::Vector3d& position : *positions) {
+    position = RoundedToFloats(position);
+  }
+}
+
 WithdrawSummary Untangle(const std::vector<Eigen::Vector3d>& start,
                          double min_height,
                          const Context& context,

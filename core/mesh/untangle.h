@@ -20,6 +20,7 @@ inline constexpr std::array<double, 4> kLeftOfWay = {1, 0.5, 0.25, 0};
 inline Eigen::Vector3d RoundedToFloats(const Eigen::Vector3d& position) {
   return position.cast<float>().cast<double>();
 }
+void RoundToFloats(std::vector<Eigen::Vector3d>* positions);
 
 // Moves vertices of `mesh` back towards `start` (as kLeftOfWay has it) that
 // belong to triangles which intersect others, until none do but those that did

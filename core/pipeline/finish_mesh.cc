@@ -49,12 +49,6 @@ SurfaceMesh::Color BlendColor(const ViewSet& views,
   return {channel(2), channel(1), channel(0)};  // blue, green, red in `sum`
 }
 
-void RoundToFloats(std::vector<Eigen::Vector3d>* positions) {
-  for (Eigen::Vector3d& position : *positions) {
-    position = RoundedToFloats(position);
-  }
-}
-
 }  // namespace
 
 IndexedMesh PlacedMesh(const LabeledVoxels& surface,

@@ -36,9 +36,9 @@ struct ChosenViews {
 struct LinesOfSight {
   // They begin this far before the surface.
   double clearance = 0;
-  // As must those from a ring around the place, of so many pixels of the view:
-  // a patch that is hidden in part draws the surface towards what hides it, out
-  // of every furrow. 0: no ring.
+  // As must those from a ring around the place, of so many pixels of the view,
+  // where it faces the camera: a patch that is hidden in part draws the surface
+  // towards what hides it, out of every furrow. 0: no ring.
   double ring_radius = 0;
   double ring_clearance = 0;
 };

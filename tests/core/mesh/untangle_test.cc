@@ -62,11 +62,6 @@ TEST(Untangle, LeavesRandomBlocksWithoutIntersections) {
 TEST(UntangleFloats, LeavesFloatsWithoutIntersections) {
   std::mt19937 random(8);
   std::uniform_real_distribution<double> way(-1, 1);
-  const auto round_all = [](std::vector<Eigen::Vector3d>* positions) {
-    for (Eigen::Vector3d& position : *positions) {
-      position = RoundedToFloats(position);
-    }
-  };
   size_t num_half_way = 0;
   for (int round = 0; round < 100; ++round) {
     // Far off the origin the last bit of a float is a hundredth of a voxel.
@@ -77,7 +72,7 @@ TEST(UntangleFloats, LeavesFloatsWithoutIntersections) {
     for (Eigen::Vector3d& position : start.positions) {
       position += offset;
     }
-    round_all(&start.positions);
+    RoundToFloats(&start.positions);
     if (NumIntersections(start) > 0) {
       continue;
     }
@@ -85,7 +80,7 @@ TEST(UntangleFloats, LeavesFloatsWithoutIntersections) {
     for (Eigen::Vector3d& position : mesh.positions) {
       position += Eigen::Vector3d(way(random), way(random), way(random));
     }
-    round_all(&mesh.positions);
+    RoundToFloats(&mesh.positions);
     const std::vector<Eigen::Vector3d> moved = mesh.positions;
     UntangleFloats(start.positions, 0.02, Context(2), &mesh);
     EXPECT_EQ(NumIntersections(mesh), 0u) << round;

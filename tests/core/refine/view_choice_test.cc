@@ -25,6 +25,15 @@ class ViewChoice : public ::testing::Test {
                             Context(2));
   }
   const ViewSet& Views() const { return scene_->test.views; }
+  // For `surfaces` before `mesh`.
+  std::vector<ChosenViews> Choose(const IndexedMesh& mesh,
+                                  const std::vector<LocalSurface>& surfaces,
+                                  const ViewChoiceOptions& options,
+                                  const LinesOfSight& lines = {
+                                      .clearance = 0.02}) const {
+    return ChooseViews(
+        Views(), RayScene(mesh), surfaces, lines, options, Context(2));
+  }
 
   static RefineScene* scene_;
 };
@@ -37,12 +46,7 @@ TEST_F(ViewChoice, TakesTheMostFrontalViewsThatSee) {
   ViewChoiceOptions options;
   options.max_views = 5;
   options.max_angle = 60;
-  const std::vector<ChosenViews> choices = ChooseViews(Views(),
-                                                       RayScene(mesh),
-                                                       surfaces,
-                                                       {.clearance = 0.02},
-                                                       options,
-                                                       Context(2));
+  const std::vector<ChosenViews> choices = Choose(mesh, surfaces, options);
   for (size_t v = 0; v < choices.size(); ++v) {
     const auto cosine = [&](size_t view) {
       return (Views()[view].projection.center - surfaces[v].center)
@@ -77,12 +81,7 @@ TEST_F(ViewChoice, KeepsViewsApart) {
   const std::vector<LocalSurface> surfaces = Fit(mesh);
   ViewChoiceOptions options;
   options.min_separation = 35;
-  const std::vector<ChosenViews> choices = ChooseViews(Views(),
-                                                       RayScene(mesh),
-                                                       surfaces,
-                                                       {.clearance = 0.02},
-                                                       options,
-                                                       Context(2));
+  const std::vector<ChosenViews> choices = Choose(mesh, surfaces, options);
   for (size_t v = 0; v < choices.size(); ++v) {
     for (int i = 0; i < choices[v].count; ++i) {
       for (int j = 0; j < i; ++j) {
@@ -104,12 +103,8 @@ TEST_F(ViewChoice, LeavesOutViewsBehindAnObstacle) {
   // A hood around everything: nothing is seen any more.
   const IndexedMesh hood =
       scene_->ToUnitMesh(RefineScene::Mesh(8, [](const auto&) { return 0.2; }));
-  for (const ChosenViews& chosen : ChooseViews(Views(),
-                                               RayScene(Joined(mesh, hood)),
-                                               Fit(mesh),
-                                               {.clearance = 0.02},
-                                               ViewChoiceOptions(),
-                                               Context(2))) {
+  for (const ChosenViews& chosen :
+       Choose(Joined(mesh, hood), Fit(mesh), ViewChoiceOptions())) {
     EXPECT_EQ(chosen.count, 0);
   }
 }
@@ -125,16 +120,13 @@ TEST_F(ViewChoice, LeavesOutViewsFromWhichAPieceIsHiddenInPart) {
   });
   const IndexedMesh mesh = scene_->ToUnitMesh(world);
   const std::vector<LocalSurface> surfaces = Fit(mesh);
-  const RayScene rays(mesh);
   const auto choose = [&](double ring_pixels) {
-    return ChooseViews(Views(),
-                       rays,
-                       surfaces,
-                       {.clearance = 0.005,
-                        .ring_radius = ring_pixels,
-                        .ring_clearance = 0.005},
-                       {.max_angle = 70},
-                       Context(2));
+    return Choose(mesh,
+                  surfaces,
+                  {.max_angle = 70},
+                  {.clearance = 0.005,
+                   .ring_radius = ring_pixels,
+                   .ring_clearance = 0.005});
   };
   const std::vector<ChosenViews> centers = choose(0);
   const std::vector<ChosenViews> pieces = choose(3);
@@ -157,14 +149,12 @@ TEST_F(ViewChoice, ThatAPieceTurnsAwayHidesNothing) {
       scene_->ToUnitMesh(RefineScene::Mesh(40, [](const auto&) { return 0; }));
   const std::vector<LocalSurface> surfaces = Fit(mesh);
   const auto choose = [&](double ring_radius) {
-    return ChooseViews(Views(),
-                       RayScene(mesh),
-                       surfaces,
-                       {.clearance = 0.02,
-                        .ring_radius = ring_radius / scene_->Pixel(),
-                        .ring_clearance = 0.002},
-                       {.max_angle = 85},
-                       Context(2));
+    return Choose(mesh,
+                  surfaces,
+                  {.max_angle = 85},
+                  {.clearance = 0.02,
+                   .ring_radius = ring_radius / scene_->Pixel(),
+                   .ring_clearance = 0.002});
   };
   // A third of the radius, or 20 degrees: rings lie beyond many horizons.
   const std::vector<ChosenViews> pieces = choose(RefineScene::kRadius / 3);

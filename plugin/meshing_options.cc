@@ -69,6 +69,10 @@ void DeclareConsistencyOptions(OptionManager& options,
   options.Add("OctahedralMeshing.pixel_noise",
               &meshing->consistency.pixel_noise,
               "Standard deviation of the images' noise, grey levels");
+  options.Add("OctahedralMeshing.hue_weight",
+              &meshing->consistency.hue_weight,
+              "Of differences of hue against those of grey, to which gloss "
+              "adds");
   options.Add("OctahedralMeshing.max_views",
               &meshing->visibility.max_views,
               "Views of a voxel at most");

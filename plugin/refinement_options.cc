@@ -45,7 +45,7 @@ void DeclareRefinementOptions(OptionManager& options,
               "scale of the images; 0: they are exact");
   options.Add("Refinement.step", &refinement->step, "Of the search, pixels");
   options.Add("Refinement.patch_radius",
-              &refinement->patch_radius,
+              &refinement->patch.radius,
               "Of the patch of (2 r + 1)^2 samples, pixels");
   options.Add("Refinement.measure_spacing",
               &refinement->measure_spacing,
@@ -63,8 +63,12 @@ void DeclareRefinementOptions(OptionManager& options,
               &refinement->hull_tolerance,
               "Pixels by which the surface may leave a silhouette");
   options.Add("Refinement.pixel_noise",
-              &refinement->pixel_noise,
+              &refinement->patch.pixel_noise,
               "Standard deviation of the images' noise, grey levels");
+  options.Add("Refinement.hue_weight",
+              &refinement->patch.hue_weight,
+              "Of differences of hue against those of grey, to which gloss "
+              "adds");
   options.Add("Refinement.min_score",
               &refinement->min_score,
               "Least agreement of the views about an offset");

@@ -32,6 +32,9 @@ struct ConsistencyOptions {
   // Standard deviation of pixel noise, in grey levels of 255: contrast below
   // it counts as plain.
   double pixel_noise = 3;
+  // Of differences of hue against those of grey, to which gloss adds;
+  // 0 .. 8.
+  double hue_weight = 2;
   void Check() const;
 };
 

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include "core/base/parallel.h"
-#include "core/refine/surface_patch.h"
 
 namespace octacut {
 namespace {
@@ -162,7 +161,7 @@ void Move(const Vector6d& step,
 
 size_t AlignViews(const std::vector<LocalSurface>& surfaces,
                   const std::vector<ChosenViews>& choices,
-                  const ViewAlignment& alignment,
+                  const PatchOptions& patch_options,
                   const Context& context,
                   ViewSet* views) {
   const size_t stride = (surfaces.size() + kMaxPlaces - 1) / kMaxPlaces;
@@ -172,8 +171,7 @@ size_t AlignViews(const std::vector<LocalSurface>& surfaces,
       context, count, kGrain, [&](size_t chunk, size_t begin, size_t end) {
         std::vector<PoseEquations>& equations = of_chunks[chunk];
         equations.resize(views->size());
-        SurfacePatch patch(
-            *views, alignment.patch_radius, float(alignment.pixel_noise));
+        SurfacePatch patch(*views, patch_options);
         for (size_t i = begin; i < end; ++i) {
           const LocalSurface& surface = surfaces[i * stride];
           const ChosenViews& chosen = choices[i * stride];

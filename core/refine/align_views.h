@@ -8,26 +8,20 @@
 
 #include "core/base/context.h"
 #include "core/refine/local_surface.h"
+#include "core/refine/surface_patch.h"
 #include "core/refine/view_choice.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
 
-// What RefineOptions, which has the defaults and limits, says of patches; their
-// samples are a pixel apart.
-struct ViewAlignment {
-  int patch_radius;
-  double pixel_noise;  // standard deviation, grey levels
-};
-
 // One Gauss-Newton step of all poses at once; `surfaces` are seen by
-// `choices`. What all views would do alike (a turn, a shift, a growth of the
-// whole scene) is taken out, so that they stay where they are in the mean.
-// Views that show too little of what agrees stay, but for that. Returns how
-// many others there are.
+// `choices`, the samples of a patch a pixel apart. What all views would do
+// alike (a turn, a shift, a growth of the whole scene) is taken out, so that
+// they stay where they are in the mean. Views that show too little of what
+// agrees stay, but for that. Returns how many others there are.
 size_t AlignViews(const std::vector<LocalSurface>& surfaces,
                   const std::vector<ChosenViews>& choices,
-                  const ViewAlignment& alignment,
+                  const PatchOptions& patch_options,
                   const Context& context,
                   ViewSet* views);
 

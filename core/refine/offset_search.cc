@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
-#include "core/refine/surface_patch.h"
 
 namespace octacut {
 namespace {
@@ -91,7 +90,7 @@ std::vector<OffsetMeasurement> SearchOffsets(
   std::vector<OffsetMeasurement> measurements(surfaces.size());
   const int half = int(std::lround(search.range / search.step));
   ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
-    SurfacePatch patch(views, search.patch_radius, float(search.pixel_noise));
+    SurfacePatch patch(views, search.patch);
     std::vector<float> scores(2 * size_t(half) + 1);
     for (size_t i = begin; i < end; ++i) {
       const LocalSurface& surface = surfaces[i];

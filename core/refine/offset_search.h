@@ -6,6 +6,7 @@
 
 #include "core/base/context.h"
 #include "core/refine/local_surface.h"
+#include "core/refine/surface_patch.h"
 #include "core/refine/view_choice.h"
 #include "core/views/view_set.h"
 
@@ -14,12 +15,11 @@ namespace octacut {
 // What RefineOptions, which has the defaults and limits, comes to in one round.
 // Lengths in pixels: the mean size at the vertex of those of its views.
 struct OffsetSearch {
-  double range;    // offsets in -range .. range
-  double step;     // between tried offsets
-  double spacing;  // between the samples of a patch
-  int patch_radius;
-  double pixel_noise;  // standard deviation, grey levels
-  double min_score;    // of an accepted peak
+  double range;      // offsets in -range .. range
+  double step;       // between tried offsets
+  double spacing;    // between the samples of a patch
+  double min_score;  // of an accepted peak
+  PatchOptions patch;
 };
 
 struct OffsetMeasurement {

@@ -7,6 +7,7 @@ namespace octacut {
 
 void RefineOptions::Check() const {
   views.Check();
+  patch.Check();
   CheckOption(fine_rounds >= 1 && fine_rounds <= 8,
               "refinement.fine_rounds",
               fine_rounds,
@@ -27,10 +28,6 @@ void RefineOptions::Check() const {
               "refinement.range",
               range,
               "must be at least two steps and at most 64");
-  CheckOption(patch_radius >= 1 && patch_radius <= SurfacePatch::kMaxRadius,
-              "refinement.patch_radius",
-              patch_radius,
-              "must be in 1 .. 4");
   CheckOption(measure_spacing >= 0 && measure_spacing <= 16,
               "refinement.measure_spacing",
               measure_spacing,
@@ -47,10 +44,6 @@ void RefineOptions::Check() const {
               "refinement.alignment_steps",
               alignment_steps,
               "must be in 0 .. 16");
-  CheckOption(pixel_noise > 0 && pixel_noise <= 64,
-              "refinement.pixel_noise",
-              pixel_noise,
-              "must be positive and at most 64");
   CheckOption(smoothness > 0 && smoothness <= 1e4,
               "refinement.smoothness",
               smoothness,

@@ -2,12 +2,14 @@
 // surface.
 #pragma once
 
+#include "core/refine/surface_patch.h"
 #include "core/refine/view_choice.h"
 
 namespace octacut {
 
 struct RefineOptions {
   ViewChoiceOptions views;
+  PatchOptions patch;  // samples are a pixel of the round apart
   // Rounds at the scale of the views, the first within `range`, each later one
   // within half of that; 1 .. 8.
   int fine_rounds = 2;
@@ -18,8 +20,6 @@ struct RefineOptions {
   int coarse_passes = 2;
   double range = 3;
   double step = 0.5;  // between tried offsets
-  // Patches have (2 r + 1)^2 samples a pixel apart; 1 .. 4.
-  int patch_radius = 3;
   // Between the places where offsets are measured.
   double measure_spacing = 2;
   // Of the pieces of the surface that are taken for smooth.
@@ -28,9 +28,6 @@ struct RefineOptions {
   // Steps of photometric alignment of the views in each round at their scale;
   // 0: their poses are exact.
   int alignment_steps = 2;
-  // Standard deviation of the images' noise, grey levels: contrast below it
-  // counts as plain.
-  double pixel_noise = 0.5;
   // Weight of the surface's bend, against an offset that is known to a pixel.
   double smoothness = 30;
   // Offsets that are wrong by more than this many standard deviations weigh

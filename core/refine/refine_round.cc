@@ -58,12 +58,8 @@ void Align(const SeenSurface& seen,
            RoundSummary* summary) {
   const Phase phase(context, "alignment of the views");
   for (int i = 0; i < options.alignment_steps; ++i) {
-    summary->num_aligned = AlignViews(seen.surfaces,
-                                      seen.choices,
-                                      {.patch_radius = options.patch_radius,
-                                       .pixel_noise = options.pixel_noise},
-                                      context,
-                                      views);
+    summary->num_aligned =
+        AlignViews(seen.surfaces, seen.choices, options.patch, context, views);
   }
 }
 
@@ -72,9 +68,8 @@ OffsetSearch MakeSearch(const RoundPlan& plan, const RefineOptions& options) {
   search.range = plan.range * plan.scale;
   search.step = options.step * plan.scale;
   search.spacing = plan.scale;
-  search.patch_radius = options.patch_radius;
-  search.pixel_noise = options.pixel_noise;
   search.min_score = options.min_score;
+  search.patch = options.patch;
   return search;
 }
 

@@ -29,7 +29,7 @@ LinesOfSight MakeLines(double edge,
   LinesOfSight lines;
   lines.clearance = kClearance * edge;
   if (look.scale == 1) {
-    lines.ring_radius = options.patch_radius + kRingMargin;
+    lines.ring_radius = options.patch.radius + kRingMargin;
     lines.ring_clearance = kRingClearance * std::max(edge, look.pixel);
   }
   return lines;

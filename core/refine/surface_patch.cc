@@ -2,12 +2,17 @@
 
 #include <cmath>
 
+#include "core/base/check_option.h"
+
 namespace octacut {
 namespace {
 
 constexpr float kMaxBackgroundShare = 1.0f / 3;
 // Of the samples' weights, in radii of the patch.
 constexpr float kSigma = 0.7f;
+// Of a patch's gradient that is taken out. All of it is too much: it has half
+// of what tells offsets apart where texture is coarse (docs/design.md).
+constexpr float kGradientShare = 0.5f;
 
 // Over the first `count` samples and all colours.
 template <size_t N>
@@ -23,21 +28,44 @@ float Dot(const std::array<Float4, N>& a,
 
 }  // namespace
 
-SurfacePatch::SurfacePatch(const ViewSet& views, int radius, float pixel_noise)
+void PatchOptions::Check() const {
+  CheckOption(radius >= 1 && radius <= SurfacePatch::kMaxRadius,
+              "refinement.patch_radius",
+              radius,
+              "must be in 1 .. 4");
+  CheckOption(pixel_noise > 0 && pixel_noise <= 64,
+              "refinement.pixel_noise",
+              pixel_noise,
+              "must be positive and at most 64");
+  CheckOption(hue_weight >= 0 && hue_weight <= 8,
+              "refinement.hue_weight",
+              hue_weight,
+              "must be in 0 .. 8");
+}
+
+SurfacePatch::SurfacePatch(const ViewSet& views, const PatchOptions& options)
     : views_(views),
-      radius_(radius),
-      num_samples_((2 * radius + 1) * (2 * radius + 1)),
-      noise_(3 * pixel_noise * pixel_noise) {
-  const float scale = 1 / (kSigma * float(radius));
+      radius_(options.radius),
+      num_samples_((2 * radius_ + 1) * (2 * radius_ + 1)),
+      noise_(float(3 * options.pixel_noise * options.pixel_noise)),
+      hue_weight_(float(options.hue_weight)) {
+  const float scale = 1 / (kSigma * float(radius_));
   float sum = 0;
+  float squares = 0;  // of the columns
   int sample = 0;
-  for (int j = -radius; j <= radius; ++j) {
-    for (int i = -radius; i <= radius; ++i) {
+  for (int j = -radius_; j <= radius_; ++j) {
+    for (int i = -radius_; i <= radius_; ++i) {
+      columns_[sample] = float(i);
+      rows_[sample] = float(j);
       weights_[sample] = std::exp(-0.5f * float(i * i + j * j) * scale * scale);
+      squares += weights_[sample] * float(i * i);
       sum += weights_[sample++];
     }
   }
   for (sample = 0; sample < num_samples_; ++sample) {
+    const float slope = kGradientShare * weights_[sample] / squares;
+    slopes_u_[sample] = slope * columns_[sample];
+    slopes_v_[sample] = slope * rows_[sample];
     weights_[sample] /= sum;
     root_weights_[sample] = std::sqrt(weights_[sample]);
   }
@@ -97,7 +125,23 @@ bool SurfacePatch::IsBackground(const Projected& projected) const {
   return float(num_background) > kMaxBackgroundShare * float(num_samples_);
 }
 
-// Colours less their mean, times the roots of the weights.
+void SurfacePatch::Normalize(std::array<Float4, kMaxSamples>* image) const {
+  Float4 mean = {0, 0, 0, 0};
+  Float4 slope_u = {0, 0, 0, 0};
+  Float4 slope_v = {0, 0, 0, 0};
+  for (int s = 0; s < num_samples_; ++s) {
+    const Float4 color = (*image)[s];
+    mean += color * weights_[s];
+    slope_u += color * slopes_u_[s];
+    slope_v += color * slopes_v_[s];
+  }
+  for (int s = 0; s < num_samples_; ++s) {
+    const Float4 trend = mean + slope_u * columns_[s] + slope_v * rows_[s];
+    (*image)[s] =
+        WeightHue((*image)[s] - trend, hue_weight_) * root_weights_[s];
+  }
+}
+
 float SurfacePatch::SampleView(const Projected& projected, float offset) {
   const Eigen::Vector3f shift = offset * projected.step;
   std::array<float, kMaxSamples> u, v;
@@ -106,17 +150,11 @@ float SurfacePatch::SampleView(const Projected& projected, float offset) {
     u[s] = (projected.x[s] + shift.x()) * inverse_depth;
     v[s] = (projected.y[s] + shift.y()) * inverse_depth;
   }
-  Float4 mean = {0, 0, 0, 0};
   for (int s = 0; s < num_samples_; ++s) {
     colors_[s] = projected.level->Sample(u[s], v[s]);
-    mean += colors_[s] * weights_[s];
   }
-  Float4 squares = {0, 0, 0, 0};
-  for (int s = 0; s < num_samples_; ++s) {
-    colors_[s] = (colors_[s] - mean) * root_weights_[s];
-    squares += colors_[s] * colors_[s];
-  }
-  return SumChannels(squares);
+  Normalize(&colors_);
+  return Dot(colors_, colors_, num_samples_);
 }
 
 // The sum over pairs is the square of the sum less that of the squares; pixel
@@ -154,7 +192,6 @@ void SurfacePatch::AddGradients(const Projected& projected,
                                 ImageShift* shift) const {
   const float half = 0.5f / projected.level->scale;
   std::array<std::array<Float4, kMaxSamples>, 2> gradients;
-  std::array<Float4, 2> means = {};
   for (int s = 0; s < num_samples_; ++s) {
     const float u = projected.x[s] / projected.z[s];
     const float v = projected.y[s] / projected.z[s];
@@ -163,14 +200,9 @@ void SurfacePatch::AddGradients(const Projected& projected,
                                 projected.level->Sample(u - half, v));
     gradients[1][s] = factor * (projected.level->Sample(u, v + half) -
                                 projected.level->Sample(u, v - half));
-    for (int i = 0; i < 2; ++i) {
-      means[i] += gradients[i][s] * weights_[s];
-    }
   }
   for (int i = 0; i < 2; ++i) {
-    for (int s = 0; s < num_samples_; ++s) {
-      gradients[i][s] = (gradients[i][s] - means[i]) * root_weights_[s];
-    }
+    Normalize(&gradients[i]);
     // A brighter or darker image is not another one.
     const float along =
         Dot(gradients[i], image, num_samples_) / std::max(square, 1e-6f);

@@ -23,19 +23,31 @@ struct ImageShift {
   Eigen::Vector2f right = Eigen::Vector2f::Zero();
 };
 
+// How views are compared on a patch.
+struct PatchOptions {
+  // (2 r + 1)^2 samples in a square, which weigh less towards its border;
+  // 1 .. 4.
+  int radius = 3;
+  // Standard deviation of the images' noise, grey levels: contrast below it
+  // counts as plain.
+  double pixel_noise = 0.5;
+  // Of differences of hue against those of grey, to which gloss adds (see
+  // WeightHue); 0 .. 8.
+  double hue_weight = 2;
+  void Check() const;
+};
+
 class SurfacePatch {
  public:
   static constexpr int kMaxRadius = 4;
   static constexpr int kMaxSamples =
       (2 * kMaxRadius + 1) * (2 * kMaxRadius + 1);
 
-  // Samples lie `spacing` apart (unit coordinates) in a square of
-  // (2 radius + 1)^2 and weigh less towards its border. `pixel_noise` (grey
-  // levels) is what contrast is measured against.
-  SurfacePatch(const ViewSet& views, int radius, float pixel_noise);
+  SurfacePatch(const ViewSet& views, const PatchOptions& options);
 
-  // Puts the patch onto `surface`. Views in which more than a third of it is
-  // background are left out.
+  // Puts the patch onto `surface`, with samples `spacing` apart (unit
+  // coordinates). Views in which more than a third of it is background are left
+  // out.
   void Place(const LocalSurface& surface,
              const ChosenViews& chosen,
              float spacing);
@@ -63,6 +75,10 @@ class SurfacePatch {
   };
 
   bool IsBackground(const Projected& projected) const;
+  // Takes out what does not tell views apart or together: the mean, and half
+  // of the gradient, in which light and shade are strong. Weights samples and
+  // hue.
+  void Normalize(std::array<Float4, kMaxSamples>* image) const;
   // Squared norm.
   float SampleView(const Projected& projected, float offset);
   // Normal equations of a view whose normalised image is `image`, of squared
@@ -78,7 +94,12 @@ class SurfacePatch {
   int radius_;
   int num_samples_;
   float noise_;
+  float hue_weight_;
   std::array<float, kMaxSamples> weights_;  // sum to 1
+  // Of the samples, in spacings from the middle; and what a sample adds to the
+  // slope that is taken out.
+  std::array<float, kMaxSamples> columns_, rows_;
+  std::array<float, kMaxSamples> slopes_u_, slopes_v_;
   std::array<float, kMaxSamples> root_weights_;
   int num_views_ = 0;
   std::array<Projected, ChosenViews::kMaxViews> projected_;

@@ -146,7 +146,8 @@ TEST_F(MeshRefiner, MistakesAreNamed) {
       {"patch_radius", "5"},
       {"max_views", "1"},
       {"max_angle", "90"},
-      {"pixel_noise", "0"}};
+      {"pixel_noise", "0"},
+      {"hue_weight", "-1"}};
   for (const auto& [field, value] : refused) {
     const std::string option = "--Refinement." + field;
     ExpectError(option + " = " + value + ": must",

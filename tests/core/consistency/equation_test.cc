@@ -68,9 +68,11 @@ Samples SamplePatch(const SphereScene& sphere,
   return samples;
 }
 
-// Less its mean, of unit length with the noise taken into account; returns
-// how much of the contrast is not noise.
-double Normalize(double noise, std::vector<Eigen::Vector3d>* colors) {
+// Less its mean, its hue weighted, of unit length with the noise taken into
+// account; returns how much of the contrast is not noise.
+double Normalize(const ConsistencyOptions& options,
+                 std::vector<Eigen::Vector3d>* colors) {
+  const double noise = options.pixel_noise;
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& color : *colors) {
     mean += color / double(colors->size());
@@ -78,6 +80,8 @@ double Normalize(double noise, std::vector<Eigen::Vector3d>* colors) {
   double contrast = 0;
   for (Eigen::Vector3d& color : *colors) {
     color -= mean;
+    const Eigen::Vector3d grey = Eigen::Vector3d::Constant(color.mean());
+    color = grey + options.hue_weight * (color - grey);
     contrast += color.squaredNorm();
   }
   const double total = contrast + 3 * double(colors->size()) * noise * noise;
@@ -115,7 +119,7 @@ double NormalizedVariance(Samples samples, const ConsistencyOptions& options) {
   double reliability = 0;
   for (size_t j = 0; j < samples.weights.size(); ++j) {
     const double w = samples.weights[j];
-    reliability += w * Normalize(options.pixel_noise, &samples.colors[j]);
+    reliability += w * Normalize(options, &samples.colors[j]);
     total += w;
     squares += w * w;
   }
@@ -126,7 +130,7 @@ double NormalizedVariance(Samples samples, const ConsistencyOptions& options) {
 
 double Ncc(Samples samples, const ConsistencyOptions& options) {
   for (auto& colors : samples.colors) {
-    Normalize(options.pixel_noise, &colors);
+    Normalize(options, &colors);
   }
   double sum = 0;
   double weights = 0;

@@ -13,9 +13,6 @@ namespace {
 
 using testing::RefineScene;
 
-const ViewAlignment kAlignment = {.patch_radius = RefineOptions().patch_radius,
-                                  .pixel_noise = RefineOptions().pixel_noise};
-
 std::vector<ViewProjection> Projections(const ViewSet& views) {
   std::vector<ViewProjection> projections;
   for (const PreparedView& view : views) {
@@ -64,7 +61,8 @@ class AlignViewsTest : public ::testing::Test {
                                                            {.clearance = 0.02},
                                                            options,
                                                            context);
-      num_aligned = AlignViews(surfaces_, choices, kAlignment, context, views);
+      num_aligned =
+          AlignViews(surfaces_, choices, PatchOptions(), context, views);
     }
     return num_aligned;
   }
@@ -141,7 +139,8 @@ TEST_F(AlignViewsTest, MovesNothingWhereNothingIsSeen) {
   ViewSet views = scene_.test.views;
   const std::vector<ViewProjection> exact = Projections(views);
   const std::vector<ChosenViews> none(surfaces_.size());
-  EXPECT_EQ(AlignViews(surfaces_, none, kAlignment, Context(2), &views), 0u);
+  EXPECT_EQ(AlignViews(surfaces_, none, PatchOptions(), Context(2), &views),
+            0u);
   EXPECT_EQ(Motion(exact, views), 0);
 }
 

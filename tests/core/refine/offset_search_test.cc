@@ -11,18 +11,16 @@ namespace {
 using testing::RefineScene;
 
 // Offsets of a sphere that is `pixels` too large, in pixels, searched with
-// the defaults but for `max_views`.
+// these options.
 std::vector<OffsetMeasurement> MeasureIn(
     const RefineScene& scene,
     double pixels,
-    int max_views = ViewChoiceOptions().max_views) {
-  const RefineOptions options;
+    const RefineOptions& options = RefineOptions()) {
   const OffsetSearch search = {.range = options.range,
                                .step = options.step,
                                .spacing = 1,
-                               .patch_radius = options.patch_radius,
-                               .pixel_noise = options.pixel_noise,
-                               .min_score = options.min_score};
+                               .min_score = options.min_score,
+                               .patch = options.patch};
   const IndexedMesh mesh = scene.ToUnitMesh(RefineScene::Mesh(
       16, [&](const auto&) { return pixels * scene.Pixel(); }));
   const Context context(2);
@@ -32,13 +30,11 @@ std::vector<OffsetMeasurement> MeasureIn(
                        testing::AllVertices(mesh),
                        0.1,
                        context);
-  ViewChoiceOptions choice;
-  choice.max_views = max_views;
   const std::vector<ChosenViews> choices = ChooseViews(scene.test.views,
                                                        RayScene(mesh),
                                                        surfaces,
                                                        {.clearance = 0.02},
-                                                       choice,
+                                                       options.views,
                                                        context);
   Phase phase(context, "test");
   std::vector<OffsetMeasurement> measurements = SearchOffsets(
@@ -101,10 +97,10 @@ struct Quality {
   double error_in_deviations = 0;
 };
 
-Quality MeasureQuality(const RefineScene& scene, int max_views) {
+Quality MeasureQuality(const RefineScene& scene, const RefineOptions& options) {
   Quality sum;
   double count = 0;
-  for (const OffsetMeasurement& measurement : MeasureIn(scene, 0, max_views)) {
+  for (const OffsetMeasurement& measurement : MeasureIn(scene, 0, options)) {
     if (measurement.weight > 0) {
       const double error = std::abs(measurement.offset);
       sum.error += error;
@@ -119,11 +115,29 @@ Quality MeasureQuality(const RefineScene& scene, int max_views) {
 
 TEST(OffsetSearch, FewNoisyViewsWeighAsLittleAsTheyTell) {
   const RefineScene scene = testing::MakeRefineScene(-60, 20);
-  const Quality few = MeasureQuality(scene, 3);
-  const Quality many = MeasureQuality(scene, 16);
+  RefineOptions options;
+  options.views.max_views = 3;
+  const Quality few = MeasureQuality(scene, options);
+  options.views.max_views = 16;
+  const Quality many = MeasureQuality(scene, options);
   EXPECT_GT(few.error, 2 * many.error);
   EXPECT_LT(few.weight, many.weight / 2);
   EXPECT_LT(few.error_in_deviations, 1.5 * many.error_in_deviations);
+}
+
+TEST(OffsetSearch, GlossMisleadsLessWhereHueWeighsMore) {
+  SceneSpec spec = testing::RefineSceneSpec();
+  spec.texture.kind = TextureKind::kPainted;
+  spec.texture.contrast = 0.1;
+  spec.lighting.shininess = 20;
+  spec.lighting.specular = 3;
+  const RefineScene scene = {testing::MakeTestScene(spec)};
+  RefineOptions options;
+  options.patch.hue_weight = 1;
+  const Quality as_taken = MeasureQuality(scene, options);
+  options.patch.hue_weight = 4;
+  const Quality by_hue = MeasureQuality(scene, options);
+  EXPECT_LT(by_hue.error, 0.8 * as_taken.error);
 }
 
 }  // namespace

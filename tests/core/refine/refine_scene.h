@@ -53,15 +53,21 @@ struct RefineScene {
   }
 };
 
+inline SceneSpec RefineSceneSpec() {
+  SceneSpec spec = TestSpec("sphere", 240, 180, 28);
+  spec.rig.min_elevation = -60;
+  spec.texture.kind = TextureKind::kSpeckle;
+  spec.texture.scale = 0.18;
+  spec.reference.resolution = 64;
+  return spec;
+}
+
 // `min_elevation` of the cameras, degrees: from 10 on nobody sees the bottom.
 // `pixel_noise` of the photographs: grey levels.
 inline RefineScene MakeRefineScene(double min_elevation = -60,
                                    double pixel_noise = 0) {
-  SceneSpec spec = TestSpec("sphere", 240, 180, 28);
+  SceneSpec spec = RefineSceneSpec();
   spec.rig.min_elevation = min_elevation;
-  spec.texture.kind = TextureKind::kSpeckle;
-  spec.texture.scale = 0.18;
-  spec.reference.resolution = 64;
   spec.degrade.pixel_noise = pixel_noise;
   return {MakeTestScene(spec)};
 }

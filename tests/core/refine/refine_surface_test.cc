@@ -221,11 +221,12 @@ TEST(RefineOptions, AreChecked) {
   refused([](RefineOptions& o) { o.coarse_passes = 0; });
   refused([](RefineOptions& o) { o.step = 0; });
   refused([](RefineOptions& o) { o.range = 1.5 * o.step; });
-  refused([](RefineOptions& o) { o.patch_radius = 5; });
+  refused([](RefineOptions& o) { o.patch.radius = 5; });
   refused([](RefineOptions& o) { o.measure_spacing = -1; });
   refused([](RefineOptions& o) { o.fit_radius = 0; });
   refused([](RefineOptions& o) { o.min_score = 1; });
-  refused([](RefineOptions& o) { o.pixel_noise = 0; });
+  refused([](RefineOptions& o) { o.patch.pixel_noise = 0; });
+  refused([](RefineOptions& o) { o.patch.hue_weight = -1; });
   refused([](RefineOptions& o) { o.smoothness = 0; });
   refused([](RefineOptions& o) { o.outlier_scale = 0; });
   refused([](RefineOptions& o) { o.silhouette_weight = -1; });

@@ -167,6 +167,14 @@ TEST(ImagePyramid, TheSmallestPictureWorks) {
   EXPECT_GE(pyramid.MemoryBytes(), 16u);
 }
 
+TEST(WeightHue, LeavesGreyAndStretchesTheRest) {
+  const Float4 color = WeightHue(Float4{10, 20, 60, 7}, 3);  // grey of 30
+  EXPECT_FLOAT_EQ(color[0], -30);
+  EXPECT_FLOAT_EQ(color[1], 0);
+  EXPECT_FLOAT_EQ(color[2], 120);
+  EXPECT_FLOAT_EQ(color[3], 7);
+}
+
 TEST(ImagePyramid, RefusesOtherTypesAndSizes) {
   const cv::Mat image(8, 8, CV_8UC3, cv::Scalar::all(0));
   const cv::Mat mask(8, 8, CV_8UC1, cv::Scalar::all(0));

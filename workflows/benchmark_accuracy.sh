@@ -99,6 +99,8 @@ option_sets=(
   "no-cover        --OctahedralMeshing.cover_rounds 0"
   "no-silhouettes  --OctahedralMeshing.silhouette_weight 0"
   "ncc             --OctahedralMeshing.consistency ncc"
+  "hue-1           --OctahedralMeshing.hue_weight 1 --Refinement.hue_weight 1"
+  "hue-4           --OctahedralMeshing.hue_weight 4 --Refinement.hue_weight 4"
   "no-growing      --OctahedralMeshing.max_grow_rounds 0"
   "no-smoothing    --Smoothing.iterations 0"
   "no-alignment    --Refinement.alignment_steps 0"

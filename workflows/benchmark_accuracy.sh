@@ -21,9 +21,9 @@
 #                       the same options
 #
 # What is not run keeps the figures of an earlier run, where those are up to
-# date; a run that was interrupted goes on where it was. All of it should take
-# some 40 minutes on two idle cores (an estimate from single scenes). Exits with
-# 1 when something failed; what has worked is written.
+# date; a run that was interrupted goes on where it was. Scenes and degraded took
+# 30 minutes on two cores (--level 7 --data_level 8). Exits with 1 when something
+# failed; what has worked is written.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

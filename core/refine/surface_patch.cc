@@ -10,8 +10,8 @@ namespace {
 constexpr float kMaxBackgroundShare = 1.0f / 3;
 // Of the samples' weights, in radii of the patch.
 constexpr float kSigma = 0.7f;
-// Of a patch's gradient that is taken out. All of it is too much: it has half
-// of what tells offsets apart where texture is coarse (docs/design.md).
+// Of a patch's gradient that is taken out; all of it costs two of three
+// measured scenes more than it gains the third (docs/design.md).
 constexpr float kGradientShare = 0.5f;
 
 // Over the first `count` samples and all colours.

@@ -75,9 +75,8 @@ class SurfacePatch {
   };
 
   bool IsBackground(const Projected& projected) const;
-  // Takes out what does not tell views apart or together: the mean, and half
-  // of the gradient, in which light and shade are strong. Weights samples and
-  // hue.
+  // Takes out the mean and part of the gradient, in which light and shade are
+  // strong; weights hue, and samples by the roots of their weights.
   void Normalize(std::array<Float4, kMaxSamples>* image) const;
   // Squared norm.
   float SampleView(const Projected& projected, float offset);

@@ -57,6 +57,8 @@ TEST(Reconstruct, MasksThatAreTooSmallDoNotRuinIt) {
   spec.degrade.mask_offset = 0;
   const double clean = error(2);
   EXPECT_GT(strict, 2 * clean);
+  // Voxels are coarser here than where docs/accuracy.md aims at 1.5.
+  EXPECT_LT(tolerant, 1.7 * clean);
   EXPECT_LT(tolerant, strict / 2);
   EXPECT_LT(tolerant, 0.1);
 }

@@ -154,8 +154,9 @@ void DeclareMeshingOptions(OptionManager& options,
               "Components below this share of the largest one's volume go");
   options.Add("OctahedralMeshing.min_handle",
               &meshing->min_handle,
-              "Handles go that a loop no longer than so many voxels goes "
-              "around: bridges are cut, pinholes filled; 0 keeps all");
+              "Handles go that a loop no longer than so many voxels, or larger "
+              "pixels, goes around: bridges are cut, pinholes filled; 0 keeps "
+              "all");
   options.Add("Smoothing.iterations",
               &meshing->smoothing.iterations,
               "Of V <- V + lambda Laplacian(V)");

@@ -10,6 +10,7 @@ Json RoundToJson(const RoundSummary& round) {
           {"seen_places", round.num_seen},
           {"measured", round.num_measured},
           {"silhouette_targets", round.num_rim_targets},
+          {"border_shift", round.border_shift},
           {"mean_displacement", round.mean_displacement},
           {"fit_seconds", round.fit_seconds},
           {"view_seconds", round.view_seconds},
@@ -59,6 +60,10 @@ void DeclareRefinementOptions(OptionManager& options,
   options.Add("Refinement.silhouette_weight",
               &refinement->silhouette_weight,
               "Weight of the masks' borders; 0: none");
+  options.Add("Refinement.border_noise",
+              &refinement->border_noise,
+              "Pixels to which photographs tell a shift of all masks' borders; "
+              "large: masks are right");
   options.Add("Refinement.hull_tolerance",
               &refinement->hull_tolerance,
               "Pixels by which the surface may leave a silhouette");
@@ -94,6 +99,7 @@ Json RefinementToJson(const RefineSummary& summary) {
           {"withdrawn_vertices", summary.num_withdrawn},
           {"mean_displacement", summary.mean_displacement},
           {"max_displacement", summary.max_displacement},
+          {"border_shift", summary.border_shift},
           {"agreement_before", summary.agreement_before},
           {"agreement_after", summary.agreement_after},
           {"mean_view_motion", summary.view_motion.mean},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -20,6 +21,15 @@ namespace {
 
 constexpr size_t kVertexGrain = 1024;
 constexpr uint8_t kUnseenGrey = 128;
+
+// Of a pixel at the middle of the region, mean over the views, in voxels.
+double MeanPixel(const ViewSet& views, int resolution) {
+  double sum = 0;
+  for (const PreparedView& view : views) {
+    sum += 1 / double(view.projection.CenterFootprint(1 / float(resolution)));
+  }
+  return sum / double(std::max<size_t>(views.size(), 1));
+}
 
 // Mean colour of the selected views at a point.
 SurfaceMesh::Color BlendColor(const ViewSet& views,
@@ -61,7 +71,8 @@ IndexedMesh PlacedMesh(const LabeledVoxels& surface,
       .mesh;
 }
 
-IndexedMesh FinalMesh(const LabeledVoxels& surface,
+IndexedMesh FinalMesh(const ViewSet& views,
+                      const LabeledVoxels& surface,
                       const BoundingCube& cube,
                       const ReconstructionOptions& options,
                       const Context& context,
@@ -82,8 +93,12 @@ IndexedMesh FinalMesh(const LabeledVoxels& surface,
   KeptComponents kept =
       KeepLargestComponents(std::move(placed.mesh), options.min_component);
   summary->num_removed_components = kept.summary.num_removed;
+  // Voxels smaller than pixels show no handles that larger ones would not.
+  const double min_handle =
+      options.min_handle *
+      std::max(1.0, MeanPixel(views, surface.voxels.Resolution()));
   RemovedHandles cleaned = RemoveHandles(std::move(kept.mesh),
-                                         options.min_handle * voxel_size,
+                                         min_handle * voxel_size,
                                          placing.min_height * voxel_size,
                                          context);
   summary->handles = cleaned.summary;

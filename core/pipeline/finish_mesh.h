@@ -21,7 +21,8 @@ IndexedMesh PlacedMesh(const LabeledVoxels& surface,
 // options say are removed. No triangles intersect, once coordinates are rounded
 // to the floats of files either. With normals, without colours. Throws
 // InputError when there is no surface.
-IndexedMesh FinalMesh(const LabeledVoxels& surface,
+IndexedMesh FinalMesh(const ViewSet& views,
+                      const LabeledVoxels& surface,
                       const BoundingCube& cube,
                       const ReconstructionOptions& options,
                       const Context& context,

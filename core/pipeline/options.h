@@ -45,8 +45,9 @@ struct ReconstructionOptions {
   // Components with less than this share of the largest one's volume are
   // removed, cavities filled; 0 .. 1.
   double min_component = 0.1;
-  // Handles around which a loop no longer than so many voxels goes are removed:
-  // bridges cut, pinholes filled; 0 (none) .. 64.
+  // Handles around which a loop no longer than so many voxels goes, or pixels
+  // where those are larger, are removed: bridges cut, pinholes filled; 0 (none)
+  // .. 64.
   double min_handle = 5;
   int target_level = 9;  // at least hull.hull_level, at most 12
   // Times that a crust is grown where its cut touches its border, each

@@ -110,8 +110,8 @@ Reconstruction Reconstruct(const Scene& scene,
   }
 
   stopwatch.Lap();
-  IndexedMesh mesh =
-      FinalMesh(hierarchy.Finest(), region.cube, options, context, &summary);
+  IndexedMesh mesh = FinalMesh(
+      views, hierarchy.Finest(), region.cube, options, context, &summary);
   summary.meshing_seconds = stopwatch.Lap();
   if (options.refine) {
     RefinedSurface refined = RefineSurface(
@@ -149,7 +149,7 @@ HullReconstruction ReconstructHull(const Scene& scene,
   ReconstructionSummary summary;
   HullReconstruction result;
   result.mesh = ToSurfaceMesh(
-      FinalMesh(surface, region.cube, options, context, &summary));
+      FinalMesh(views, surface, region.cube, options, context, &summary));
   result.audit = AuditMesh(ToIndexedMesh(result.mesh), context);
   CheckAudit(result.audit);
   return result;

@@ -28,6 +28,12 @@ struct LocalSurface {
   float Height(float x, float y) const {
     return uu * x * x + uv * x * y + vv * y * y;
   }
+  // The point of the quadric above or below `point`.
+  Eigen::Vector3f Onto(const Eigen::Vector3f& point) const {
+    const Eigen::Vector3f offset = point - center;
+    const float over = Height(offset.dot(tangent_u), offset.dot(TangentV()));
+    return point + (over - offset.dot(normal)) * normal;
+  }
   // Outward, not of unit length.
   Eigen::Vector3f NormalAt(float x, float y) const {
     return normal - (2 * uu * x + uv * y) * tangent_u -

@@ -56,6 +56,10 @@ void RefineOptions::Check() const {
               "refinement.silhouette_weight",
               silhouette_weight,
               "must be at least 0");
+  CheckOption(border_noise >= 0,
+              "refinement.border_noise",
+              border_noise,
+              "must be at least 0");
   CheckOption(hull_tolerance >= 0,
               "refinement.hull_tolerance",
               hull_tolerance,

@@ -35,6 +35,10 @@ struct RefineOptions {
   double outlier_scale = 2;
   // Weight of the masks' borders, like that of an offset; 0: none.
   double silhouette_weight = 1;
+  // Pixels to which the photographs tell how far the masks' borders are shifted
+  // as a whole: much smaller shifts are taken for noise. Large: masks are
+  // right.
+  double border_noise = 0.3;
   // Pixels by which vertices may leave a silhouette.
   double hull_tolerance = 1.5;
   void Check() const;

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "core/base/stopwatch.h"
 #include "core/refine/align_views.h"
+#include "core/refine/border_shift.h"
 #include "core/refine/keep_valid.h"
 #include "core/refine/move_vertices.h"
 #include "core/refine/offset_search.h"
@@ -21,6 +23,8 @@ namespace {
 
 // Rings of unseen places around seen ones that may move along with them.
 constexpr int kBlendRings = 2;
+// Coarser pixels are too large to tell where a border is.
+constexpr double kMaxBorderScale = 2;
 // How far a place speaks of vertices, in distances between places.
 constexpr double kReach = 1.3;
 
@@ -89,6 +93,20 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
   }
   problem.is_free = Dilate(seen.is_seen, seen.places.neighbors, kBlendRings);
   return problem;
+}
+
+// Of the masks' borders, pixels.
+double FindBorderShift(const std::vector<EdgeTarget>& rims,
+                       const std::vector<OffsetMeasurement>& measurements,
+                       double pixel,
+                       const RoundPlan& plan,
+                       const RefineOptions& options) {
+  const std::optional<double> excess = plan.scale <= kMaxBorderScale
+                                           ? MedianExcess(rims, measurements)
+                                           : std::nullopt;
+  return excess ? ShrinkShift(plan.border_shift + *excess / pixel,
+                              options.border_noise)
+                : plan.border_shift;
 }
 
 void AddRimTargets(std::vector<EdgeTarget> targets,
@@ -173,34 +191,34 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
     Align(seen, options, context, views, &summary);
   }
   summary.alignment_seconds = stopwatch.Lap();
-  OffsetProblem problem;
+  std::vector<OffsetMeasurement> measurements;
   {
     Phase phase(context,
                 fmt::format("refinement within {:.2g} pixels", summary.range),
                 seen.surfaces.size());
-    problem = MakeProblem(seen,
-                          SearchOffsets(*views,
-                                        seen.surfaces,
-                                        seen.choices,
-                                        MakeSearch(plan, options),
-                                        context,
-                                        &phase),
-                          pixel,
-                          plan.scale,
-                          &summary);
-  }
-  summary.search_seconds = stopwatch.Lap();
-  if (options.silhouette_weight > 0) {
-    AddRimTargets(FindRimTargets(*views,
-                                 seen.rays,
+    measurements = SearchOffsets(*views,
                                  seen.surfaces,
-                                 seen.places.neighbors,
-                                 summary.range,
-                                 context),
-                  options.silhouette_weight,
-                  pixel,
-                  &problem,
-                  &summary);
+                                 seen.choices,
+                                 MakeSearch(plan, options),
+                                 context,
+                                 &phase);
+  }
+  OffsetProblem problem =
+      MakeProblem(seen, measurements, pixel, plan.scale, &summary);
+  summary.search_seconds = stopwatch.Lap();
+  summary.border_shift = plan.border_shift;
+  if (options.silhouette_weight > 0) {
+    std::vector<EdgeTarget> rims = FindRimTargets(*views,
+                                                  seen.rays,
+                                                  seen.surfaces,
+                                                  seen.places.neighbors,
+                                                  summary.range,
+                                                  plan.border_shift,
+                                                  context);
+    summary.border_shift =
+        FindBorderShift(rims, measurements, pixel, plan, options);
+    AddRimTargets(
+        std::move(rims), options.silhouette_weight, pixel, &problem, &summary);
   }
   summary.silhouette_seconds = stopwatch.Lap();
   MovePlaces(std::move(seen),
@@ -214,8 +232,10 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   summary.solve_seconds = stopwatch.Lap();
   // In each round: what is moved back would stay a pit, and the next round
   // makes it smooth.
-  summary.num_withdrawn = KeepValid(
-      *views, start, before, options.hull_tolerance, pixel, context, mesh);
+  const double tolerance =
+      options.hull_tolerance + std::max(0.0, -summary.border_shift);
+  summary.num_withdrawn =
+      KeepValid(*views, start, before, tolerance, pixel, context, mesh);
   summary.validity_seconds = stopwatch.Lap();
   return summary;
 }

@@ -16,9 +16,12 @@ struct RoundSummary {
   double scale = 0;  // size of the round's pixels in those of the views
   double range = 0;  // of the search, pixels of the views
   size_t num_places = 0;
-  size_t num_seen = 0;           // of them, by at least two views
-  size_t num_measured = 0;       // of them, where an offset was found
-  size_t num_rim_targets = 0;    // from silhouettes
+  size_t num_seen = 0;         // of them, by at least two views
+  size_t num_measured = 0;     // of them, where an offset was found
+  size_t num_rim_targets = 0;  // from silhouettes
+  // Pixels by which the masks' borders lie outside of what the photographs
+  // show, as far as known after the round.
+  double border_shift = 0;
   double mean_displacement = 0;  // of the vertices that may move, pixels
   size_t num_aligned = 0;        // views, in the last step
   // Vertices that were moved back: into the hull, or for the sake of
@@ -39,6 +42,8 @@ struct RoundPlan {
   // Whether vertices come to lie on the fitted surface; else they keep their
   // distances from it.
   bool smooths;
+  // Of the masks' borders, pixels of the views: as found by the round before.
+  double border_shift = 0;
 };
 
 // Aligns `views` in a round at their scale, moves the vertices of `mesh` (unit

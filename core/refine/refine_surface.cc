@@ -135,10 +135,12 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   }
   summary.agreement_before =
       MeanAgreement(*views, neighbors, pixel, options, context, &unit);
-  for (const RoundPlan& plan : PlanRounds(options)) {
+  for (RoundPlan plan : PlanRounds(options)) {
+    plan.border_shift = summary.border_shift;
     RoundSummary round = RefineOnce(
         start, neighbors, pixel, plan, options, context, views, &unit);
     summary.num_withdrawn += round.num_withdrawn;
+    summary.border_shift = round.border_shift;
     summary.rounds.push_back(std::move(round));
   }
   summary.view_motion =

@@ -50,8 +50,13 @@ class RimFinder {
   RimFinder(const PreparedView& view,
             const RayScene& rays,
             const std::vector<LocalSurface>& surfaces,
-            float range)
-      : view_(view), rays_(rays), surfaces_(surfaces), range_(range) {}
+            float range,
+            float border_shift)
+      : view_(view),
+        rays_(rays),
+        surfaces_(surfaces),
+        range_(range),
+        border_shift_(border_shift) {}
 
   float Facing(uint32_t vertex) const {
     return surfaces_[vertex].normal.dot(view_.projection.center -
@@ -66,10 +71,14 @@ class RimFinder {
                              const Eigen::Vector3f& to) {
       return Eigen::Vector3f(from + fraction * (to - from));
     };
-    const Eigen::Vector3f point =
-        between(surfaces_[a].center, surfaces_[b].center);
+    const LocalSurface& one = surfaces_[a];
+    const LocalSurface& other = surfaces_[b];
+    // The chord runs inside a convex surface, by much of a pixel where places
+    // are far apart.
+    const Eigen::Vector3f chord = between(one.center, other.center);
+    const Eigen::Vector3f point = between(one.Onto(chord), other.Onto(chord));
     const Eigen::Vector3f normal =
-        between(surfaces_[a].normal, surfaces_[b].normal).normalized();
+        between(one.normal, other.normal).normalized();
     const ViewProjection& projection = view_.projection;
     const Eigen::Vector3f h = projection.Homogeneous(point);
     if (!(h.z() > 0)) {
@@ -83,8 +92,9 @@ class RimFinder {
     if (!projection.InFrame(pixel.x(), pixel.y()) || !(speed > 0)) {
       return std::nullopt;
     }
+    const Eigen::Vector2f outward = motion / speed;
     const std::optional<float> border =
-        FindBorder(view_, pixel, motion / speed, range_);
+        FindBorder(view_, pixel + border_shift_ * outward, outward, range_);
     if (!border || !IsOutermost(point + kBeside / speed * normal)) {
       return std::nullopt;
     }
@@ -105,6 +115,7 @@ class RimFinder {
   const RayScene& rays_;
   const std::vector<LocalSurface>& surfaces_;
   float range_;
+  float border_shift_;
 };
 
 }  // namespace
@@ -115,11 +126,13 @@ std::vector<EdgeTarget> FindRimTargets(
     const std::vector<LocalSurface>& surfaces,
     const VertexCorners& neighbors,
     double range,
+    double border_shift,
     const Context& context) {
   std::vector<std::vector<EdgeTarget>> of_views(views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const RimFinder finder(views[i], rays, surfaces, float(range));
+      const RimFinder finder(
+          views[i], rays, surfaces, float(range), float(border_shift));
       for (uint32_t a = 0; a < surfaces.size(); ++a) {
         const bool is_front = finder.Facing(a) > 0;
         for (const uint32_t b : neighbors.Of(a)) {

@@ -14,8 +14,9 @@
 namespace octacut {
 
 // One target for each edge and view along which the fitted surface turns away
-// from the view within `range` pixels of the border of its mask. Targets are
-// offsets of the fitted surface in unit coordinates; their weights are 1.
+// from the view within `range` pixels of where the border of its mask should
+// be: `border_shift` pixels outside of it. Targets are offsets of the fitted
+// surface in unit coordinates; their weights are 1.
 // Only where the mesh of `rays` ends in the view, and where the border is a
 // plain step from object to background. `neighbors` are those of
 // FindVertexNeighbors.
@@ -25,6 +26,7 @@ std::vector<EdgeTarget> FindRimTargets(
     const std::vector<LocalSurface>& surfaces,
     const VertexCorners& neighbors,
     double range,
+    double border_shift,
     const Context& context);
 
 }  // namespace octacut

@@ -72,6 +72,13 @@ inline RefineScene MakeRefineScene(double min_elevation = -60,
   return {MakeTestScene(spec)};
 }
 
+// The same with masks that are `mask_offset` pixels too large.
+inline RefineScene MakeSceneWithMasksOff(int mask_offset) {
+  SceneSpec spec = RefineSceneSpec();
+  spec.degrade.mask_offset = mask_offset;
+  return {MakeTestScene(spec)};
+}
+
 // Bumps of up to `amplitude` some 0.16 units wide, as a mesh of voxels has
 // them after smoothing.
 inline auto Bumps(double amplitude) {

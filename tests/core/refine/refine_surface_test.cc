@@ -29,8 +29,8 @@ IndexedMesh BumpyMesh(const RefineScene& scene) {
 }
 
 RefinedSurface Refine(const RefineScene& scene,
-                      const Context& context = Context(2)) {
-  RefineOptions options;
+                      const Context& context = Context(2),
+                      RefineOptions options = RefineOptions()) {
   options.coarse_rounds = 1;
   ViewSet views = scene.test.views;
   return RefineSurface(
@@ -61,6 +61,26 @@ TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
   EXPECT_EQ(summary.rounds[2].scale, 1);
   EXPECT_EQ(summary.rounds[2].num_seen, summary.rounds[2].num_places);
   EXPECT_GT(summary.rounds[2].num_measured, summary.rounds[2].num_places / 2);
+}
+
+TEST(RefineSurface, FindsOutThatMasksAreTooLargeOrTooSmall) {
+  const double exact =
+      RefineScene::MeanError(Refine(testing::MakeRefineScene()).mesh);
+  for (const int offset : {-2, 2}) {
+    const RefinedSurface refined =
+        Refine(testing::MakeSceneWithMasksOff(offset));
+    EXPECT_NEAR(refined.summary.border_shift, offset, 0.5);
+    EXPECT_LT(RefineScene::MeanError(refined.mesh), 1.5 * exact);
+  }
+}
+
+TEST(RefineSurface, TrustsMasksWhereBordersCannotBeMeasured) {
+  const RefineScene scene = testing::MakeSceneWithMasksOff(2);
+  RefineOptions options;
+  options.border_noise = 1e6;
+  const RefinedSurface refined = Refine(scene, Context(2), options);
+  EXPECT_NEAR(refined.summary.border_shift, 0, 1e-6);
+  EXPECT_GT(refined.summary.rounds.back().num_rim_targets, 100u);
 }
 
 // Files keep floats; a mesh that is only valid in doubles may cross itself
@@ -230,6 +250,7 @@ TEST(RefineOptions, AreChecked) {
   refused([](RefineOptions& o) { o.smoothness = 0; });
   refused([](RefineOptions& o) { o.outlier_scale = 0; });
   refused([](RefineOptions& o) { o.silhouette_weight = -1; });
+  refused([](RefineOptions& o) { o.border_noise = -1; });
   refused([](RefineOptions& o) { o.hull_tolerance = -1; });
 }
 

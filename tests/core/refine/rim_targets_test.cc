@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/core/refine/refine_scene.h"
 
 namespace octacut {
@@ -17,7 +19,8 @@ class RimTargets : public ::testing::Test {
   static void TearDownTestSuite() { delete scene_; }
 
   std::vector<EdgeTarget> Find(const IndexedMesh& mesh,
-                               const RayScene& rays) const {
+                               const RayScene& rays,
+                               double border_shift = 0) const {
     const VertexCorners neighbors = RefineScene::Neighbors(mesh);
     return FindRimTargets(
         scene_->test.views,
@@ -26,6 +29,7 @@ class RimTargets : public ::testing::Test {
             mesh, neighbors, testing::AllVertices(mesh), 0.05, Context(2)),
         neighbors,
         4,
+        border_shift,
         Context(2));
   }
   IndexedMesh Larger(double pixels) const {
@@ -54,6 +58,55 @@ TEST_F(RimTargets, LeadToTheBordersOfTheMasks) {
                 -pixels,
                 0.2);
   }
+}
+
+TEST_F(RimTargets, LeadBesideBordersThatAreShifted) {
+  const IndexedMesh mesh = Larger(0);
+  const double pixel = scene_->Pixel() / scene_->test.region.cube.edge;
+  for (const double shift : {-6.0, -1.0, 2.0, 6.0}) {
+    const std::vector<EdgeTarget> targets = Find(mesh, RayScene(mesh), shift);
+    double sum = 0;
+    for (const EdgeTarget& target : targets) {
+      sum += target.target / pixel;
+    }
+    if (std::abs(shift) > 4) {
+      EXPECT_TRUE(targets.empty()) << "a shift of " << shift;
+    } else {
+      ASSERT_GT(targets.size(), 100 * scene_->test.views.size());
+      EXPECT_NEAR(sum / double(targets.size()), -shift, 0.2);
+    }
+  }
+}
+
+// A sphere of some edges only: between its vertices it is still round.
+TEST_F(RimTargets, AreOfTheCurvedSurface) {
+  const IndexedMesh mesh =
+      scene_->ToUnitMesh(RefineScene::Mesh(6, [](const auto&) { return 0.0; }));
+  const VertexCorners neighbors = RefineScene::Neighbors(mesh);
+  const double pixel = scene_->Pixel() / scene_->test.region.cube.edge;
+  std::vector<LocalSurface> surfaces;
+  const float bend =
+      float(-scene_->test.region.cube.edge / (2 * RefineScene::kRadius));
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    LocalSurface& surface = surfaces.emplace_back();
+    surface.center = mesh.positions[v].cast<float>();
+    surface.normal = mesh.normals[v];
+    surface.tangent_u = surface.normal.unitOrthogonal();
+    surface.uu = surface.vv = bend;
+  }
+  const std::vector<EdgeTarget> targets = FindRimTargets(scene_->test.views,
+                                                         RayScene(mesh),
+                                                         surfaces,
+                                                         neighbors,
+                                                         4,
+                                                         0,
+                                                         Context(2));
+  ASSERT_GT(targets.size(), 10 * scene_->test.views.size());
+  double sum = 0;
+  for (const EdgeTarget& target : targets) {
+    sum += target.target / pixel;
+  }
+  EXPECT_NEAR(sum / double(targets.size()), 0, 0.2);
 }
 
 TEST_F(RimTargets, OnlyWhereTheMeshEnds) {

@@ -1,0 +1,28 @@
+// How far the borders of the masks lie from where the photographs put the
+// outlines: masks that were cut by hand, grown or shrunk err by the same pixels
+// all around, and so does what follows them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/refine/offset_search.h"
+#include "core/refine/solve_offsets.h"
+
+namespace octacut {
+
+// By how much the targets of `rims`, those of FindRimTargets, lead farther
+// outward than the offsets measured at their places, unit coordinates: the
+// median, weighted by the fourth power of the offsets' weights, since badly
+// measured ones lie too far inside. None where fewer than a hundred rims could
+// tell.
+std::optional<double> MedianExcess(
+    const std::vector<EdgeTarget>& rims,
+    const std::vector<OffsetMeasurement>& measurements);
+
+// What to make of a measured shift of the masks' borders that itself is only
+// known to `noise`: nearly nothing of one below, nearly all of one far above.
+// In any unit of length, the same for both.
+double ShrinkShift(double measured, double noise);
+
+}  // namespace octacut

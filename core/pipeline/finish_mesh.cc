@@ -22,15 +22,6 @@ namespace {
 constexpr size_t kVertexGrain = 1024;
 constexpr uint8_t kUnseenGrey = 128;
 
-// Of a pixel at the middle of the region, mean over the views, in voxels.
-double MeanPixel(const ViewSet& views, int resolution) {
-  double sum = 0;
-  for (const PreparedView& view : views) {
-    sum += 1 / double(view.projection.CenterFootprint(1 / float(resolution)));
-  }
-  return sum / double(std::max<size_t>(views.size(), 1));
-}
-
 // Mean colour of the selected views at a point.
 SurfaceMesh::Color BlendColor(const ViewSet& views,
                               const Visibility::Selection& selection,
@@ -93,14 +84,14 @@ IndexedMesh FinalMesh(const ViewSet& views,
   KeptComponents kept =
       KeepLargestComponents(std::move(placed.mesh), options.min_component);
   summary->num_removed_components = kept.summary.num_removed;
-  // Voxels smaller than pixels show no handles that larger ones would not.
-  const double min_handle =
-      options.min_handle *
-      std::max(1.0, MeanPixel(views, surface.voxels.Resolution()));
-  RemovedHandles cleaned = RemoveHandles(std::move(kept.mesh),
-                                         min_handle * voxel_size,
-                                         placing.min_height * voxel_size,
-                                         context);
+  // Below a pixel the images cannot tell a handle from none.
+  const double pixel =
+      cube.edge * PixelSize(views, Eigen::Vector3f::Constant(0.5f));
+  RemovedHandles cleaned =
+      RemoveHandles(std::move(kept.mesh),
+                    options.min_handle * std::max(voxel_size, pixel),
+                    placing.min_height * voxel_size,
+                    context);
   summary->handles = cleaned.summary;
   std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;
   SmoothedSurface smoothed = SmoothSurface(

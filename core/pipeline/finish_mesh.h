@@ -20,7 +20,7 @@ IndexedMesh PlacedMesh(const LabeledVoxels& surface,
 // Extraction, placement and smoothing; components and handles smaller than the
 // options say are removed. No triangles intersect, once coordinates are rounded
 // to the floats of files either. With normals, without colours. Throws
-// InputError when there is no surface.
+// InputError when there is no surface. `views` say how large pixels are.
 IndexedMesh FinalMesh(const ViewSet& views,
                       const LabeledVoxels& surface,
                       const BoundingCube& cube,

@@ -46,7 +46,7 @@ struct ReconstructionOptions {
   // removed, cavities filled; 0 .. 1.
   double min_component = 0.1;
   // Handles around which a loop no longer than so many voxels goes, or pixels
-  // where those are larger, are removed: bridges cut, pinholes filled; 0 (none)
+  // of the views where those are larger, are removed: bridges cut, pinholes filled; 0 (none)
   // .. 64.
   double min_handle = 5;
   int target_level = 9;  // at least hull.hull_level, at most 12

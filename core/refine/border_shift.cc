@@ -8,37 +8,38 @@ namespace octacut {
 namespace {
 
 constexpr size_t kMinRims = 100;
+constexpr size_t kMinShare = 10;  // one in so many of all rims
 
 struct Excess {
-  float length;
+  float pixels;
   double weight;
 };
 
 }  // namespace
 
 std::optional<double> MedianExcess(
-    const std::vector<EdgeTarget>& rims,
+    const std::vector<RimTarget>& rims,
     const std::vector<OffsetMeasurement>& measurements) {
   std::vector<Excess> excesses;
   double sum = 0;
-  for (const EdgeTarget& rim : rims) {
-    const OffsetMeasurement& a = measurements[rim.places[0]];
-    const OffsetMeasurement& b = measurements[rim.places[1]];
+  for (const auto& [edge, pixels_per_unit] : rims) {
+    const OffsetMeasurement& a = measurements[edge.places[0]];
+    const OffsetMeasurement& b = measurements[edge.places[1]];
     if (a.weight > 0 && b.weight > 0) {
-      const float measured = a.offset + rim.fraction * (b.offset - a.offset);
-      excesses.push_back(
-          {rim.target - measured, std::pow(std::min(a.weight, b.weight), 4)});
+      const float measured = a.offset + edge.fraction * (b.offset - a.offset);
+      excesses.push_back({(edge.target - measured) * pixels_per_unit,
+                          std::pow(std::min(a.weight, b.weight), 4)});
       sum += excesses.back().weight;
     }
   }
-  if (excesses.size() < kMinRims) {
+  if (excesses.size() < std::max(kMinRims, rims.size() / kMinShare)) {
     return std::nullopt;
   }
   std::sort(excesses.begin(),
             excesses.end(),
             [](const Excess& one, const Excess& other) {
-              return std::pair(one.length, one.weight) <
-                     std::pair(other.length, other.weight);
+              return std::pair(one.pixels, one.weight) <
+                     std::pair(other.pixels, other.weight);
             });
   double below = 0;
   const auto middle = std::find_if(
@@ -46,7 +47,7 @@ std::optional<double> MedianExcess(
         below += excess.weight;
         return 2 * below >= sum;
       });
-  return middle->length;
+  return middle->pixels;
 }
 
 double ShrinkShift(double measured, double noise) {

@@ -7,17 +7,16 @@
 #include <vector>
 
 #include "core/refine/offset_search.h"
-#include "core/refine/solve_offsets.h"
+#include "core/refine/rim_targets.h"
 
 namespace octacut {
 
-// By how much the targets of `rims`, those of FindRimTargets, lead farther
-// outward than the offsets measured at their places, unit coordinates: the
-// median, weighted by the fourth power of the offsets' weights, since badly
-// measured ones lie too far inside. None where fewer than a hundred rims could
-// tell.
+// By how many pixels of their views `rims` lead farther outward than the
+// offsets measured at their places: the median, weighted by the fourth power of
+// the offsets' weights, since badly measured ones lie too far inside. None
+// where fewer than a hundred rims, or than a tenth of them, could tell.
 std::optional<double> MedianExcess(
-    const std::vector<EdgeTarget>& rims,
+    const std::vector<RimTarget>& rims,
     const std::vector<OffsetMeasurement>& measurements);
 
 // What to make of a measured shift of the masks' borders that itself is only

@@ -26,11 +26,13 @@ bool IsBackground(const PreparedView& view,
 
 bool LeavesHull(const ViewSet& views,
                 const Eigen::Vector3d& start,
+                const Eigen::Vector3d& before,
                 const Eigen::Vector3d& point,
                 float tolerance) {
   return std::any_of(views.begin(), views.end(), [&](const PreparedView& view) {
     return IsBackground(view, point, tolerance) &&
-           !IsBackground(view, start, tolerance);
+           !IsBackground(view, start, tolerance) &&
+           !IsBackground(view, before, tolerance);
   });
 }
 
@@ -51,8 +53,10 @@ size_t WithdrawIntoHull(const ViewSet& views,
           }
           const Eigen::Vector3d way = positions[v] - before[v];
           size_t step = 0;
-          while (step + 1 < kLeftOfWay.size() &&
-                 LeavesHull(views, start[v], positions[v], float(tolerance))) {
+          while (
+              step + 1 < kLeftOfWay.size() &&
+              LeavesHull(
+                  views, start[v], before[v], positions[v], float(tolerance))) {
             positions[v] = before[v] + kLeftOfWay[++step] * way;
           }
           num_withdrawn += step > 0 ? 1 : 0;

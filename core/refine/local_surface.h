@@ -28,11 +28,10 @@ struct LocalSurface {
   float Height(float x, float y) const {
     return uu * x * x + uv * x * y + vv * y * y;
   }
-  // The point of the quadric above or below `point`.
-  Eigen::Vector3f Onto(const Eigen::Vector3f& point) const {
-    const Eigen::Vector3f offset = point - center;
-    const float over = Height(offset.dot(tangent_u), offset.dot(TangentV()));
-    return point + (over - offset.dot(normal)) * normal;
+  // Of the quadric over the point `offset` from the center, along the normal.
+  float HeightOver(const Eigen::Vector3f& offset) const {
+    return Height(offset.dot(tangent_u), offset.dot(TangentV())) -
+           offset.dot(normal);
   }
   // Outward, not of unit length.
   Eigen::Vector3f NormalAt(float x, float y) const {

@@ -39,9 +39,7 @@ void AddPlace(const MovedPlaces& moved,
   }
   float way = float(moved.offsets[place]) + moved.slopes[place].dot(offset);
   if (moved.is_smooth[place]) {
-    way += surface.Height(offset.dot(surface.tangent_u),
-                          offset.dot(surface.TangentV())) -
-           offset.dot(surface.normal);
+    way += surface.HeightOver(offset);
   }
   blend->sum += weight * way * surface.normal;
 }

@@ -95,31 +95,46 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
   return problem;
 }
 
-// Of the masks' borders, pixels.
-double FindBorderShift(const std::vector<EdgeTarget>& rims,
+// Of the masks' borders, pixels, in all: the plan's and what the rims tell of
+// the rest.
+double FindBorderShift(const std::vector<RimTarget>& rims,
                        const std::vector<OffsetMeasurement>& measurements,
-                       double pixel,
                        const RoundPlan& plan,
-                       const RefineOptions& options) {
-  const std::optional<double> excess = plan.scale <= kMaxBorderScale
-                                           ? MedianExcess(rims, measurements)
-                                           : std::nullopt;
-  return excess ? ShrinkShift(plan.border_shift + *excess / pixel,
-                              options.border_noise)
-                : plan.border_shift;
+                       double border_noise) {
+  if (plan.scale > kMaxBorderScale) {
+    return plan.border_shift;
+  }
+  const std::optional<double> excess = MedianExcess(rims, measurements);
+  if (!excess) {
+    return plan.border_shift;
+  }
+  return ShrinkShift(plan.border_shift + *excess, border_noise);
 }
 
-void AddRimTargets(std::vector<EdgeTarget> targets,
-                   double weight,
-                   double pixel,
-                   OffsetProblem* problem,
-                   RoundSummary* summary) {
-  for (EdgeTarget& target : targets) {
+void AddRims(const ViewSet& views,
+             const SeenSurface& seen,
+             const std::vector<OffsetMeasurement>& measurements,
+             double pixel,
+             const RoundPlan& plan,
+             const RefineOptions& options,
+             const Context& context,
+             OffsetProblem* problem,
+             RoundSummary* summary) {
+  const std::vector<RimTarget> rims = FindRimTargets(views,
+                                                     seen.rays,
+                                                     seen.surfaces,
+                                                     seen.places.neighbors,
+                                                     summary->range,
+                                                     plan.border_shift,
+                                                     context);
+  summary->num_rim_targets = rims.size();
+  summary->border_shift =
+      FindBorderShift(rims, measurements, plan, options.border_noise);
+  for (const RimTarget& rim : rims) {
+    EdgeTarget& target = problem->edge_targets.emplace_back(rim.edge);
     target.target = float(target.target / pixel);
-    target.weight = float(weight);
+    target.weight = float(options.silhouette_weight);
   }
-  summary->num_rim_targets = targets.size();
-  problem->edge_targets = std::move(targets);
 }
 
 // Solves, and moves the vertices along.
@@ -208,17 +223,15 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   summary.search_seconds = stopwatch.Lap();
   summary.border_shift = plan.border_shift;
   if (options.silhouette_weight > 0) {
-    std::vector<EdgeTarget> rims = FindRimTargets(*views,
-                                                  seen.rays,
-                                                  seen.surfaces,
-                                                  seen.places.neighbors,
-                                                  summary.range,
-                                                  plan.border_shift,
-                                                  context);
-    summary.border_shift =
-        FindBorderShift(rims, measurements, pixel, plan, options);
-    AddRimTargets(
-        std::move(rims), options.silhouette_weight, pixel, &problem, &summary);
+    AddRims(*views,
+            seen,
+            measurements,
+            pixel,
+            plan,
+            options,
+            context,
+            &problem,
+            &summary);
   }
   summary.silhouette_seconds = stopwatch.Lap();
   MovePlaces(std::move(seen),

@@ -19,8 +19,8 @@ struct RoundSummary {
   size_t num_seen = 0;         // of them, by at least two views
   size_t num_measured = 0;     // of them, where an offset was found
   size_t num_rim_targets = 0;  // from silhouettes
-  // Pixels by which the masks' borders lie outside of what the photographs
-  // show, as far as known after the round.
+  // Pixels by which the masks' borders are taken to lie too far outside, after
+  // the round; shrunk by the noise of what it measured.
   double border_shift = 0;
   double mean_displacement = 0;  // of the vertices that may move, pixels
   size_t num_aligned = 0;        // views, in the last step

@@ -1,5 +1,7 @@
 #include "core/refine/refine_surface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -45,20 +47,18 @@ void CheckInput(const IndexedMesh& mesh, const ViewSet& views) {
   }
 }
 
-// Of a pixel at the mesh's centre, mean over the views.
-double MeanPixel(const ViewSet& views, const IndexedMesh& mesh) {
+// Of a pixel at the mesh's centre, unit coordinates.
+double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& position : mesh.positions) {
     sum += position;
   }
-  const Eigen::Vector3f middle =
-      (sum / double(mesh.positions.size())).cast<float>();
-  double pixels = 0;
-  for (const PreparedView& view : views) {
-    pixels +=
-        view.projection.Homogeneous(middle).z() / view.projection.focal_length;
+  const double pixel =
+      PixelSize(views, (sum / double(mesh.positions.size())).cast<float>());
+  if (!(pixel > 0)) {
+    throw InputError("refinement: the mesh is behind all views");
   }
-  return pixels / double(views.size());
+  return pixel;
 }
 
 std::vector<Eigen::Vector3d> SomePositions(const IndexedMesh& mesh) {
@@ -107,6 +107,14 @@ void SummarizeMoves(const std::vector<Eigen::Vector3d>& start,
   summary->mean_displacement /= double(std::max<size_t>(summary->num_moved, 1));
 }
 
+void ReportBorders(const RefineSummary& summary, const Context& context) {
+  context.Info(fmt::format(
+      "the masks are taken to be {:.2f} pixels of {:.3g} units too {}",
+      std::abs(summary.border_shift),
+      summary.pixel_size,
+      summary.border_shift < 0 ? "small" : "large"));
+}
+
 }  // namespace
 
 RefinedSurface RefineSurface(IndexedMesh mesh,
@@ -127,7 +135,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   const std::vector<Eigen::Vector3d> start = unit.positions;
   const VertexCorners neighbors =
       FindVertexNeighbors(start.size(), unit.triangles);
-  const double pixel = MeanPixel(*views, unit);
+  const double pixel = PixelAt(*views, unit);
   summary.pixel_size = pixel * cube.edge;
   std::vector<ViewProjection> projections;
   for (const PreparedView& view : *views) {
@@ -150,6 +158,9 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   SummarizeMoves(start, unit, pixel, &summary);
   summary.num_withdrawn +=
       MoveMesh(start, unit.positions, cube, summary.pixel_size, context, &mesh);
+  if (options.silhouette_weight > 0) {
+    ReportBorders(summary, context);
+  }
   mesh.normals = ComputeVertexNormals(mesh, context);
   result.mesh = std::move(mesh);
   summary.seconds = whole.Lap();

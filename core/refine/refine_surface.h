@@ -21,8 +21,8 @@ struct RefineSummary {
   size_t num_moved = 0;
   double mean_displacement = 0;  // of the moved ones, pixels
   double max_displacement = 0;
-  // By which the masks' borders lie outside of what the photographs show,
-  // pixels.
+  // Pixels by which the masks' borders are taken to lie too far outside; 0
+  // also where nothing could be measured.
   double border_shift = 0;
   // Mean agreement of the views where at least two see the surface.
   double agreement_before = 0;

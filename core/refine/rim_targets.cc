@@ -64,7 +64,7 @@ class RimFinder {
   }
 
   // Of an edge between two vertices that face to different sides.
-  std::optional<EdgeTarget> Find(uint32_t a, uint32_t b) const {
+  std::optional<RimTarget> Find(uint32_t a, uint32_t b) const {
     const float facing_a = Facing(a);
     const float fraction = facing_a / (facing_a - Facing(b));
     const auto between = [&](const Eigen::Vector3f& from,
@@ -76,7 +76,11 @@ class RimFinder {
     // The chord runs inside a convex surface, by much of a pixel where places
     // are far apart.
     const Eigen::Vector3f chord = between(one.center, other.center);
-    const Eigen::Vector3f point = between(one.Onto(chord), other.Onto(chord));
+    const auto rise = [&](const LocalSurface& surface) {
+      return Eigen::Vector3f(surface.HeightOver(chord - surface.center) *
+                             surface.normal);
+    };
+    const Eigen::Vector3f point = chord + between(rise(one), rise(other));
     const Eigen::Vector3f normal =
         between(one.normal, other.normal).normalized();
     const ViewProjection& projection = view_.projection;
@@ -98,7 +102,7 @@ class RimFinder {
     if (!border || !IsOutermost(point + kBeside / speed * normal)) {
       return std::nullopt;
     }
-    return EdgeTarget{{a, b}, fraction, *border / speed, 1};
+    return RimTarget{{{a, b}, fraction, *border / speed, 1}, speed};
   }
 
  private:
@@ -120,15 +124,14 @@ class RimFinder {
 
 }  // namespace
 
-std::vector<EdgeTarget> FindRimTargets(
-    const ViewSet& views,
-    const RayScene& rays,
-    const std::vector<LocalSurface>& surfaces,
-    const VertexCorners& neighbors,
-    double range,
-    double border_shift,
-    const Context& context) {
-  std::vector<std::vector<EdgeTarget>> of_views(views.size());
+std::vector<RimTarget> FindRimTargets(const ViewSet& views,
+                                      const RayScene& rays,
+                                      const std::vector<LocalSurface>& surfaces,
+                                      const VertexCorners& neighbors,
+                                      double range,
+                                      double border_shift,
+                                      const Context& context) {
+  std::vector<std::vector<RimTarget>> of_views(views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const RimFinder finder(
@@ -145,8 +148,8 @@ std::vector<EdgeTarget> FindRimTargets(
       }
     }
   });
-  std::vector<EdgeTarget> targets;
-  for (const std::vector<EdgeTarget>& of_view : of_views) {
+  std::vector<RimTarget> targets;
+  for (const std::vector<RimTarget>& of_view : of_views) {
     targets.insert(targets.end(), of_view.begin(), of_view.end());
   }
   return targets;

@@ -13,20 +13,25 @@
 
 namespace octacut {
 
-// One target for each edge and view along which the fitted surface turns away
-// from the view within `range` pixels of where the border of its mask should
-// be: `border_shift` pixels outside of it. Targets are offsets of the fitted
-// surface in unit coordinates; their weights are 1.
+struct RimTarget {
+  EdgeTarget edge;  // unit coordinates; its weight is 1
+  // Of the view, by which a unit of offset moves the rim.
+  float pixels_per_unit;
+};
+
+// One for each edge and view along which the fitted surface turns away from the
+// view within `range` pixels of where the border of its mask, which lies
+// `border_shift` pixels too far outside, should be. Targets are offsets of the
+// fitted surface. Pixels are those of each view.
 // Only where the mesh of `rays` ends in the view, and where the border is a
 // plain step from object to background. `neighbors` are those of
 // FindVertexNeighbors.
-std::vector<EdgeTarget> FindRimTargets(
-    const ViewSet& views,
-    const RayScene& rays,
-    const std::vector<LocalSurface>& surfaces,
-    const VertexCorners& neighbors,
-    double range,
-    double border_shift,
-    const Context& context);
+std::vector<RimTarget> FindRimTargets(const ViewSet& views,
+                                      const RayScene& rays,
+                                      const std::vector<LocalSurface>& surfaces,
+                                      const VertexCorners& neighbors,
+                                      double range,
+                                      double border_shift,
+                                      const Context& context);
 
 }  // namespace octacut

@@ -23,4 +23,17 @@ ViewSet PrepareViews(const Scene& scene,
   return views;
 }
 
+double PixelSize(const ViewSet& views, const Eigen::Vector3f& point) {
+  double pixels = 0;
+  size_t count = 0;
+  for (const PreparedView& view : views) {
+    const float depth = view.projection.Homogeneous(point).z();
+    if (depth > 0) {
+      pixels += double(view.projection.Footprint(1, depth));
+      ++count;
+    }
+  }
+  return count > 0 ? double(count) / pixels : 0;
+}
+
 }  // namespace octacut

@@ -30,4 +30,8 @@ ViewSet PrepareViews(const Scene& scene,
                      const Context& context,
                      double mask_tolerance = 0);
 
+// Size of a pixel at a point, unit coordinates: one over the mean of the pixels
+// a unit in the views that have the point before them; 0 when none has.
+double PixelSize(const ViewSet& views, const Eigen::Vector3f& point);
+
 }  // namespace octacut

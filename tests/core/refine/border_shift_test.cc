@@ -7,14 +7,19 @@
 namespace octacut {
 namespace {
 
-// Rims between places 0 and 1, a third of the way.
-std::vector<EdgeTarget> Rims(size_t count, float target) {
-  return std::vector<EdgeTarget>(count, {{0, 1}, 1.0f / 3, target, 1});
+// Pixels a unit.
+constexpr float kScale = 200;
+
+// Rims between places 0 and 1, a third of the way; the target in pixels.
+std::vector<RimTarget> Rims(size_t count, float target) {
+  return std::vector<RimTarget>(
+      count, {{{0, 1}, 1.0f / 3, target / kScale, 1}, kScale});
 }
 
+// In pixels.
 OffsetMeasurement Measured(float offset, float weight) {
   OffsetMeasurement measurement;
-  measurement.offset = offset;
+  measurement.offset = offset / kScale;
   measurement.weight = weight;
   return measurement;
 }
@@ -29,15 +34,15 @@ TEST(MedianExcess, IsWhatRimsLeadFartherOutward) {
 TEST(MedianExcess, IsThatOfTheBestMeasuredMajority) {
   std::vector<OffsetMeasurement> measurements = {
       Measured(0, 4), Measured(0, 8), Measured(0, 2), Measured(0, 8)};
-  std::vector<EdgeTarget> rims = Rims(101, 0.5f);
-  for (const EdgeTarget& rim : Rims(100, 3)) {
+  std::vector<RimTarget> rims = Rims(101, 0.5f);
+  for (const RimTarget& rim : Rims(100, 3)) {
     rims.push_back(rim);
   }
   EXPECT_NEAR(MedianExcess(rims, measurements).value(), 0.5, 1e-6);
   // Fifteen times as many rims of half the weight do not outvote the rest.
   rims.resize(101);
-  for (EdgeTarget rim : Rims(1500, 3)) {
-    rim.places = {2, 3};
+  for (RimTarget rim : Rims(1500, 3)) {
+    rim.edge.places = {2, 3};
     rims.push_back(rim);
   }
   EXPECT_NEAR(MedianExcess(rims, measurements).value(), 0.5, 1e-6);
@@ -47,7 +52,27 @@ TEST(MedianExcess, IsThatOfTheBestMeasuredMajority) {
   EXPECT_NEAR(MedianExcess(rims, measurements).value(), 3, 1e-6);
 }
 
+TEST(MedianExcess, IsInPixelsOfEachView) {
+  std::vector<RimTarget> rims = Rims(100, 0.8f);
+  for (RimTarget& rim : rims) {
+    rim.pixels_per_unit = 2 * kScale;
+  }
+  EXPECT_NEAR(
+      MedianExcess(rims, {Measured(0.3f, 4), Measured(0.3f, 5)}).value(),
+      1,
+      1e-6);
+}
+
 TEST(MedianExcess, NeedsRimsWithOffsets) {
+  std::vector<RimTarget> rims = Rims(200, 1);
+  const std::vector<OffsetMeasurement> few = {
+      Measured(0, 1), Measured(0, 1), Measured(0, 0)};
+  EXPECT_TRUE(MedianExcess(rims, few));
+  for (RimTarget rim : Rims(2000, 1)) {
+    rim.edge.places = {1, 2};
+    rims.push_back(rim);
+  }
+  EXPECT_FALSE(MedianExcess(rims, few));
   EXPECT_FALSE(MedianExcess({}, {}));
   EXPECT_FALSE(MedianExcess(Rims(99, 1), {Measured(0, 1), Measured(0, 1)}));
   EXPECT_FALSE(MedianExcess(Rims(1000, 1), {Measured(0, 1), Measured(0, 0)}));

@@ -74,13 +74,33 @@ TEST(RefineSurface, FindsOutThatMasksAreTooLargeOrTooSmall) {
   }
 }
 
-TEST(RefineSurface, TrustsMasksWhereBordersCannotBeMeasured) {
+// What is taken for the shift of the masks' borders after one round over masks
+// that are 2 pixels too large, where so many were known before.
+double BorderShiftAfter(double scale, double known, double border_noise) {
   const RefineScene scene = testing::MakeSceneWithMasksOff(2);
+  IndexedMesh mesh = scene.ToUnitMesh(BumpyMesh(scene));
   RefineOptions options;
-  options.border_noise = 1e6;
-  const RefinedSurface refined = Refine(scene, Context(2), options);
-  EXPECT_NEAR(refined.summary.border_shift, 0, 1e-6);
-  EXPECT_GT(refined.summary.rounds.back().num_rim_targets, 100u);
+  options.border_noise = border_noise;
+  ViewSet views = scene.test.views;
+  return RefineOnce(mesh.positions,
+                    RefineScene::Neighbors(mesh),
+                    scene.Pixel() / scene.test.region.cube.edge,
+                    {scale, 3, true, known},
+                    options,
+                    Context(2),
+                    &views,
+                    &mesh)
+      .border_shift;
+}
+
+TEST(RefineOnce, MeasuresBordersWherePixelsAreSmall) {
+  EXPECT_NEAR(BorderShiftAfter(2, 0, 0.3), 2, 0.5);
+  EXPECT_NEAR(BorderShiftAfter(2, 0.7, 0.3), 2, 0.5);
+  EXPECT_EQ(BorderShiftAfter(4, 0.7, 0.3), 0.7);
+}
+
+TEST(RefineOnce, TrustsMasksThatItCouldOnlyMeasureBadly) {
+  EXPECT_NEAR(BorderShiftAfter(2, 0, 1e6), 0, 1e-6);
 }
 
 // Files keep floats; a mesh that is only valid in doubles may cross itself

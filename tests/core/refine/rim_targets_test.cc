@@ -18,9 +18,9 @@ class RimTargets : public ::testing::Test {
   }
   static void TearDownTestSuite() { delete scene_; }
 
-  std::vector<EdgeTarget> Find(const IndexedMesh& mesh,
-                               const RayScene& rays,
-                               double border_shift = 0) const {
+  std::vector<RimTarget> Find(const IndexedMesh& mesh,
+                              const RayScene& rays,
+                              double border_shift = 0) const {
     const VertexCorners neighbors = RefineScene::Neighbors(mesh);
     return FindRimTargets(
         scene_->test.views,
@@ -44,14 +44,14 @@ RefineScene* RimTargets::scene_ = nullptr;
 TEST_F(RimTargets, LeadToTheBordersOfTheMasks) {
   for (const double pixels : {-1.5, 0.0, 1.0}) {
     const IndexedMesh mesh = Larger(pixels);
-    const std::vector<EdgeTarget> targets = Find(mesh, RayScene(mesh));
+    const std::vector<RimTarget> targets = Find(mesh, RayScene(mesh));
     // Every view has a rim that crosses some hundred edges.
     EXPECT_GT(targets.size(), 100 * scene_->test.views.size());
     double sum = 0;
-    for (const EdgeTarget& target : targets) {
-      EXPECT_GE(target.fraction, 0);
-      EXPECT_LE(target.fraction, 1);
-      sum += target.target;
+    for (const RimTarget& target : targets) {
+      EXPECT_GE(target.edge.fraction, 0);
+      EXPECT_LE(target.edge.fraction, 1);
+      sum += target.edge.target;
     }
     EXPECT_NEAR(sum / double(targets.size()) * scene_->test.region.cube.edge /
                     scene_->Pixel(),
@@ -64,10 +64,10 @@ TEST_F(RimTargets, LeadBesideBordersThatAreShifted) {
   const IndexedMesh mesh = Larger(0);
   const double pixel = scene_->Pixel() / scene_->test.region.cube.edge;
   for (const double shift : {-6.0, -1.0, 2.0, 6.0}) {
-    const std::vector<EdgeTarget> targets = Find(mesh, RayScene(mesh), shift);
+    const std::vector<RimTarget> targets = Find(mesh, RayScene(mesh), shift);
     double sum = 0;
-    for (const EdgeTarget& target : targets) {
-      sum += target.target / pixel;
+    for (const RimTarget& target : targets) {
+      sum += target.edge.target / pixel;
     }
     if (std::abs(shift) > 4) {
       EXPECT_TRUE(targets.empty()) << "a shift of " << shift;
@@ -94,17 +94,17 @@ TEST_F(RimTargets, AreOfTheCurvedSurface) {
     surface.tangent_u = surface.normal.unitOrthogonal();
     surface.uu = surface.vv = bend;
   }
-  const std::vector<EdgeTarget> targets = FindRimTargets(scene_->test.views,
-                                                         RayScene(mesh),
-                                                         surfaces,
-                                                         neighbors,
-                                                         4,
-                                                         0,
-                                                         Context(2));
+  const std::vector<RimTarget> targets = FindRimTargets(scene_->test.views,
+                                                        RayScene(mesh),
+                                                        surfaces,
+                                                        neighbors,
+                                                        4,
+                                                        0,
+                                                        Context(2));
   ASSERT_GT(targets.size(), 10 * scene_->test.views.size());
   double sum = 0;
-  for (const EdgeTarget& target : targets) {
-    sum += target.target / pixel;
+  for (const RimTarget& target : targets) {
+    sum += target.edge.target / pixel;
   }
   EXPECT_NEAR(sum / double(targets.size()), 0, 0.2);
 }

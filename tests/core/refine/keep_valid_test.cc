@@ -119,5 +119,25 @@ TEST(KeepValid, AsksTheFirstStartWhatWasOutOfTheHull) {
   EXPECT_GT(keep_valid(before), mesh.positions.size() / 2);
 }
 
+// What an earlier move with a larger tolerance took out may come nearer.
+TEST(KeepValid, LetsComeNearerWhatIsOutOfTheHull) {
+  const testing::RefineScene scene = testing::MakeRefineScene();
+  const auto larger = [&](double pixels) {
+    return scene.ToUnitMesh(testing::RefineScene::Mesh(
+        24, [&](const auto&) { return pixels * scene.Pixel(); }));
+  };
+  IndexedMesh mesh = larger(4);
+  const std::vector<Eigen::Vector3d> moved = mesh.positions;
+  EXPECT_EQ(KeepValid(scene.test.views,
+                      larger(-1).positions,
+                      larger(6).positions,
+                      1.5,
+                      scene.Pixel() / scene.test.region.cube.edge,
+                      Context(2),
+                      &mesh),
+            0u);
+  EXPECT_EQ(mesh.positions, moved);
+}
+
 }  // namespace
 }  // namespace octacut

@@ -19,13 +19,18 @@ struct Excess {
 
 std::optional<double> MedianExcess(
     const std::vector<RimTarget>& rims,
-    const std::vector<OffsetMeasurement>& measurements) {
+    const std::vector<LocalSurface>& surfaces,
+    const std::vector<OffsetMeasurement>& measurements,
+    double min_radius) {
   std::vector<Excess> excesses;
   double sum = 0;
   for (const auto& [edge, pixels_per_unit] : rims) {
     const OffsetMeasurement& a = measurements[edge.places[0]];
     const OffsetMeasurement& b = measurements[edge.places[1]];
-    if (a.weight > 0 && b.weight > 0) {
+    const float curvature = std::max(surfaces[edge.places[0]].Curvature(),
+                                     surfaces[edge.places[1]].Curvature());
+    if (a.weight > 0 && b.weight > 0 &&
+        pixels_per_unit >= min_radius * curvature) {
       const float measured = a.offset + edge.fraction * (b.offset - a.offset);
       excesses.push_back({(edge.target - measured) * pixels_per_unit,
                           std::pow(std::min(a.weight, b.weight), 4)});

@@ -6,18 +6,23 @@
 #include <optional>
 #include <vector>
 
+#include "core/refine/local_surface.h"
 #include "core/refine/offset_search.h"
 #include "core/refine/rim_targets.h"
 
 namespace octacut {
 
 // By how many pixels of their views `rims` lead farther outward than the
-// offsets measured at their places: the median, weighted by the fourth power of
-// the offsets' weights, since badly measured ones lie too far inside. None
-// where fewer than a hundred rims, or than a tenth of them, could tell.
+// offsets measured at their places, where `surfaces` are: the median, weighted
+// by the fourth power of the offsets' weights, since badly measured ones lie
+// too far inside. So do those of limbs: only places whose radius of curvature
+// is at least `min_radius` pixels count. None where fewer than a hundred rims,
+// or than a tenth of them, could tell.
 std::optional<double> MedianExcess(
     const std::vector<RimTarget>& rims,
-    const std::vector<OffsetMeasurement>& measurements);
+    const std::vector<LocalSurface>& surfaces,
+    const std::vector<OffsetMeasurement>& measurements,
+    double min_radius);
 
 // What to make of a measured shift of the masks' borders that itself is only
 // known to `noise`: nearly nothing of one below, nearly all of one far above.

@@ -4,6 +4,7 @@
 // object is round).
 #pragma once
 
+#include <cmath>
 #include <Eigen/Core>
 #include <vector>
 
@@ -32,6 +33,10 @@ struct LocalSurface {
   float HeightOver(const Eigen::Vector3f& offset) const {
     return Height(offset.dot(tangent_u), offset.dot(TangentV())) -
            offset.dot(normal);
+  }
+  // Largest one at the center, either way, 1 / unit.
+  float Curvature() const {
+    return std::abs(uu + vv) + std::hypot(uu - vv, uv);
   }
   // Outward, not of unit length.
   Eigen::Vector3f NormalAt(float x, float y) const {

@@ -25,6 +25,8 @@ namespace {
 constexpr int kBlendRings = 2;
 // Coarser pixels are too large to tell where a border is.
 constexpr double kMaxBorderScale = 2;
+// Nor can limbs as thin as patches: of the surface, pixels of the round.
+constexpr double kMinBorderRadius = 6;
 // How far a place speaks of vertices, in distances between places.
 constexpr double kReach = 1.3;
 
@@ -98,13 +100,15 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
 // Of the masks' borders, pixels, in all: the plan's and what the rims tell of
 // the rest.
 double FindBorderShift(const std::vector<RimTarget>& rims,
+                       const std::vector<LocalSurface>& surfaces,
                        const std::vector<OffsetMeasurement>& measurements,
                        const RoundPlan& plan,
                        double border_noise) {
   if (plan.scale > kMaxBorderScale) {
     return plan.border_shift;
   }
-  const std::optional<double> excess = MedianExcess(rims, measurements);
+  const std::optional<double> excess =
+      MedianExcess(rims, surfaces, measurements, kMinBorderRadius * plan.scale);
   if (!excess) {
     return plan.border_shift;
   }
@@ -128,8 +132,8 @@ void AddRims(const ViewSet& views,
                                                      plan.border_shift,
                                                      context);
   summary->num_rim_targets = rims.size();
-  summary->border_shift =
-      FindBorderShift(rims, measurements, plan, options.border_noise);
+  summary->border_shift = FindBorderShift(
+      rims, seen.surfaces, measurements, plan, options.border_noise);
   for (const RimTarget& rim : rims) {
     EdgeTarget& target = problem->edge_targets.emplace_back(rim.edge);
     target.target = float(target.target / pixel);

@@ -71,18 +71,10 @@ class RimFinder {
                              const Eigen::Vector3f& to) {
       return Eigen::Vector3f(from + fraction * (to - from));
     };
-    const LocalSurface& one = surfaces_[a];
-    const LocalSurface& other = surfaces_[b];
-    // The chord runs inside a convex surface, by much of a pixel where places
-    // are far apart.
-    const Eigen::Vector3f chord = between(one.center, other.center);
-    const auto rise = [&](const LocalSurface& surface) {
-      return Eigen::Vector3f(surface.HeightOver(chord - surface.center) *
-                             surface.normal);
-    };
-    const Eigen::Vector3f point = chord + between(rise(one), rise(other));
+    const Eigen::Vector3f point =
+        between(surfaces_[a].center, surfaces_[b].center);
     const Eigen::Vector3f normal =
-        between(one.normal, other.normal).normalized();
+        between(surfaces_[a].normal, surfaces_[b].normal).normalized();
     const ViewProjection& projection = view_.projection;
     const Eigen::Vector3f h = projection.Homogeneous(point);
     if (!(h.z() > 0)) {

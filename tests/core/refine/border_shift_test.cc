@@ -24,11 +24,19 @@ OffsetMeasurement Measured(float offset, float weight) {
   return measurement;
 }
 
+// On planes.
+std::optional<double> Excess(
+    const std::vector<RimTarget>& rims,
+    const std::vector<OffsetMeasurement>& measurements) {
+  const std::vector<LocalSurface> surfaces(measurements.size());
+  return MedianExcess(rims, surfaces, measurements, 4);
+}
+
 TEST(MedianExcess, IsWhatRimsLeadFartherOutward) {
   const std::vector<OffsetMeasurement> measurements = {Measured(0.3f, 4),
                                                        Measured(0.6f, 5)};
-  EXPECT_NEAR(MedianExcess(Rims(100, 0.9f), measurements).value(), 0.5, 1e-6);
-  EXPECT_NEAR(MedianExcess(Rims(100, -0.2f), measurements).value(), -0.6, 1e-6);
+  EXPECT_NEAR(Excess(Rims(100, 0.9f), measurements).value(), 0.5, 1e-6);
+  EXPECT_NEAR(Excess(Rims(100, -0.2f), measurements).value(), -0.6, 1e-6);
 }
 
 TEST(MedianExcess, IsThatOfTheBestMeasuredMajority) {
@@ -38,18 +46,18 @@ TEST(MedianExcess, IsThatOfTheBestMeasuredMajority) {
   for (const RimTarget& rim : Rims(100, 3)) {
     rims.push_back(rim);
   }
-  EXPECT_NEAR(MedianExcess(rims, measurements).value(), 0.5, 1e-6);
+  EXPECT_NEAR(Excess(rims, measurements).value(), 0.5, 1e-6);
   // Fifteen times as many rims of half the weight do not outvote the rest.
   rims.resize(101);
   for (RimTarget rim : Rims(1500, 3)) {
     rim.edge.places = {2, 3};
     rims.push_back(rim);
   }
-  EXPECT_NEAR(MedianExcess(rims, measurements).value(), 0.5, 1e-6);
+  EXPECT_NEAR(Excess(rims, measurements).value(), 0.5, 1e-6);
   std::reverse(rims.begin(), rims.end());
-  EXPECT_NEAR(MedianExcess(rims, measurements).value(), 0.5, 1e-6);
+  EXPECT_NEAR(Excess(rims, measurements).value(), 0.5, 1e-6);
   measurements[2].weight = 4;
-  EXPECT_NEAR(MedianExcess(rims, measurements).value(), 3, 1e-6);
+  EXPECT_NEAR(Excess(rims, measurements).value(), 3, 1e-6);
 }
 
 TEST(MedianExcess, IsInPixelsOfEachView) {
@@ -58,24 +66,31 @@ TEST(MedianExcess, IsInPixelsOfEachView) {
     rim.pixels_per_unit = 2 * kScale;
   }
   EXPECT_NEAR(
-      MedianExcess(rims, {Measured(0.3f, 4), Measured(0.3f, 5)}).value(),
-      1,
-      1e-6);
+      Excess(rims, {Measured(0.3f, 4), Measured(0.3f, 5)}).value(), 1, 1e-6);
+}
+
+TEST(MedianExcess, LeavesOutLimbs) {
+  std::vector<LocalSurface> surfaces(2);
+  surfaces[1].uu = -0.5f * kScale / 5;  // a cylinder of radius 5 pixels
+  const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
+                                                       Measured(0, 1)};
+  EXPECT_TRUE(MedianExcess(Rims(100, 1), surfaces, measurements, 4.9));
+  EXPECT_FALSE(MedianExcess(Rims(100, 1), surfaces, measurements, 5.1));
 }
 
 TEST(MedianExcess, NeedsRimsWithOffsets) {
   std::vector<RimTarget> rims = Rims(200, 1);
   const std::vector<OffsetMeasurement> few = {
       Measured(0, 1), Measured(0, 1), Measured(0, 0)};
-  EXPECT_TRUE(MedianExcess(rims, few));
+  EXPECT_TRUE(Excess(rims, few));
   for (RimTarget rim : Rims(2000, 1)) {
     rim.edge.places = {1, 2};
     rims.push_back(rim);
   }
-  EXPECT_FALSE(MedianExcess(rims, few));
-  EXPECT_FALSE(MedianExcess({}, {}));
-  EXPECT_FALSE(MedianExcess(Rims(99, 1), {Measured(0, 1), Measured(0, 1)}));
-  EXPECT_FALSE(MedianExcess(Rims(1000, 1), {Measured(0, 1), Measured(0, 0)}));
+  EXPECT_FALSE(Excess(rims, few));
+  EXPECT_FALSE(Excess({}, {}));
+  EXPECT_FALSE(Excess(Rims(99, 1), {Measured(0, 1), Measured(0, 1)}));
+  EXPECT_FALSE(Excess(Rims(1000, 1), {Measured(0, 1), Measured(0, 0)}));
 }
 
 TEST(ShrinkShift, TakesWhatIsBelowTheNoiseForNoise) {

@@ -78,37 +78,6 @@ TEST_F(RimTargets, LeadBesideBordersThatAreShifted) {
   }
 }
 
-// A sphere of some edges only: between its vertices it is still round.
-TEST_F(RimTargets, AreOfTheCurvedSurface) {
-  const IndexedMesh mesh =
-      scene_->ToUnitMesh(RefineScene::Mesh(6, [](const auto&) { return 0.0; }));
-  const VertexCorners neighbors = RefineScene::Neighbors(mesh);
-  const double pixel = scene_->Pixel() / scene_->test.region.cube.edge;
-  std::vector<LocalSurface> surfaces;
-  const float bend =
-      float(-scene_->test.region.cube.edge / (2 * RefineScene::kRadius));
-  for (size_t v = 0; v < mesh.positions.size(); ++v) {
-    LocalSurface& surface = surfaces.emplace_back();
-    surface.center = mesh.positions[v].cast<float>();
-    surface.normal = mesh.normals[v];
-    surface.tangent_u = surface.normal.unitOrthogonal();
-    surface.uu = surface.vv = bend;
-  }
-  const std::vector<RimTarget> targets = FindRimTargets(scene_->test.views,
-                                                        RayScene(mesh),
-                                                        surfaces,
-                                                        neighbors,
-                                                        4,
-                                                        0,
-                                                        Context(2));
-  ASSERT_GT(targets.size(), 10 * scene_->test.views.size());
-  double sum = 0;
-  for (const RimTarget& target : targets) {
-    sum += target.edge.target / pixel;
-  }
-  EXPECT_NEAR(sum / double(targets.size()), 0, 0.2);
-}
-
 TEST_F(RimTargets, OnlyWhereTheMeshEnds) {
   // Before a larger sphere the small one has rims, but no view shows them.
   const IndexedMesh mesh = Larger(0);

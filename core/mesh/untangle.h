@@ -18,7 +18,12 @@ inline constexpr std::array<double, 4> kLeftOfWay = {1, 0.5, 0.25, 0};
 // A position as files keep it. What does not intersect in doubles may once it
 // is rounded.
 inline Eigen::Vector3d RoundedToFloats(const Eigen::Vector3d& position) {
-  return position.cast<float>().cast<double>();
+  // Where GCC 12 vectorizes a way to float and back it leaves it out.
+  const auto round = [](double coordinate) {
+    const volatile float rounded = float(coordinate);
+    return double(rounded);
+  };
+  return {round(position.x()), round(position.y()), round(position.z())};
 }
 void RoundToFloats(std::vector<Eigen::Vector3d>* positions);
 

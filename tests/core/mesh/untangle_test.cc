@@ -57,6 +57,20 @@ TEST(Untangle, LeavesRandomBlocksWithoutIntersections) {
   EXPECT_GT(num_tangled, 100u);
 }
 
+// Compilers have left the rounding out where they vectorized it.
+TEST(RoundToFloats, RoundsEveryCoordinate) {
+  std::vector<Eigen::Vector3d> positions(5, Eigen::Vector3d(0.1, 0.2, 0.3));
+  std::vector<Eigen::Vector3d> one_by_one = positions;
+  RoundToFloats(&positions);
+  for (Eigen::Vector3d& position : one_by_one) {
+    position = RoundedToFloats(position);
+  }
+  const Eigen::Vector3d floats(
+      0.100000001490116119, 0.200000002980232239, 0.300000011920928955);
+  EXPECT_EQ(positions, std::vector<Eigen::Vector3d>(5, floats));
+  EXPECT_EQ(one_by_one, positions);
+}
+
 // What is half-way back need not be a float, and what does not intersect there
 // may when it is rounded.
 TEST(UntangleFloats, LeavesFloatsWithoutIntersections) {

@@ -66,7 +66,8 @@ void DeclareRefinementOptions(OptionManager& options,
               "large: masks are right");
   options.Add("Refinement.hull_tolerance",
               &refinement->hull_tolerance,
-              "Pixels by which the surface may leave a silhouette");
+              "Pixels by which the surface may leave a silhouette, besides "
+              "those by which masks are found to be too small");
   options.Add("Refinement.pixel_noise",
               &refinement->patch.pixel_noise,
               "Standard deviation of the images' noise, grey levels");

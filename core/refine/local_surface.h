@@ -29,11 +29,6 @@ struct LocalSurface {
   float Height(float x, float y) const {
     return uu * x * x + uv * x * y + vv * y * y;
   }
-  // Of the quadric over the point `offset` from the center, along the normal.
-  float HeightOver(const Eigen::Vector3f& offset) const {
-    return Height(offset.dot(tangent_u), offset.dot(TangentV())) -
-           offset.dot(normal);
-  }
   // Largest one at the center, either way, 1 / unit.
   float Curvature() const {
     return std::abs(uu + vv) + std::hypot(uu - vv, uv);

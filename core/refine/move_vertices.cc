@@ -39,7 +39,9 @@ void AddPlace(const MovedPlaces& moved,
   }
   float way = float(moved.offsets[place]) + moved.slopes[place].dot(offset);
   if (moved.is_smooth[place]) {
-    way += surface.HeightOver(offset);
+    way += surface.Height(offset.dot(surface.tangent_u),
+                          offset.dot(surface.TangentV())) -
+           offset.dot(surface.normal);
   }
   blend->sum += weight * way * surface.normal;
 }

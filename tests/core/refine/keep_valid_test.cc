@@ -69,12 +69,8 @@ TEST(KeepValid, TakesBackWhatSqueezesTriangles) {
 
 TEST(KeepValid, KeepsVerticesInTheHull) {
   const testing::RefineScene scene = testing::MakeRefineScene();
-  const auto larger = [&](double pixels) {
-    return scene.ToUnitMesh(testing::RefineScene::Mesh(
-        24, [&](const auto&) { return pixels * scene.Pixel(); }));
-  };
-  const IndexedMesh start = larger(-1);
-  IndexedMesh mesh = larger(7);
+  const IndexedMesh start = scene.Larger(24, -1);
+  IndexedMesh mesh = scene.Larger(24, 7);
   const double pixel = scene.Pixel() / scene.test.region.cube.edge;
   EXPECT_GT(KeepValid(scene.test.views,
                       start.positions,
@@ -98,14 +94,10 @@ TEST(KeepValid, KeepsVerticesInTheHull) {
 // What a first move took into a mask that is too small may come out again.
 TEST(KeepValid, AsksTheFirstStartWhatWasOutOfTheHull) {
   const testing::RefineScene scene = testing::MakeRefineScene();
-  const auto larger = [&](double pixels) {
-    return scene.ToUnitMesh(testing::RefineScene::Mesh(
-        24, [&](const auto&) { return pixels * scene.Pixel(); }));
-  };
   const double pixel = scene.Pixel() / scene.test.region.cube.edge;
-  const IndexedMesh start = larger(6);
-  const IndexedMesh before = larger(-1);
-  IndexedMesh mesh = larger(5);
+  const IndexedMesh start = scene.Larger(24, 6);
+  const IndexedMesh before = scene.Larger(24, -1);
+  IndexedMesh mesh = scene.Larger(24, 5);
   const auto keep_valid = [&](const IndexedMesh& first) {
     return KeepValid(scene.test.views,
                      first.positions,
@@ -122,15 +114,11 @@ TEST(KeepValid, AsksTheFirstStartWhatWasOutOfTheHull) {
 // What an earlier move with a larger tolerance took out may come nearer.
 TEST(KeepValid, LetsComeNearerWhatIsOutOfTheHull) {
   const testing::RefineScene scene = testing::MakeRefineScene();
-  const auto larger = [&](double pixels) {
-    return scene.ToUnitMesh(testing::RefineScene::Mesh(
-        24, [&](const auto&) { return pixels * scene.Pixel(); }));
-  };
-  IndexedMesh mesh = larger(4);
+  IndexedMesh mesh = scene.Larger(24, 4);
   const std::vector<Eigen::Vector3d> moved = mesh.positions;
   EXPECT_EQ(KeepValid(scene.test.views,
-                      larger(-1).positions,
-                      larger(6).positions,
+                      scene.Larger(24, -1).positions,
+                      scene.Larger(24, 6).positions,
                       1.5,
                       scene.Pixel() / scene.test.region.cube.edge,
                       Context(2),

@@ -41,6 +41,10 @@ struct RefineScene {
     mesh.normals = ComputeVertexNormals(mesh, Context(2));
     return mesh;
   }
+  // A sphere that is so many pixels larger than the object.
+  IndexedMesh Larger(uint32_t n, double pixels) const {
+    return ToUnitMesh(Mesh(n, [&](const auto&) { return pixels * Pixel(); }));
+  }
   static VertexCorners Neighbors(const IndexedMesh& mesh) {
     return FindVertexNeighbors(mesh.positions.size(), mesh.triangles);
   }

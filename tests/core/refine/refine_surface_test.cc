@@ -29,8 +29,8 @@ IndexedMesh BumpyMesh(const RefineScene& scene) {
 }
 
 RefinedSurface Refine(const RefineScene& scene,
-                      const Context& context = Context(2),
-                      RefineOptions options = RefineOptions()) {
+                      const Context& context = Context(2)) {
+  RefineOptions options;
   options.coarse_rounds = 1;
   ViewSet views = scene.test.views;
   return RefineSurface(

@@ -32,10 +32,7 @@ class RimTargets : public ::testing::Test {
         border_shift,
         Context(2));
   }
-  IndexedMesh Larger(double pixels) const {
-    return scene_->ToUnitMesh(RefineScene::Mesh(
-        32, [&](const auto&) { return pixels * scene_->Pixel(); }));
-  }
+  IndexedMesh Larger(double pixels) const { return scene_->Larger(32, pixels); }
 
   static RefineScene* scene_;
 };

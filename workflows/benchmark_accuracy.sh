@@ -54,19 +54,21 @@ thin_scenes=(rods-2 fingers-2)
 own_options=(--width 640 --height 480 --num_views 36)
 
 # Data sets: name, folder, model, ground truth, whether the mesh is aligned to
-# that first (the mapper's cameras agree with the exact ones only nearly).
+# that first (the mapper's cameras agree with the exact ones only nearly), levels
+# beyond --data_level.
 data_sets=(
-  "igea-exact    igea   sparse_gt gt/mesh.ply 0"
-  "igea-mapper   igea   sparse/0  gt/mesh.ply 1"
-  "rocker-exact  rocker sparse_gt gt/mesh.ply 0"
-  "rocker-mapper rocker sparse/0  gt/mesh.ply 1"
-  "temple        temple sparse/0  -           0"
-  "dino          dino   sparse/0  -           0"
-  "bunny         bunny  sparse/0  -           0"
+  "igea-exact       igea   sparse_gt gt/mesh.ply 0 0"
+  "igea-mapper      igea   sparse/0  gt/mesh.ply 1 0"
+  "igea-exact-fine  igea   sparse_gt gt/mesh.ply 0 1"
+  "igea-mapper-fine igea   sparse/0  gt/mesh.ply 1 1"
+  "rocker-exact     rocker sparse_gt gt/mesh.ply 0 0"
+  "rocker-mapper    rocker sparse/0  gt/mesh.ply 1 0"
+  "temple           temple sparse/0  -           0 0"
+  "dino             dino   sparse/0  -           0 0"
+  "bunny            bunny  sparse/0  -           0 0"
 )
 
-# What is made worse, of which own scenes.
-degraded_scenes=(example lump cup-1)
+# What is made worse of own scenes.
 degradations=(
   "noise-5     --Degrade.pixel_noise 5"
   "eroded-1    --Degrade.mask_offset -1"
@@ -241,8 +243,9 @@ with_scene() {
 
 # level_of SCENE: where its runs end.
 level_of() {
-  if printf '%s\n' "${data_sets[@]%% *}" | grep -qx "$1"; then
-    echo "$data_level"
+  local options=()
+  if line_of "$1" "${data_sets[@]}"; then
+    echo "$((data_level + options[4]))"
   elif printf '%s\n' "${thin_scenes[@]}" | grep -qx "$1"; then
     echo "$((level > 8 ? level : 8))"
   else
@@ -408,7 +411,7 @@ records=$work/runs_${level}_$data_level.jsonl
 for scene in "${own_scenes[@]%% *}" "${data_sets[@]%% *}"; do
   run scenes "$scene" clean default
 done
-for scene in "${degraded_scenes[@]}"; do
+for scene in "${own_scenes[@]%% *}"; do
   for degradation in "${degradations[@]%% *}"; do
     run degraded "$scene" "$degradation" default
   done
@@ -426,7 +429,8 @@ done
 "$root/workflows/build.sh" octacut_contact_sheet >"$work/build.log"
 beside=$(dirname "$results")
 sheet "$beside/accuracy_own.jpg" 560 "${own_scenes[@]%% *}"
-sheet "$beside/accuracy_data.jpg" 560 "${data_sets[@]%% *}"
+mapfile -t shown < <(printf '%s\n' "${data_sets[@]%% *}" | grep -v -e -fine)
+sheet "$beside/accuracy_data.jpg" 560 "${shown[@]}"
 
 printf '%s\n' "${own_scenes[@]}" >"$work/own_scenes.txt"
 printf '%s\n' "${degradations[@]}" >"$work/degradations.txt"

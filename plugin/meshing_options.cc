@@ -26,6 +26,10 @@ void DeclareEvidenceOptions(OptionManager& options,
   options.Add("OctahedralMeshing.min_agreeing_views",
               &evidence->min_agreeing_views,
               "Other views that must confirm a depth");
+  options.Add("OctahedralMeshing.min_like_samples",
+              &evidence->min_like_samples,
+              "Of the eight samples around a depth that one view alone "
+              "confirms, those that must share it; 9: such depths never count");
   options.Add("DepthSweep.num_neighbors",
               &evidence->sweep.num_neighbors,
               "Views that each view is compared with");
@@ -185,6 +189,7 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
           {"evidence",
            {{"depths", summary.evidence.num_depths},
             {"agreeing_depths", summary.evidence.num_agreeing},
+            {"plausible_depths", summary.evidence.num_plausible},
             {"free_voxels", summary.evidence.num_free_voxels},
             {"seconds", summary.evidence_seconds}}},
           {"levels", levels},

@@ -16,19 +16,18 @@ namespace {
 // out from every other peak. `scores` has one element a plane.
 float PickDepth(const std::vector<float>& scores,
                 const ScoreVolume& volume,
-                float min_score,
-                float* score) {
+                float min_score) {
   constexpr float kPeakMargin = 0.03f;
   constexpr int kPeakWidth = 3;  // planes
   const int n = volume.num_planes;
   const int best =
       int(std::max_element(scores.begin(), scores.end()) - scores.begin());
-  *score = scores[best];
-  if (*score < min_score) {
+  if (scores[best] < min_score) {
     return 0;
   }
   for (int i = 0; i < n; ++i) {
-    if (std::abs(i - best) > kPeakWidth && scores[i] > *score - kPeakMargin) {
+    if (std::abs(i - best) > kPeakWidth &&
+        scores[i] > scores[best] - kPeakMargin) {
       return 0;
     }
   }
@@ -54,7 +53,6 @@ SweptDepthMap PickDepths(const SweepView& view,
   map.scale = view.scale;
   const size_t size = size_t(map.width) * map.height;
   map.depths.assign(size, 0);
-  map.scores.assign(size, 0);
   if (volume.num_planes == 0) {
     return map;
   }
@@ -63,7 +61,7 @@ SweptDepthMap PickDepths(const SweepView& view,
     for (int plane = 0; plane < volume.num_planes; ++plane) {
       scores[plane] = volume.scores[plane * volume.num_rays + ray];
     }
-    map.depths[ray] = PickDepth(scores, volume, min_score, &map.scores[ray]);
+    map.depths[ray] = PickDepth(scores, volume, min_score);
   }
   return map;
 }

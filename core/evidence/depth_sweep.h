@@ -33,7 +33,6 @@ struct SweptDepthMap {
   int height = 0;
   float scale = 1;
   std::vector<float> depths;  // unit coordinates; 0 where nothing was found
-  std::vector<float> scores;  // correlation, min_score .. 1
 
   // Homogeneous pixel coordinates of a sample's centre.
   Eigen::Vector3f Pixel(int x, int y) const {

@@ -4,17 +4,15 @@
 #include <cmath>
 
 #include "core/base/check_option.h"
-#include "core/base/parallel.h"
+#include "core/evidence/confirmed_depths.h"
 #include "core/evidence/mask_trust.h"
 #include "core/grid/parallel_voxels.h"
 
 namespace octacut {
 namespace {
 
-// In hull voxels: how far two depths may differ and still agree; how far
-// before a surface space is surely free; the zone behind it that is surely
-// matter.
-constexpr float kAgreement = 1.5f;
+// In hull voxels: how far before a surface space is surely free; the zone
+// behind it that is surely matter.
 constexpr float kFreeBefore = 1.5f;
 constexpr float kMatterFrom = 1.0f;
 constexpr float kMatterTo = 3.5f;
@@ -24,48 +22,8 @@ constexpr float kMaxVotes = 4;
 // What the first view that sees through a voxel lacks of a vote: on its own
 // its depth may be wrong and would drill a tunnel.
 constexpr float kSingleView = 0.5f;
-
-// Removes the depths that fewer than `min_agreeing` neighbours confirm.
-std::vector<SweptDepthMap> KeepAgreeing(
-    const ViewSet& views,
-    const std::vector<SweptDepthMap>& maps,
-    const std::vector<std::vector<int>>& neighbors,
-    float voxel,
-    int min_agreeing,
-    const Context& context) {
-  std::vector<SweptDepthMap> kept = maps;
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const ViewProjection& projection = views[i].projection;
-      const Eigen::Matrix3f rays = projection.linear.inverse();
-      for (int y = 0; y < maps[i].height; ++y) {
-        for (int x = 0; x < maps[i].width; ++x) {
-          float& depth = kept[i].depths[size_t(y) * maps[i].width + x];
-          if (depth == 0) {
-            continue;
-          }
-          const Eigen::Vector3f point =
-              projection.center + depth * (rays * maps[i].Pixel(x, y));
-          int agreeing = 0;
-          for (const int j : neighbors[i]) {
-            const std::optional<ProjectedPoint> p =
-                views[j].projection.Project(point);
-            if (!p) {
-              continue;
-            }
-            const float other = maps[j].DepthAt(p->u, p->v);
-            agreeing +=
-                other > 0 && std::abs(other - p->depth) <= kAgreement * voxel;
-          }
-          if (agreeing < min_agreeing) {
-            depth = 0;
-          }
-        }
-      }
-    }
-  });
-  return kept;
-}
+// Evidence, in words of views for matter, beyond which a voxel is solid.
+constexpr double kSolidViews = 0.8;
 
 size_t CountDepths(const std::vector<SweptDepthMap>& maps) {
   size_t count = 0;
@@ -109,6 +67,49 @@ float EvidenceAt(const ViewSet& views,
              std::clamp(free_space - kSingleView, 0.0f, 2 * kMaxVotes);
 }
 
+std::vector<float> EvidenceOf(const ViewSet& views,
+                              const VoxelGrid& hull,
+                              const std::vector<SweptDepthMap>& maps,
+                              const InsideEvidenceOptions& options,
+                              const Context& context) {
+  std::vector<float> values(hull.Size());
+  ParallelForVoxels(
+      context, hull, [&](VoxelGrid::Index index, MortonCode code) {
+        values[index] =
+            EvidenceAt(views,
+                       maps,
+                       VoxelCenter(DecodeMorton(code), hull.Level()),
+                       1.0f / float(hull.Resolution()),
+                       options);
+      });
+  return values;
+}
+
+// Adds to `maps` the plausible ones of those depths of `paired` that they lack.
+// `values` is the evidence of `maps`.
+void AddPlausible(const ViewSet& views,
+                  const VoxelGrid& hull,
+                  std::vector<SweptDepthMap> paired,
+                  const std::vector<float>& values,
+                  const InsideEvidenceOptions& options,
+                  const Context& context,
+                  std::vector<SweptDepthMap>* maps) {
+  const float least =
+      float(options.ballooning + kSolidViews * options.matter_weight);
+  std::vector<bool> solid(values.size());
+  std::transform(values.begin(), values.end(), solid.begin(), [&](float value) {
+    return value > least;
+  });
+  paired = KeepPlausible(
+      views, hull, paired, solid, options.min_like_samples, context);
+  for (size_t i = 0; i < maps->size(); ++i) {
+    std::vector<float>& depths = (*maps)[i].depths;
+    for (size_t k = 0; k < depths.size(); ++k) {
+      depths[k] = depths[k] > 0 ? depths[k] : paired[i].depths[k];
+    }
+  }
+}
+
 }  // namespace
 
 void InsideEvidenceOptions::Check() const {
@@ -117,6 +118,10 @@ void InsideEvidenceOptions::Check() const {
               "min_agreeing_views",
               min_agreeing_views,
               "must be in 1 .. 8");
+  CheckOption(min_like_samples >= 0 && min_like_samples <= 9,
+              "min_like_samples",
+              min_like_samples,
+              "must be in 0 .. 9");
   CheckOption(
       ballooning >= 0, "ballooning", ballooning, "must not be negative");
   CheckOption(matter_weight >= 0,
@@ -144,22 +149,25 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   std::vector<std::vector<int>> neighbors;
   const std::vector<SweptDepthMap> swept =
       SweepDepths(views, hull, options.sweep, context, &neighbors);
-  const std::vector<SweptDepthMap> agreeing = KeepAgreeing(
+  std::vector<SweptDepthMap> agreeing = KeepAgreeing(
       views, swept, neighbors, voxel, options.min_agreeing_views, context);
   InsideEvidence evidence;
   evidence.mask_trust = EstimateMaskTrust(views, agreeing, context);
-  evidence.values.resize(hull.Size());
-  ParallelForVoxels(
-      context, hull, [&](VoxelGrid::Index index, MortonCode code) {
-        evidence.values[index] =
-            EvidenceAt(views,
-                       agreeing,
-                       VoxelCenter(DecodeMorton(code), hull.Level()),
-                       voxel,
-                       options);
-      });
+  evidence.values = EvidenceOf(views, hull, agreeing, options, context);
   evidence.summary.num_depths = CountDepths(swept);
   evidence.summary.num_agreeing = CountDepths(agreeing);
+  if (options.min_agreeing_views > 1 && options.min_like_samples <= 8) {
+    AddPlausible(views,
+                 hull,
+                 KeepAgreeing(views, swept, neighbors, voxel, 1, context),
+                 evidence.values,
+                 options,
+                 context,
+                 &agreeing);
+    evidence.values = EvidenceOf(views, hull, agreeing, options, context);
+  }
+  evidence.summary.num_plausible =
+      CountDepths(agreeing) - evidence.summary.num_agreeing;
   evidence.summary.num_free_voxels = size_t(std::count_if(
       evidence.values.begin(), evidence.values.end(), [](float value) {
         return value < 0;

@@ -16,8 +16,12 @@ namespace octacut {
 struct InsideEvidenceOptions {
   DepthSweepOptions sweep;
   // Other views whose depth maps must agree (within 1.5 hull voxels) before a
-  // depth counts.
+  // depth counts without further question.
   int min_agreeing_views = 2;
+  // A depth that fewer confirm, but one does, counts where so many of the eight
+  // samples around share it and no ray to it runs through matter that better
+  // confirmed depths have found; 9: never.
+  int min_like_samples = 3;
   // Evidence a voxel, in units of the graph's weights: what every voxel of the
   // hull has for inside unless a view has found a surface right there (so
   // unseen parts keep the hull), and what one view's word is worth.
@@ -37,6 +41,7 @@ struct InsideEvidenceOptions {
 struct InsideEvidenceSummary {
   size_t num_depths = 0;       // found by the sweep
   size_t num_agreeing = 0;     // of them, confirmed by other views
+  size_t num_plausible = 0;    // confirmed by too few, yet taken
   size_t num_free_voxels = 0;  // with evidence for outside
 };
 

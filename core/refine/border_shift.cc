@@ -21,18 +21,21 @@ std::optional<double> MedianExcess(
     const std::vector<RimTarget>& rims,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,
-    double min_radius) {
+    double min_radius,
+    double curvature_bias) {
   std::vector<Excess> excesses;
   double sum = 0;
   for (const auto& [edge, pixels_per_unit] : rims) {
     const OffsetMeasurement& a = measurements[edge.places[0]];
     const OffsetMeasurement& b = measurements[edge.places[1]];
-    const float curvature = std::max(surfaces[edge.places[0]].Curvature(),
-                                     surfaces[edge.places[1]].Curvature());
-    if (a.weight > 0 && b.weight > 0 &&
-        pixels_per_unit >= min_radius * curvature) {
+    // In 1 / pixels.
+    const double curvature = std::max(surfaces[edge.places[0]].Curvature(),
+                                      surfaces[edge.places[1]].Curvature()) /
+                             pixels_per_unit;
+    if (a.weight > 0 && b.weight > 0 && min_radius * curvature <= 1) {
       const float measured = a.offset + edge.fraction * (b.offset - a.offset);
-      excesses.push_back({(edge.target - measured) * pixels_per_unit,
+      excesses.push_back({(edge.target - measured) * pixels_per_unit -
+                              float(curvature_bias * curvature),
                           std::pow(std::min(a.weight, b.weight), 4)});
       sum += excesses.back().weight;
     }

@@ -16,13 +16,15 @@ namespace octacut {
 // offsets measured at their places, where `surfaces` are: the median, weighted
 // by the fourth power of the offsets' weights, since badly measured ones lie
 // too far inside. So do those of limbs: only places whose radius of curvature
-// is at least `min_radius` pixels count. None where fewer than a hundred rims,
-// or than a tenth of them, could tell.
+// is at least `min_radius` pixels count, and `curvature_bias` over that radius
+// (pixels^2) is taken off. None where fewer than a hundred rims, or than a
+// tenth of them, could tell.
 std::optional<double> MedianExcess(
     const std::vector<RimTarget>& rims,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,
-    double min_radius);
+    double min_radius,
+    double curvature_bias);
 
 // What to make of a measured shift of the masks' borders that itself is only
 // known to `noise`: nearly nothing of one below, nearly all of one far above.

@@ -12,6 +12,8 @@ namespace {
 constexpr size_t kGrain = 4096;
 // Of triangles, in pixels.
 constexpr double kMinHeight = 0.01;
+// Pixels out of a mask at which one place is as bad as another.
+constexpr float kMaxReach = 200;
 
 bool IsBackground(const PreparedView& view,
                   const Eigen::Vector3d& point,
@@ -24,15 +26,23 @@ bool IsBackground(const PreparedView& view,
                                    p->v + tolerance) == Footprint::kBackground;
 }
 
+// Whether a view shows the point farther out than `tolerance`, `start` and
+// `before`.
 bool LeavesHull(const ViewSet& views,
                 const Eigen::Vector3d& start,
                 const Eigen::Vector3d& before,
                 const Eigen::Vector3d& point,
                 float tolerance) {
   return std::any_of(views.begin(), views.end(), [&](const PreparedView& view) {
-    return IsBackground(view, point, tolerance) &&
-           !IsBackground(view, start, tolerance) &&
-           !IsBackground(view, before, tolerance);
+    for (float reach = tolerance;
+         reach < kMaxReach && IsBackground(view, point, reach);
+         reach = 1.05f * reach + 0.05f) {
+      if (!IsBackground(view, start, reach) &&
+          !IsBackground(view, before, reach)) {
+        return true;
+      }
+    }
+    return false;
   });
 }
 

@@ -14,9 +14,9 @@ namespace octacut {
 
 // Moves vertices of `mesh` back towards `before` (a half, a quarter, none of
 // their way left)
-// - that are more than `tolerance` pixels out of a mask in which they were not
-//   at `start` nor `before`, where an earlier move with a larger tolerance may
-//   have left them; with several moves one after the other `start` is that
+// - that are more than `tolerance` pixels out of a mask and farther than they
+//   were at `start` and `before`, where an earlier move with a larger tolerance
+//   may have left them; with several moves one after the other `start` is that
 //   before the first;
 // - of triangles that are thinner than a hundredth of `pixel`, unless they
 //   were at `before`;

@@ -79,21 +79,28 @@ LocalSurface TangentPlane(const Eigen::Vector3d& position,
   return plane;
 }
 
-double Weight(const Eigen::Vector3d& offset, double radius) {
+// By their distance from the middle.
+void Weigh(const SurfaceSamples& samples,
+           const std::vector<uint32_t>& near,
+           const Eigen::Vector3d& middle,
+           double radius,
+           std::vector<double>* weights) {
   const double scaled = 1 / (kSigma * radius);
-  return std::exp(-0.5 * offset.squaredNorm() * scaled * scaled);
+  weights->clear();
+  for (const uint32_t sample : near) {
+    const double square = (samples.Positions()[sample] - middle).squaredNorm();
+    weights->push_back(std::exp(-0.5 * square * scaled * scaled));
+  }
 }
 
-// Of what is near a vertex with this position and normal.
+// Of what is near a vertex with this normal.
 Eigen::Vector3d MeanNormal(const SurfaceSamples& samples,
                            const std::vector<uint32_t>& near,
-                           const Eigen::Vector3d& position,
-                           const Eigen::Vector3f& normal,
-                           double radius) {
+                           const std::vector<double>& weights,
+                           const Eigen::Vector3f& normal) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const uint32_t sample : near) {
-    sum += Weight(samples.Positions()[sample] - position, radius) *
-           samples.Normals()[sample].cast<double>();
+  for (size_t i = 0; i < near.size(); ++i) {
+    sum += weights[i] * samples.Normals()[near[i]].cast<double>();
   }
   // All are within a cone but for the first one, which stands for the vertex.
   const Eigen::Vector3d own = normal.cast<double>();
@@ -104,11 +111,12 @@ Eigen::Vector3d MeanNormal(const SurfaceSamples& samples,
 // mean normal, lengths in units of the radius.
 LocalSurface Fit(const SurfaceSamples& samples,
                  const std::vector<uint32_t>& near,
+                 const std::vector<double>& weights,
                  const Eigen::Vector3d& middle,
                  const Eigen::Vector3f& vertex_normal,
                  double radius) {
-  LocalSurface surface = TangentPlane(
-      middle, MeanNormal(samples, near, middle, vertex_normal, radius));
+  LocalSurface surface =
+      TangentPlane(middle, MeanNormal(samples, near, weights, vertex_normal));
   if (near.size() < kMinNeighbors) {
     return surface;
   }
@@ -120,14 +128,18 @@ LocalSurface Fit(const SurfaceSamples& samples,
   using Vector6d = Eigen::Matrix<double, 6, 1>;
   Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
   Vector6d right = Vector6d::Zero();
-  for (const uint32_t sample : near) {
-    const Eigen::Vector3d offset = samples.Positions()[sample] - middle;
-    const double weight = Weight(offset, radius);
-    const Eigen::Vector3d p = axes * offset;
+  for (size_t n = 0; n < near.size(); ++n) {
+    const Eigen::Vector3d p = axes * (samples.Positions()[near[n]] - middle);
     Vector6d row;
     row << 1, p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
-    products.noalias() += weight * row * row.transpose();
-    right += weight * p.z() * row;
+    // The lower triangle, which is all that the decomposition reads.
+    for (int i = 0; i < 6; ++i) {
+      const double weighted = weights[n] * row[i];
+      for (int j = 0; j <= i; ++j) {
+        products(i, j) += weighted * row[j];
+      }
+      right[i] += weighted * p.z();
+    }
   }
   products.diagonal().tail<3>().array() += kRidge;
   products.diagonal().array() += 1e-9;
@@ -163,15 +175,15 @@ std::vector<LocalSurface> FitLocalSurfaces(
   std::vector<LocalSurface> surfaces(vertices.size());
   ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
     Neighborhood neighborhood(samples);
+    std::vector<double> weights;
     for (size_t i = begin; i < end; ++i) {
       const uint32_t vertex = vertices[i];
       const Eigen::Vector3d& position = mesh.positions[vertex];
       const Eigen::Vector3f& normal = mesh.normals[vertex];
-      surfaces[i] = Fit(samples,
-                        neighborhood.Gather(vertex, position, normal, radius),
-                        position,
-                        normal,
-                        radius);
+      const std::vector<uint32_t>& near =
+          neighborhood.Gather(vertex, position, normal, radius);
+      Weigh(samples, near, position, radius, &weights);
+      surfaces[i] = Fit(samples, near, weights, position, normal, radius);
     }
   });
   return surfaces;

@@ -78,6 +78,31 @@ OffsetMeasurement FindPeak(const std::vector<float>& scores,
   return measurement;
 }
 
+// Of the patch, at steps -half .. half; between two steps that are not beside
+// the best one, every other is but the mean of those.
+void ScoreOffsets(int half,
+                  float step,
+                  SurfacePatch* patch,
+                  std::vector<float>* scores) {
+  const auto score = [&](int k) {
+    (*scores)[size_t(k)] = patch->Score(float(k - half) * step);
+  };
+  const int last = 2 * half;
+  int best = 0;
+  for (int k = 0; k <= last; k += 2) {
+    score(k);
+    best = (*scores)[size_t(k)] > (*scores)[size_t(best)] ? k : best;
+  }
+  for (int k = 1; k < last; k += 2) {
+    if (std::abs(k - best) == 1) {
+      score(k);
+    } else {
+      (*scores)[size_t(k)] =
+          0.5f * ((*scores)[size_t(k - 1)] + (*scores)[size_t(k + 1)]);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<OffsetMeasurement> SearchOffsets(
@@ -102,10 +127,7 @@ std::vector<OffsetMeasurement> SearchOffsets(
       if (patch.NumViews() < 2) {
         continue;
       }
-      for (int k = -half; k <= half; ++k) {
-        scores[size_t(k + half)] =
-            patch.Score(float(k) * float(search.step) * chosen.pixel);
-      }
+      ScoreOffsets(half, float(search.step) * chosen.pixel, &patch, &scores);
       measurements[i] =
           FindPeak(scores, search, patch.SumOfWeights(), chosen.pixel);
     }

@@ -27,6 +27,11 @@ constexpr int kBlendRings = 2;
 constexpr double kMaxBorderScale = 2;
 // Nor can limbs as thin as patches: of the surface, pixels of the round.
 constexpr double kMinBorderRadius = 6;
+// Where there is nothing else: by how much their offsets are measured too far
+// inside, pixels of the round times pixels of radius, and what that leaves
+// open, in units of the noise (docs/design.md).
+constexpr double kLimbBias = 1.5;
+constexpr double kLimbNoise = 2;
 // How far a place speaks of vertices, in distances between places.
 constexpr double kReach = 1.3;
 
@@ -107,12 +112,16 @@ double FindBorderShift(const std::vector<RimTarget>& rims,
   if (plan.scale > kMaxBorderScale) {
     return plan.border_shift;
   }
-  const std::optional<double> excess =
-      MedianExcess(rims, surfaces, measurements, kMinBorderRadius * plan.scale);
-  if (!excess) {
-    return plan.border_shift;
+  if (const std::optional<double> excess = MedianExcess(
+          rims, surfaces, measurements, kMinBorderRadius * plan.scale, 0)) {
+    return ShrinkShift(plan.border_shift + *excess, border_noise);
   }
-  return ShrinkShift(plan.border_shift + *excess, border_noise);
+  // Only limbs are there to tell.
+  if (const std::optional<double> excess = MedianExcess(
+          rims, surfaces, measurements, 0, kLimbBias * plan.scale)) {
+    return ShrinkShift(plan.border_shift + *excess, kLimbNoise * border_noise);
+  }
+  return plan.border_shift;
 }
 
 void AddRims(const ViewSet& views,

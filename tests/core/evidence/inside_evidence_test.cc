@@ -149,6 +149,12 @@ TEST(InsideEvidenceOptions, AreRejectedWithField) {
   };
   EXPECT_THAT(refusal([](auto* o) { o->min_agreeing_views = 0; }),
               HasSubstr("min_agreeing_views = 0"));
+  EXPECT_THAT(refusal([](auto* o) { o->min_like_samples = 10; }),
+              HasSubstr("min_like_samples = 10"));
+  EXPECT_THAT(refusal([](auto* o) { o->cover_weight = 0; }),
+              HasSubstr("cover_weight = 0"));
+  EXPECT_THAT(refusal([](auto* o) { o->cover_rounds = 9; }),
+              HasSubstr("cover_rounds = 9"));
   EXPECT_THAT(refusal([](auto* o) { o->ballooning = -0.1; }),
               HasSubstr("ballooning"));
   EXPECT_THAT(refusal([](auto* o) { o->matter_weight = -1; }),

@@ -29,7 +29,7 @@ std::optional<double> Excess(
     const std::vector<RimTarget>& rims,
     const std::vector<OffsetMeasurement>& measurements) {
   const std::vector<LocalSurface> surfaces(measurements.size());
-  return MedianExcess(rims, surfaces, measurements, 4);
+  return MedianExcess(rims, surfaces, measurements, 4, 1);
 }
 
 TEST(MedianExcess, IsWhatRimsLeadFartherOutward) {
@@ -74,8 +74,18 @@ TEST(MedianExcess, LeavesOutLimbs) {
   surfaces[1].uu = -0.5f * kScale / 5;  // a cylinder of radius 5 pixels
   const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
                                                        Measured(0, 1)};
-  EXPECT_TRUE(MedianExcess(Rims(100, 1), surfaces, measurements, 4.9));
-  EXPECT_FALSE(MedianExcess(Rims(100, 1), surfaces, measurements, 5.1));
+  EXPECT_TRUE(MedianExcess(Rims(100, 1), surfaces, measurements, 4.9, 0));
+  EXPECT_FALSE(MedianExcess(Rims(100, 1), surfaces, measurements, 5.1, 0));
+}
+
+TEST(MedianExcess, TakesOffWhatCurvaturePretends) {
+  std::vector<LocalSurface> surfaces(2);
+  surfaces[0].vv = 0.5f * kScale / 4;
+  const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
+                                                       Measured(0, 1)};
+  EXPECT_NEAR(MedianExcess(Rims(100, 1), surfaces, measurements, 0, 2).value(),
+              1 - 2.0 / 4,
+              1e-6);
 }
 
 TEST(MedianExcess, NeedsRimsWithOffsets) {

@@ -111,6 +111,21 @@ TEST(KeepValid, AsksTheFirstStartWhatWasOutOfTheHull) {
   EXPECT_GT(keep_valid(before), mesh.positions.size() / 2);
 }
 
+// What an earlier move with a larger tolerance took out must not go farther.
+TEST(KeepValid, KeepsWhatIsOutOfTheHullFromGoingFarther) {
+  const testing::RefineScene scene = testing::MakeRefineScene();
+  const IndexedMesh before = scene.Larger(24, 4);
+  IndexedMesh mesh = scene.Larger(24, 8);
+  EXPECT_GT(KeepValid(scene.test.views,
+                      scene.Larger(24, -1).positions,
+                      before.positions,
+                      1.5,
+                      scene.Pixel() / scene.test.region.cube.edge,
+                      Context(2),
+                      &mesh),
+            mesh.positions.size() / 2);
+}
+
 // What an earlier move with a larger tolerance took out may come nearer.
 TEST(KeepValid, LetsComeNearerWhatIsOutOfTheHull) {
   const testing::RefineScene scene = testing::MakeRefineScene();

@@ -1,0 +1,39 @@
+// Which of the swept depths other views confirm. For core/evidence alone.
+#pragma once
+
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/evidence/depth_sweep.h"
+#include "core/grid/voxel_grid.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// How far two depths may differ and still agree, in hull voxels.
+inline constexpr float kDepthAgreement = 1.5f;
+
+// Removes the depths that fewer than `min_agreeing` neighbours confirm, whose
+// own depth at that point is within kDepthAgreement. `voxel` is the side of a
+// hull voxel, unit coordinates.
+std::vector<SweptDepthMap> KeepAgreeing(
+    const ViewSet& views,
+    const std::vector<SweptDepthMap>& maps,
+    const std::vector<std::vector<int>>& neighbors,
+    float voxel,
+    int min_agreeing,
+    const Context& context);
+
+// Of depths that only one view confirms, keeps those
+// - that at least `min_like` of the eight samples around share, to
+//   kDepthAgreement: wrong matches are scattered;
+// - before which, on their rays, no voxel of the hull is `solid` (one a voxel):
+//   what better confirmed depths have found cannot be seen through.
+std::vector<SweptDepthMap> KeepPlausible(const ViewSet& views,
+                                         const VoxelGrid& hull,
+                                         const std::vector<SweptDepthMap>& maps,
+                                         const std::vector<bool>& solid,
+                                         int min_like,
+                                         const Context& context);
+
+}  // namespace octacut

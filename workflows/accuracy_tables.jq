@@ -52,19 +52,27 @@ def image_cells:
 
 def time_columns: ["s", "CPU s"];
 def time_cells: [(.seconds | seconds), (.cpu_seconds | seconds)];
+# Of refinement, over all that precedes it.
+def refinement_share:
+  if .refine_seconds == null then null
+  else .refine_seconds / (.seconds - .refine_seconds - .late_seconds) end;
 
 # The run of the same scene that this one is held against.
 def clean_run($runs):
   . as $run
   | $runs | map(select(.scene == $run.scene and is_clean and is_default
                        and .comparison)) | .[0];
-# The mean error, both ways, in units of that of the clean scene.
+# The mean error, both ways; below in units of that of the clean scene.
 def mean_error:
-  .comparison
-  | (.to_reference.mean_over_diagonal + .from_reference.mean_over_diagonal) / 2;
+  (.to_reference.mean_over_diagonal + .from_reference.mean_over_diagonal) / 2;
+# Worse poses are aligned first, so is what they are held against.
 def times($reference):
-  if . == null or $reference == null then null
-  else mean_error / ($reference | mean_error) end;
+  (.degradation | startswith("poses")) as $moved
+  | if .comparison == null or $reference == null then null
+    else (.comparison | mean_error)
+      / ($reference | (if $moved then .aligned else null end) // .comparison
+         | mean_error)
+    end;
 
 def worse_or_not($limit):
   if . == null then missing
@@ -135,6 +143,12 @@ def aims($runs):
      | aim("masks off by 2 pixels, poses by 0.5: error at most 1.5 x";
            (. | times(clean_run($runs))) as $times
            | $times != null and $times > 1.5)),
+    ($made | map(select(.two_views and is_clean and is_default))
+     | aim("cup-2: 98 % of what two views see within 0.5 %";
+           .two_views.scores[2].recall < 0.98)),
+    ($made | map(select(is_clean and is_default and .level >= 9))
+     | aim("refinement at 512³ and more: at most 2 x what precedes it";
+           refinement_share > 2)),
     ($made[] | select(.comparison and is_default)
      | select("\(.scene) \(.level)" | in($means))
      | $means["\(.scene) \(.level)"] as [$to, $from, $f]
@@ -160,11 +174,11 @@ to_entries | map(.value + {order: .key}) | . as $runs
   "",
   "Made by `\($command)`; not to be edited. octacut \([.[] | .version // empty] | unique | join(", ")) with \($threads) threads on: \($machine). Its own scenes at \(pow(2; $level))³ voxels, data sets at \(pow(2; $data_level))³; rods-2 and fingers-2, whose parts are two voxels of 128³ thick, begin with hull_level 8 and are made at \(pow(2; [$level, 8] | max))³.",
   "",
-  "Distances in % of the diagonal of the ground truth's bounding box, from the mesh to the truth (accuracy) and from it to the mesh (completeness), over the part of the truth that at least three cameras see. F-scores in %, at thresholds in % of the diagonal. Genus and components that differ from the truth's (in brackets) are bold. Self-int.: triangles that cross another one.",
+  "Distances in % of the diagonal of the ground truth's bounding box, from the mesh to the truth (accuracy) and from it to the mesh (completeness), over the part of the truth that at least three cameras see at 75 degrees to its normal or less. F-scores in %, at thresholds in % of the diagonal. Genus and components that differ from the truth's (in brackets) are bold. Self-int.: triangles that cross another one.",
   "",
-  "Silhouettes: overlap is intersection over union, missed is the object's pixels that the mesh does not cover, excess the background's that it covers, both in % of the object's; outline is the distance between both outlines, pixels. NCC: zero-mean normalised correlation of each view with four neighbours, reprojected over the mesh, in windows of 7 x 7; mean, the tenth from below, and how much of the mesh could be compared. Degraded scenes are judged by the clean masks, cameras and images; those whose poses are off are first moved onto the truth, as the mapper's are, since their frame is off, too. What the truth itself scores says how far masks and images can be trusted.",
+  "Silhouettes: overlap is intersection over union, missed is the object's pixels that the mesh does not cover, excess the background's that it covers, both in % of the object's; outline is the distance between both outlines, pixels. NCC: zero-mean normalised correlation of each view with four neighbours, reprojected over the mesh, in windows of 7 x 7; mean, the tenth from below, and how much of the mesh could be compared. Degraded scenes are judged by the clean masks, cameras and images; those whose poses are off are first moved onto the truth, as the mapper's are, since their frame is off, too (but for silhouettes and NCC), and held against the clean mesh moved likewise. What the truth itself scores says how far masks and images can be trusted.",
   "",
-  "s: wall seconds of the reconstruction, under whatever load the machine had; CPU s: its seconds of computing.",
+  "s: wall seconds of the reconstruction, under whatever load the machine had; CPU s: its seconds of computing; refinement: its seconds over those of all that precedes it.",
   ($failed | select(length > 0) | "",
    (.[] | "- **\([.] | names) failed**: \(.message)")),
   ($left_out | select(length > 0) | "",
@@ -179,8 +193,15 @@ to_entries | map(.value + {order: .key}) | . as $runs
   "",
   "## Scenes",
   "",
-  table(["scene"] + distance_columns + shape_columns + time_columns;
-        $default[] | [.scene] + distance_cells + shape_cells + time_cells | row),
+  table(["scene"] + distance_columns + shape_columns + time_columns
+          + ["refinement"];
+        $default[]
+        | [.scene] + distance_cells + shape_cells + time_cells
+          + [refinement_share | fixed(2)]
+        | row),
+  ($default[] | select(.two_views) | .two_views
+   | "",
+     "What two cameras see of cup-2: \(.to_reference.mean_over_diagonal | percent(3)) / \(.from_reference.mean_over_diagonal | percent(3)) % in the mean; \(.scores[2].recall | percent(1)) % of it within 0.5 %."),
   "",
   table(["scene"] + image_columns;
         $default[]

@@ -88,19 +88,29 @@ degradations=(
 # need more ballooning than by default, or nothing is left.
 ablated_scenes=(example lump cup-1 rods-3 rocker-exact)
 # And single ones, where a scene shows what an option is for: the deep cup has
-# handles to remove.
-single_ablations=("cup-2 all-handles")
+# handles to remove and a bottom that few views see, dino plain plaster.
+single_ablations=(
+  "cup-2 all-handles" "cup-2 agreeing-1" "cup-2 no-plausible"
+  "walls agreeing-1" "walls no-plausible" "walls no-ballooning"
+  "walls ncc" "walls variance" "walls hue-1"
+  "shiny ncc" "shiny variance" "shiny hue-1"
+  "turntable-light ncc" "turntable-light variance" "turntable-light hue-1"
+  "dino no-ballooning" "dino no-cover" "dino masks-trusted"
+  "temple masks-trusted"
+)
 option_sets=(
   "default"
   "hull"
   "no-refinement   --OctahedralMeshing.refine 0"
   "no-evidence     --OctahedralMeshing.matter_weight 0 --OctahedralMeshing.free_space_weight 0 --OctahedralMeshing.ballooning 0.5"
   "agreeing-1      --OctahedralMeshing.min_agreeing_views 1"
+  "no-plausible    --OctahedralMeshing.min_like_samples 9"
   "neighbors-2     --DepthSweep.num_neighbors 2"
   "no-ballooning   --OctahedralMeshing.ballooning 0"
   "no-cover        --OctahedralMeshing.cover_rounds 0"
   "no-silhouettes  --OctahedralMeshing.silhouette_weight 0"
   "ncc             --OctahedralMeshing.consistency ncc"
+  "variance        --OctahedralMeshing.consistency variance"
   "hue-1           --OctahedralMeshing.hue_weight 1 --Refinement.hue_weight 1"
   "hue-4           --OctahedralMeshing.hue_weight 4 --Refinement.hue_weight 4"
   "no-growing      --OctahedralMeshing.max_grow_rounds 0"
@@ -260,9 +270,31 @@ hull_level_of() {
   echo "$(($2 < first ? $2 : first))"
 }
 
+# with_comparison CHECK NAME ALIGN MIN_VIEWS: CHECK of a comparison of the mesh
+# with what so many cameras see of the truth.
+with_comparison() {
+  "$1" "$folder" "$2" "$folder/$2.json" \
+    "$folder/mesh.json $judge/$truth" mesh_comparer \
+    --input_path "$folder/mesh.ply" --reference_path "$judge/$truth" \
+    --views_path "$judge/$model" --min_views "$4" --align "$3" \
+    --num_samples 200000 --self_intersections 0 \
+    --output_path "$folder/$2.json"
+}
+
+# comparisons: those of the run that `run` is at. Worse poses are held against an
+# aligned clean mesh, since they are aligned themselves; the deep cup is for what
+# only two views see.
+comparisons() {
+  [[ $truth != - ]] || return 0
+  echo comparison
+  [[ $dataset == - && $folder == */clean/default ]] || return 0
+  echo aligned
+  [[ $scene != cup-2 ]] || echo two_views
+}
+
 # with_step CHECK NAME: CHECK (is_made or made) of a step of the run that `run`
-# is at: mesh, comparison (only where there is a truth) or evaluation. `judge` is
-# the workspace with the right cameras, masks and images.
+# is at: mesh, one of the comparisons or evaluation. `judge` is the workspace
+# with the right cameras, masks and images.
 with_step() {
   local check=$1 name=$2 options=() first
   case $name in
@@ -281,14 +313,9 @@ with_step() {
         --input_path "$workspace/$model" --output_path "$folder/mesh.ply" \
         "${options[@]:1}"
       ;;
-    comparison)
-      "$check" "$folder" comparison "$folder/comparison.json" \
-        "$folder/mesh.json $judge/$truth" mesh_comparer \
-        --input_path "$folder/mesh.ply" --reference_path "$judge/$truth" \
-        --views_path "$judge/$model" --min_views 3 --align "$align" \
-        --num_samples 200000 --self_intersections 0 \
-        --output_path "$folder/comparison.json"
-      ;;
+    comparison) with_comparison "$check" "$name" "$align" 3 ;;
+    aligned) with_comparison "$check" "$name" 1 3 ;;
+    two_views) with_comparison "$check" "$name" "$align" 2 ;;
     evaluation)
       # What the truth itself scores says how good masks and images are.
       local meshes=(--mesh_path "$folder/mesh.ply")
@@ -310,9 +337,10 @@ with_run() {
     [[ $degradation == clean ]] ||
       with_scene "$1" "$scene" "$degradation" || return 1
   fi
-  with_step "$1" mesh || return 1
-  [[ $truth == - ]] || with_step "$1" comparison || return 1
-  with_step "$1" evaluation
+  local name
+  for name in mesh $(comparisons) evaluation; do
+    with_step "$1" "$name" || return 1
+  done
 }
 
 # record STATE MESSAGE: a line of JSON about the run that `run` is at, for the
@@ -323,20 +351,26 @@ record() {
   local arguments=(--arg state "$1" --arg message "${message//"$data"/DATA_FOLDER}"
     --arg scene "$scene" --arg degradation "$degradation" --arg set "$set"
     --argjson level "$at" --argjson cpu "${cpu:-null}")
-  for part in mesh comparison evaluation; do
-    if [[ $1 != left_out && ($part != comparison || $truth != -) ]] &&
+  for part in mesh comparison aligned two_views evaluation; do
+    if [[ $1 != left_out && " mesh evaluation $(comparisons | xargs) " == *" $part "* ]] &&
       with_step is_made "$part"; then
       arguments+=(--slurpfile "$part" "$folder/$part.json")
     else
       arguments+=(--argjson "$part" "[]")
     fi
   done
+  # Nothing but colours, picture and writing follow refinement.
   # shellcheck disable=SC2016 # variables of jq
-  jq -nc "${arguments[@]}" '{scene: $scene, degradation: $degradation,
+  jq -nc "${arguments[@]}" 'def judged: .[0].meshes[0].comparison;
+    {scene: $scene, degradation: $degradation,
     set: $set, level: $level, state: $state, message: $message,
     cpu_seconds: $cpu, seconds: $mesh[0].seconds, audit: $mesh[0].audit,
+    refine_seconds: $mesh[0].reconstruction.refinement.seconds,
+    late_seconds: ([$mesh[0].phases[]?
+      | select(.name | IN("vertex colours", "picture")) | .seconds] | add),
     version: $mesh[0].version, truth: $comparison[0].reference.audit,
-    comparison: $comparison[0].meshes[0].comparison,
+    comparison: ($comparison | judged), aligned: ($aligned | judged),
+    two_views: ($two_views | judged),
     evaluation: $evaluation[0].meshes[0],
     truth_evaluation: $evaluation[0].meshes[1]}
     | del(.evaluation.silhouettes.views, .truth_evaluation.silhouettes.views)'

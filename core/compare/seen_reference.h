@@ -18,7 +18,7 @@ struct PosedCamera {
 struct SeenReferenceOptions {
   int min_views = 3;
   // Of a view to the surface's normal, degrees; 1 .. 90.
-  double max_angle = 80;
+  double max_angle = 75;
 
   void Check() const;  // throws OptionError
 };

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "plugin/report.h"
 #include "tests/plugin/run_octacut.h"
@@ -34,7 +35,9 @@ ProgramResult RunWorkflow(const std::string& script,
   return {WEXITSTATUS(status), ReadFile(out), ReadFile(err)};
 }
 
-std::string Quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+std::string Quoted(const fs::path& path) {
+  return fmt::format("'{}'", path.string());
+}
 
 TEST(Workflows, CompareDenseSaysWhatIsMissing) {
   const TemporaryFolder folder;
@@ -151,6 +154,80 @@ TEST(Workflows, BenchmarkAccuracyPicksScenesAndSets) {
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.err, HasSubstr(message));
   }
+}
+
+// A line of what benchmark_accuracy.sh records, with the mean error `mean` (of
+// the diagonal), aligned as well.
+std::string AccuracyRecord(const std::string& degradation,
+                           double mean,
+                           int crossing) {
+  const nlohmann::json distances = {{"mean_over_diagonal", mean},
+                                    {"percentile_90_over_diagonal", mean},
+                                    {"max_over_diagonal", mean}};
+  const nlohmann::json score = {{"f_score", 0.9}, {"recall", 0.9}};
+  nlohmann::json comparison = {{"to_reference", distances},
+                               {"from_reference", distances},
+                               {"scores", {score, score, score}}};
+  nlohmann::json aligned = comparison;
+  aligned["to_reference"]["mean_over_diagonal"] = mean / 2;
+  aligned["from_reference"]["mean_over_diagonal"] = mean / 2;
+  return nlohmann::json{{"scene", "lump"},
+                        {"degradation", degradation},
+                        {"set", "default"},
+                        {"level", 7},
+                        {"state", "done"},
+                        {"seconds", 30},
+                        {"refine_seconds", 18},
+                        {"late_seconds", 2},
+                        {"version", "1"},
+                        {"audit", {{"genus", 0}, {"components", 1}}},
+                        {"truth", {{"genus", 1}, {"components", 1}}},
+                        {"comparison", comparison},
+                        {"aligned", aligned},
+                        {"evaluation",
+                         {{"self_intersections", {{"triangles", crossing}}},
+                          {"silhouettes", nlohmann::json::object()},
+                          {"reprojection", nlohmann::json::object()}}}}
+      .dump();
+}
+
+TEST(Workflows, AccuracyTablesMarkWhatMissesTheAims) {
+  if (std::system("command -v jq >/dev/null") != 0) {
+    GTEST_SKIP() << "jq is not installed";
+  }
+  const TemporaryFolder folder;
+  folder.Write("records",
+               AccuracyRecord("clean", 2e-4, 0) +
+                   AccuracyRecord("eroded-2", 3.2e-4, 0) +
+                   AccuracyRecord("dilated-2", 2.2e-4, 3) +
+                   AccuracyRecord("poses-0.5", 1.4e-4, 0));
+  folder.Write("scenes", "lump --scene lump\n");
+  folder.Write("degradations", "eroded-2 -2\ndilated-2 2\nposes-0.5 1\n");
+  folder.Write("sets", "default\n");
+  const std::string at = folder.Path().string();
+  const int status = std::system(
+      fmt::format("jq -L '{0}' -rs --arg machine M --arg command C --argjson "
+                  "level 7 --argjson data_level 8 --argjson threads 2 "
+                  "--rawfile own_scenes '{1}/scenes' --rawfile degradations "
+                  "'{1}/degradations' --rawfile option_sets '{1}/sets' "
+                  "-f '{0}/accuracy_tables.jq' '{1}/records' >'{1}/tables'",
+                  OCTACUT_SOURCE_DIR "/workflows",
+                  at)
+          .c_str());
+  ASSERT_EQ(status, 0);
+  const std::string tables = ReadFile(folder / "tables");
+  EXPECT_THAT(
+      tables,
+      HasSubstr("| no self-intersecting triangle | 3 of 4 | lump dilated-2 |"));
+  EXPECT_THAT(tables,
+              HasSubstr("| genus and components of the truth (clean scenes) | "
+                        "0 of 1 | lump |"));
+  EXPECT_THAT(tables,
+              HasSubstr("error at most 1.5 x | 2 of 3 | lump eroded-2 |"));
+  // Worse poses are held against the aligned clean mesh.
+  EXPECT_THAT(tables, HasSubstr("| lump | **1.60** | 1.10 | 1.40 |"));
+  EXPECT_THAT(tables, HasSubstr("| **0** (1) | 1 | 0 | 30.0 | – | 1.80 |"));
+  EXPECT_THAT(tables, HasSubstr("| **0** (1) | 1 | **3** |"));
 }
 
 TEST(Workflows, PassShellcheck) {

@@ -84,10 +84,17 @@ TEST_F(OffsetSearchTest, HasNothingBeyondItsRange) {
 }
 
 TEST_F(OffsetSearchTest, TellsAgreementBeforeAndAtThePeak) {
+  size_t num_found = 0, num_better = 0;
   for (const OffsetMeasurement& measurement : Measure(1)) {
-    EXPECT_LE(measurement.score_before, measurement.score);
     EXPECT_LE(measurement.score, 1.05);
+    if (measurement.weight > 0) {
+      ++num_found;
+      num_better += measurement.score > measurement.score_before + 0.02;
+    }
   }
+  // A pixel from the surface views agree less than on it, nearly everywhere.
+  EXPECT_GT(num_found, 100u);
+  EXPECT_GT(num_better, num_found * 9 / 10);
 }
 
 // Means over the offsets that were found.

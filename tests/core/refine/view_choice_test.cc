@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "tests/core/refine/refine_scene.h"
 
@@ -47,6 +49,10 @@ TEST_F(ViewChoice, TakesTheMostFrontalViewsThatSee) {
   options.max_views = 5;
   options.max_angle = 60;
   const std::vector<ChosenViews> choices = Choose(mesh, surfaces, options);
+  EXPECT_GT(std::count_if(choices.begin(),
+                          choices.end(),
+                          [](const auto& chosen) { return chosen.count == 5; }),
+            choices.size() / 4);
   for (size_t v = 0; v < choices.size(); ++v) {
     const auto cosine = [&](size_t view) {
       return (Views()[view].projection.center - surfaces[v].center)
@@ -82,6 +88,7 @@ TEST_F(ViewChoice, KeepsViewsApart) {
   ViewChoiceOptions options;
   options.min_separation = 35;
   const std::vector<ChosenViews> choices = Choose(mesh, surfaces, options);
+  size_t num_pairs = 0;
   for (size_t v = 0; v < choices.size(); ++v) {
     for (int i = 0; i < choices[v].count; ++i) {
       for (int j = 0; j < i; ++j) {
@@ -92,9 +99,11 @@ TEST_F(ViewChoice, KeepsViewsApart) {
                   .normalized());
         };
         EXPECT_LE(direction(i).dot(direction(j)), 0.8192f);  // cos 35 degrees
+        ++num_pairs;
       }
     }
   }
+  EXPECT_GT(num_pairs, choices.size());
 }
 
 TEST_F(ViewChoice, LeavesOutViewsBehindAnObstacle) {
@@ -159,9 +168,12 @@ TEST_F(ViewChoice, ThatAPieceTurnsAwayHidesNothing) {
   // A third of the radius, or 20 degrees: rings lie beyond many horizons.
   const std::vector<ChosenViews> pieces = choose(RefineScene::kRadius / 3);
   const std::vector<ChosenViews> centers = choose(0);
+  size_t num_seen = 0;
   for (size_t v = 0; v < centers.size(); ++v) {
     EXPECT_EQ(pieces[v].count, centers[v].count) << v;
+    num_seen += centers[v].count >= 2 ? 1 : 0;
   }
+  EXPECT_GT(num_seen, centers.size() / 2);
 }
 
 TEST(ViewChoiceOptions, AreChecked) {

@@ -55,14 +55,6 @@ const Option* OptionManager::Find(std::string_view name) const {
   return found == options_.end() ? nullptr : &*found;
 }
 
-bool OptionManager::IsSet(std::string_view name) const {
-  const Option* const option = Find(name);
-  if (option == nullptr) {
-    throw InvariantError(fmt::format("no option {} is declared", name));
-  }
-  return option->is_set;
-}
-
 std::string OptionManager::Suggestion(std::string_view name,
                                       std::string_view dashes) const {
   std::vector<std::string> names;

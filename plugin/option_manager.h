@@ -88,9 +88,6 @@ class OptionManager {
   // In the order of declaration.
   const std::vector<Option>& Options() const { return options_; }
 
-  // Whether the user gave the option; it must exist.
-  bool IsSet(std::string_view name) const;
-
   // Every option with its value at the time of the call: grouped ones in an
   // object of their group.
   Json ToJson() const;

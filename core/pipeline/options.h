@@ -1,5 +1,5 @@
 // Options of a whole reconstruction: one struct a step, and what strings them
-// together. The values of the paper are the defaults.
+// together. Where the paper names a value, it is the default.
 #pragma once
 
 #include "core/consistency/photo_consistency.h"

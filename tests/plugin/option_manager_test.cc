@@ -57,9 +57,6 @@ TEST(OptionManager, DefaultsStayWhenNothingIsGiven) {
   EXPECT_EQ(bound.level, 7);
   EXPECT_FALSE(bound.box.has_value());
   EXPECT_EQ(bound.color, Color::kGreen);
-  EXPECT_TRUE(bound.manager.IsSet("workspace_path"));
-  EXPECT_FALSE(bound.manager.IsSet("Meshing.level"));
-  EXPECT_THROW(bound.manager.IsSet("gone"), InvariantError);
 }
 
 TEST(OptionManager, ReadsEveryKind) {

@@ -46,6 +46,7 @@ own_scenes=(
   "touching --scene touching_spheres --reference_resolution 120"
   "shiny --scene sphere --Scene.specular 0.6 --reference_resolution 120"
   "walls --scene box --Scene.plain_share 0.4 --reference_resolution 120"
+  "near-and-far --scene example --Rig.far_factor 3 --reference_resolution 200"
   "turntable-light --scene torus --Scene.lights_fixed_to_camera 1 --reference_resolution 120"
 )
 # Their parts are too thin for a hull of 128^3: hull_level 8.

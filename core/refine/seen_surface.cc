@@ -66,6 +66,7 @@ SeenSurface LookAtSurface(const ViewSet& views,
                              seen.rays,
                              seen.surfaces,
                              MakeLines(edge, look, options),
+                             look.pixel * look.scale,
                              options.views,
                              context);
   for (const ChosenViews& chosen : seen.choices) {

@@ -20,16 +20,17 @@ float CosineOfDegrees(double degrees) {
 
 struct Candidate {
   uint16_t view;
-  float cosine;  // to the normal
+  float weight;
   float pixel;
   Eigen::Vector3f direction;  // to the camera
 };
 
 // Views before which the point faces up, is in the frame and on the object;
-// most frontal first.
+// those of most weight first.
 void FindCandidates(const ViewSet& views,
                     const LocalSurface& surface,
                     float min_cosine,
+                    float pixel,
                     std::vector<Candidate>* candidates) {
   candidates->clear();
   for (size_t i = 0; i < views.size(); ++i) {
@@ -43,14 +44,16 @@ void FindCandidates(const ViewSet& views,
     const std::optional<ProjectedPoint> p =
         projection.ProjectIntoFrame(surface.center);
     if (p && views[i].silhouette.Coverage(p->u, p->v) >= kObjectCoverage) {
+      const float own_pixel = p->depth / projection.focal_length;
+      const float sharpness = std::min(1.0f, pixel / own_pixel);
       candidates->push_back(
-          {uint16_t(i), cosine, p->depth / projection.focal_length, direction});
+          {uint16_t(i), cosine * sharpness * sharpness, own_pixel, direction});
     }
   }
   std::sort(candidates->begin(),
             candidates->end(),
             [](const Candidate& a, const Candidate& b) {
-              return a.cosine != b.cosine ? a.cosine > b.cosine
+              return a.weight != b.weight ? a.weight > b.weight
                                           : a.view < b.view;
             });
 }
@@ -99,6 +102,7 @@ ChosenViews Choose(const RayScene& rays,
                    int max_views,
                    float max_similarity) {
   ChosenViews chosen;
+  float sum = 0;
   std::array<Eigen::Vector3f, ChosenViews::kMaxViews> directions;
   for (const Candidate& candidate : candidates) {
     const bool is_double = std::any_of(
@@ -111,15 +115,16 @@ ChosenViews Choose(const RayScene& rays,
       continue;
     }
     directions[chosen.count] = candidate.direction;
-    chosen.weights[chosen.count] = candidate.cosine;
+    chosen.weights[chosen.count] = candidate.weight;
     chosen.views[chosen.count++] = candidate.view;
-    chosen.pixel += candidate.pixel;
+    chosen.pixel += candidate.weight * candidate.pixel;
+    sum += candidate.weight;
     if (chosen.count == max_views) {
       break;
     }
   }
   if (chosen.count > 0) {
-    chosen.pixel /= float(chosen.count);
+    chosen.pixel /= sum;
   }
   return chosen;
 }
@@ -145,6 +150,7 @@ std::vector<ChosenViews> ChooseViews(const ViewSet& views,
                                      const RayScene& rays,
                                      const std::vector<LocalSurface>& surfaces,
                                      const LinesOfSight& lines,
+                                     double pixel,
                                      const ViewChoiceOptions& options,
                                      const Context& context) {
   const float min_cosine = CosineOfDegrees(options.max_angle);
@@ -153,7 +159,7 @@ std::vector<ChosenViews> ChooseViews(const ViewSet& views,
   ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
     std::vector<Candidate> candidates;
     for (size_t v = begin; v < end; ++v) {
-      FindCandidates(views, surfaces[v], min_cosine, &candidates);
+      FindCandidates(views, surfaces[v], min_cosine, float(pixel), &candidates);
       choices[v] = Choose(rays,
                           surfaces[v],
                           candidates,

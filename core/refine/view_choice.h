@@ -15,7 +15,7 @@ namespace octacut {
 struct ViewChoiceOptions {
   // Views at more than this angle (degrees) to the normal do not count.
   double max_angle = 80;
-  // At most this many views a place, those most nearly frontal; 2 .. 24.
+  // At most this many views a place, those of most weight; 2 .. 24.
   int max_views = 16;
   // Between the directions of any two of them, degrees: nearly equal views
   // tell nothing about depth.
@@ -25,11 +25,13 @@ struct ViewChoiceOptions {
 
 struct ChosenViews {
   static constexpr int kMaxViews = 24;
-  std::array<uint16_t, kMaxViews> views;  // most frontal first
-  // Cosines to the normal: what is foreshortened tells less.
+  std::array<uint16_t, kMaxViews> views;  // of most weight first
+  // Cosines to the normal: what is foreshortened tells less. Of views whose
+  // pixels are too large, over the square of that: they tell depths so much
+  // less precisely.
   std::array<float, kMaxViews> weights;
   uint8_t count = 0;
-  float pixel = 0;  // mean size of their pixels at the place
+  float pixel = 0;  // weighted mean size of their pixels at the place
 };
 
 // The rays that have to reach a camera; lengths in unit coordinates.
@@ -44,12 +46,14 @@ struct LinesOfSight {
 };
 
 // One choice a vertex. A view counts when the vertex is within its frame, on
-// its silhouette's object and not hidden: none of `lines` meets `rays`.
+// its silhouette's object and not hidden: none of `lines` meets `rays`. Pixels
+// larger than `pixel` are too large.
 // Coordinates are unit coordinates throughout, those of `rays` too.
 std::vector<ChosenViews> ChooseViews(const ViewSet& views,
                                      const RayScene& rays,
                                      const std::vector<LocalSurface>& surfaces,
                                      const LinesOfSight& lines,
+                                     double pixel,
                                      const ViewChoiceOptions& options,
                                      const Context& context);
 

@@ -50,6 +50,10 @@ void RigOptions::Check() const {
               focal_length,
               "must be in (0.2, 20)");
   CheckOption(fill > 0, "rig.fill", fill, "must be positive");
+  CheckOption(far_factor >= 1 && far_factor <= 10,
+              "rig.far_factor",
+              far_factor,
+              "must be in [1, 10]");
   // Further than that the distortion may fold the image's corners over.
   CheckOption(std::abs(k1) <= 0.3, "rig.k1", k1, "must be in [-0.3, 0.3]");
 }
@@ -99,10 +103,9 @@ std::vector<Eigen::Vector3d> SphereDirections(const RigOptions& options) {
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
   std::vector<Eigen::Vector3d> directions;
   for (int i = 0; i < options.num_views; ++i) {
-    const double elevation =
-        options.min_elevation +
-        (options.max_elevation - options.min_elevation) * (i + 0.5) /
-            options.num_views;
+    const double elevation = options.min_elevation +
+                             (options.max_elevation - options.min_elevation) *
+                                 (i + 0.5) / options.num_views;
     directions.push_back(
         FromAngles(golden_angle * i, std::sin(Radians(elevation))));
   }
@@ -158,7 +161,8 @@ std::vector<Rigid3d> MakeRig(const RigOptions& options,
   for (const Eigen::Vector3d& direction : options.kind == RigKind::kSphere
                                               ? SphereDirections(options)
                                               : RingDirections(options)) {
-    rig.push_back(LookAt(center + distance * direction, center));
+    const double factor = rig.size() % 2 == 1 ? options.far_factor : 1;
+    rig.push_back(LookAt(center + factor * distance * direction, center));
   }
   return rig;
 }

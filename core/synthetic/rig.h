@@ -39,6 +39,8 @@ struct RigOptions {
   // Diameter of the object's bounding sphere in the image, in units of the
   // smaller side.
   double fill = 0.95;
+  // Every second camera stands so many times as far from the object.
+  double far_factor = 1;
   double k1 = 0;
 
   void Check() const;  // throws OptionError

@@ -25,15 +25,16 @@ ViewSet PrepareViews(const Scene& scene,
 
 double PixelSize(const ViewSet& views, const Eigen::Vector3f& point) {
   double pixels = 0;
-  size_t count = 0;
+  double squares = 0;
   for (const PreparedView& view : views) {
     const float depth = view.projection.Homogeneous(point).z();
     if (depth > 0) {
-      pixels += double(view.projection.Footprint(1, depth));
-      ++count;
+      const double pixels_per_unit = view.projection.Footprint(1, depth);
+      pixels += pixels_per_unit;
+      squares += pixels_per_unit * pixels_per_unit;
     }
   }
-  return count > 0 ? double(count) / pixels : 0;
+  return squares > 0 ? pixels / squares : 0;
 }
 
 }  // namespace octacut

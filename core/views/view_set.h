@@ -30,8 +30,9 @@ ViewSet PrepareViews(const Scene& scene,
                      const Context& context,
                      double mask_tolerance = 0);
 
-// Size of a pixel at a point, unit coordinates: one over the mean of the pixels
-// a unit in the views that have the point before them; 0 when none has.
+// Size of a pixel at a point, unit coordinates: the mean over the views that
+// have the point before them, weighted by the squares of their pixels a unit, so
+// that distant ones hardly count; 0 when none has.
 double PixelSize(const ViewSet& views, const Eigen::Vector3f& point);
 
 }  // namespace octacut

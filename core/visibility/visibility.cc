@@ -67,6 +67,7 @@ Visibility Visibility::Estimate(const ViewSet& views,
   visibility.min_cosine_ =
       float(std::cos(options.max_angle * std::numbers::pi / 180));
   visibility.tolerance_ = float(options.depth_tolerance / double(1 << level));
+  visibility.voxel_ = 1 / float(1 << level);
   visibility.max_views_ = options.max_views;
   visibility.depth_maps_.resize(views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
@@ -102,17 +103,22 @@ Visibility::Selection Visibility::Select(const Eigen::Vector3f& point,
       continue;
     }
     const float cosine = along / to_camera.norm();
+    const ViewProjection& projection = (*views_)[i].projection;
+    const float weight =
+        cosine * std::min(1.0f,
+                          projection.Footprint(
+                              voxel_, projection.Homogeneous(point).z()));
     const bool full = selection.count == max_views_;
     if (cosine < min_cosine_ ||
-        (full && cosine <= selection.views[selection.count - 1].weight) ||
+        (full && weight <= selection.views[selection.count - 1].weight) ||
         !Sees(i, point, cosine)) {
       continue;
     }
     int slot = full ? selection.count - 1 : selection.count++;
-    for (; slot > 0 && selection.views[slot - 1].weight < cosine; --slot) {
+    for (; slot > 0 && selection.views[slot - 1].weight < weight; --slot) {
       selection.views[slot] = selection.views[slot - 1];
     }
-    selection.views[slot] = {uint16_t(i), cosine};
+    selection.views[slot] = {uint16_t(i), weight};
   }
   return selection;
 }

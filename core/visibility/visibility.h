@@ -18,7 +18,7 @@ namespace octacut {
 struct VisibilityOptions {
   // Views at more than this angle (degrees) to the normal do not count.
   double max_angle = 70;
-  // At most this many views a voxel, those most nearly frontal; 2 .. 16.
+  // At most this many views a voxel, those of most weight; 2 .. 16.
   int max_views = 8;
   // Depth tolerance in voxels, measured along the normal: what lies in the
   // crust behind the surface is still to be seen.
@@ -28,7 +28,9 @@ struct VisibilityOptions {
 
 struct ViewWeight {
   uint16_t view;
-  float weight;  // cosine of the angle to the normal
+  // Cosine of the angle to the normal; times the pixels across a voxel, where
+  // the view has less than one.
+  float weight;
 };
 
 class Visibility {
@@ -62,6 +64,7 @@ class Visibility {
   float min_cosine_ = 0;
   float tolerance_ = 0;  // unit coordinates, along the normal
   int max_views_ = 0;
+  float voxel_ = 0;
 };
 
 }  // namespace octacut

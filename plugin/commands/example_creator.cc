@@ -125,6 +125,9 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
   options.Add("Rig.fill",
               &scene_.rig.fill,
               "Size of the object in units of the image's smaller side");
+  options.Add("Rig.far_factor",
+              &scene_.rig.far_factor,
+              "Every second camera stands so many times as far");
   options.Add("Rig.k1", &scene_.rig.k1, "Radial distortion (SIMPLE_RADIAL)");
   DeclareSurface(options, &scene_);
   DeclareDegradation(options, &scene_.degrade);

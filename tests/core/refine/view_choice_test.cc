@@ -28,13 +28,14 @@ class ViewChoice : public ::testing::Test {
   }
   const ViewSet& Views() const { return scene_->test.views; }
   // For `surfaces` before `mesh`.
-  std::vector<ChosenViews> Choose(const IndexedMesh& mesh,
-                                  const std::vector<LocalSurface>& surfaces,
-                                  const ViewChoiceOptions& options,
-                                  const LinesOfSight& lines = {
-                                      .clearance = 0.02}) const {
+  std::vector<ChosenViews> Choose(
+      const IndexedMesh& mesh,
+      const std::vector<LocalSurface>& surfaces,
+      const ViewChoiceOptions& options,
+      const LinesOfSight& lines = {.clearance = 0.02},
+      double pixel = 1) const {
     return ChooseViews(
-        Views(), RayScene(mesh), surfaces, lines, options, Context(2));
+        Views(), RayScene(mesh), surfaces, lines, pixel, options, Context(2));
   }
 
   static RefineScene* scene_;
@@ -104,6 +105,39 @@ TEST_F(ViewChoice, KeepsViewsApart) {
     }
   }
   EXPECT_GT(num_pairs, choices.size());
+}
+
+TEST_F(ViewChoice, WeighsViewsByTheSquareOfTooLargePixels) {
+  const IndexedMesh mesh =
+      scene_->ToUnitMesh(RefineScene::Mesh(8, [](const auto&) { return 0; }));
+  const std::vector<LocalSurface> surfaces = Fit(mesh);
+  ViewChoiceOptions options;
+  options.max_views = 24;
+  const LinesOfSight lines = {.clearance = 0.02};
+  const std::vector<ChosenViews> sharp = Choose(mesh, surfaces, options, lines);
+  // Much smaller than those of all views.
+  const double pixel = 0.1 * scene_->Pixel() / scene_->test.region.cube.edge;
+  const std::vector<ChosenViews> blurred =
+      Choose(mesh, surfaces, options, lines, pixel);
+  size_t num_checked = 0;
+  for (size_t v = 0; v < sharp.size(); ++v) {
+    for (int i = 0; i < blurred[v].count; ++i) {
+      for (int j = 0; j < sharp[v].count; ++j) {
+        const uint16_t view = sharp[v].views[j];
+        if (blurred[v].views[i] == view) {
+          const ViewProjection& projection = Views()[view].projection;
+          const double ratio = pixel * projection.focal_length /
+                               projection.Homogeneous(surfaces[v].center).z();
+          EXPECT_LT(ratio, 0.5);
+          EXPECT_NEAR(blurred[v].weights[i],
+                      ratio * ratio * sharp[v].weights[j],
+                      1e-3 * ratio * ratio);
+          ++num_checked;
+        }
+      }
+    }
+  }
+  EXPECT_GT(num_checked, sharp.size());
 }
 
 TEST_F(ViewChoice, LeavesOutViewsBehindAnObstacle) {

@@ -96,6 +96,19 @@ TEST(MakeRig, TurntableStaysAtOneElevation) {
   }
 }
 
+TEST(MakeRig, EverySecondCameraMayStandFar) {
+  RigOptions options;
+  const std::vector<Rigid3d> near = MakeRig(options, {0, 0, 0}, 1);
+  options.far_factor = 3;
+  const std::vector<Rigid3d> rig = MakeRig(options, {0, 0, 0}, 1);
+  for (size_t i = 0; i < rig.size(); ++i) {
+    EXPECT_NEAR(rig[i].translation.norm(),
+                (i % 2 == 1 ? 3 : 1) * near[i].translation.norm(),
+                1e-9);
+    EXPECT_LT((rig[i].rotation - near[i].rotation).norm(), 1e-12);
+  }
+}
+
 TEST(MakeRig, LooksStraightDownToo) {
   const Rigid3d pose = LookAt({0, 0, 5}, {0, 0, 0});
   EXPECT_NEAR(pose.rotation.determinant(), 1, 1e-12);
@@ -115,6 +128,7 @@ TEST(RigOptions, RefusesBadValues) {
   refused([](RigOptions& o) { o.height = 0; });
   refused([](RigOptions& o) { o.focal_length = 0; });
   refused([](RigOptions& o) { o.fill = 0; });
+  refused([](RigOptions& o) { o.far_factor = 0.5; });
   refused([](RigOptions& o) { o.k1 = -0.5; });
   EXPECT_NO_THROW(RigOptions{}.Check());
 }

@@ -18,12 +18,12 @@ PreparedView ViewFrom(double distance, double focal_length) {
   return prepared;
 }
 
-TEST(PixelSize, IsThatOfTheMeanResolution) {
+TEST(PixelSize, IsThatOfTheFinestViews) {
   const Eigen::Vector3f point = Eigen::Vector3f::Constant(0.5f);
   EXPECT_NEAR(PixelSize({ViewFrom(2, 400)}, point), 1.0 / 200, 1e-7);
   // A distant view takes no detail from a close one.
   EXPECT_NEAR(PixelSize({ViewFrom(2, 400), ViewFrom(100, 400)}, point),
-              2.0 / (200 + 4),
+              (200.0 + 4) / (200 * 200 + 4 * 4),
               1e-7);
 }
 

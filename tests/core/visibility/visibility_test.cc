@@ -74,6 +74,19 @@ TEST(Visibility, SelectsTheMostFrontalViewsOfABall) {
   }
 }
 
+// A pixel of a view four times as far spans 2.4 voxels.
+TEST(Visibility, ViewsWithPixelsLargerThanVoxelsWeighLess) {
+  const Eigen::Vector3d oblique = Eigen::Vector3d(1, 0, 1.5).normalized();
+  const ViewSet views = BareViews({4 * Eigen::Vector3d::UnitZ(), oblique});
+  const Visibility visibility = Estimate(views, Ball(kMiddle, 0.3));
+  const Eigen::Vector3d point = kMiddle + 0.3 * Eigen::Vector3d::UnitZ();
+  const Visibility::Selection selection =
+      visibility.Select(point.cast<float>(), Eigen::Vector3f::UnitZ());
+  ASSERT_EQ(selection.count, 2);
+  EXPECT_EQ(selection.views[0].view, 1);
+  EXPECT_NEAR(selection.views[1].weight, 320 / (12 - 0.3) / 64, 1e-3);
+}
+
 TEST(Visibility, NoViewSeesTheBack) {
   const ViewSet views = BareViews(
       {Eigen::Vector3d::UnitX(), Eigen::Vector3d(1, 0.2, 0).normalized()});

@@ -21,9 +21,9 @@
 #                       the same options
 #
 # What is not run keeps the figures of an earlier run, where those are up to
-# date; a run that was interrupted goes on where it was. All of it takes three
-# hours on two cores (--level 7 --data_level 9). Exits with 1 when something
-# failed; what has worked is written.
+# date; a run that was interrupted goes on where it was. The scenes alone took
+# half an hour on two cores (--level 7 --data_level 9). Exits with 1 when
+# something failed; what has worked is written.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -283,15 +283,19 @@ with_comparison() {
     --output_path "$folder/$2.json"
 }
 
-# comparisons: those of the run that `run` is at. Worse poses are held against an
+# parts: the steps of the run that `run` is at. Worse poses are held against an
 # aligned clean mesh, since they are aligned themselves; the deep cup is for what
 # only two views see.
-comparisons() {
-  [[ $truth != - ]] || return 0
-  echo comparison
-  [[ $dataset == - && $folder == */clean/default ]] || return 0
-  echo aligned
-  [[ $scene != cup-2 ]] || echo two_views
+parts() {
+  local parts=mesh
+  if [[ $truth != - ]]; then
+    parts+=" comparison"
+    if [[ $dataset == - && $folder == */clean/default ]]; then
+      parts+=" aligned"
+      [[ $scene != cup-2 ]] || parts+=" two_views"
+    fi
+  fi
+  echo "$parts evaluation"
 }
 
 # with_step CHECK NAME: CHECK (is_made or made) of a step of the run that `run`
@@ -339,9 +343,9 @@ with_run() {
     [[ $degradation == clean ]] ||
       with_scene "$1" "$scene" "$degradation" || return 1
   fi
-  local name
-  for name in mesh $(comparisons) evaluation; do
-    with_step "$1" "$name" || return 1
+  local part
+  for part in $(parts); do
+    with_step "$1" "$part" || return 1
   done
 }
 
@@ -354,7 +358,7 @@ record() {
     --arg scene "$scene" --arg degradation "$degradation" --arg set "$set"
     --argjson level "$at" --argjson cpu "${cpu:-null}")
   for part in mesh comparison aligned two_views evaluation; do
-    if [[ $1 != left_out && " mesh evaluation $(comparisons | xargs) " == *" $part "* ]] &&
+    if [[ $1 != left_out && " $(parts) " == *" $part "* ]] &&
       with_step is_made "$part"; then
       arguments+=(--slurpfile "$part" "$folder/$part.json")
     else

@@ -8,29 +8,6 @@
 namespace octacut {
 namespace {
 
-// Calls keep(x, y, depth) for every depth of the maps; where it is false the
-// depth is removed.
-template <typename KeepOfMap>
-std::vector<SweptDepthMap> Keep(const std::vector<SweptDepthMap>& maps,
-                                const Context& context,
-                                KeepOfMap&& keep_of_map) {
-  std::vector<SweptDepthMap> kept = maps;
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const auto keep = keep_of_map(i);
-      for (int y = 0; y < maps[i].height; ++y) {
-        for (int x = 0; x < maps[i].width; ++x) {
-          float& depth = kept[i].depths[size_t(y) * maps[i].width + x];
-          if (depth > 0 && !keep(x, y, depth)) {
-            depth = 0;
-          }
-        }
-      }
-    }
-  });
-  return kept;
-}
-
 // Of the eight samples around a depth, those that share it.
 int CountLike(
     const SweptDepthMap& map, int x, int y, float depth, float tolerance) {
@@ -70,32 +47,48 @@ bool IsBehindSolid(const VoxelGrid& hull,
 
 }  // namespace
 
-std::vector<SweptDepthMap> KeepAgreeing(
+std::vector<std::vector<uint8_t>> CountAgreeing(
     const ViewSet& views,
     const std::vector<SweptDepthMap>& maps,
     const std::vector<std::vector<int>>& neighbors,
     float voxel,
-    int min_agreeing,
     const Context& context) {
-  return Keep(maps, context, [&](size_t i) {
-    const Eigen::Matrix3f rays = views[i].projection.linear.inverse();
-    return [&, i, rays](int x, int y, float depth) {
-      const Eigen::Vector3f point =
-          views[i].projection.center + depth * (rays * maps[i].Pixel(x, y));
-      int agreeing = 0;
-      for (const int j : neighbors[i]) {
-        const std::optional<ProjectedPoint> p =
-            views[j].projection.Project(point);
-        if (!p) {
-          continue;
-        }
-        const float other = maps[j].DepthAt(p->u, p->v);
-        agreeing +=
-            other > 0 && std::abs(other - p->depth) <= kDepthAgreement * voxel;
-      }
-      return agreeing >= min_agreeing;
-    };
+  std::vector<std::vector<uint8_t>> counts(maps.size());
+  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      counts[i].resize(maps[i].depths.size());
+      const ViewProjection& projection = views[i].projection;
+      ForEachDepth(maps[i],
+                   projection,
+                   [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
+                     const Eigen::Vector3f point =
+                         projection.center + depth * ray;
+                     uint8_t& count = counts[i][size_t(y) * maps[i].width + x];
+                     for (const int j : neighbors[i]) {
+                       const std::optional<ProjectedPoint> p =
+                           views[j].projection.Project(point);
+                       const float other = p ? maps[j].DepthAt(p->u, p->v) : 0;
+                       count += other > 0 && std::abs(other - p->depth) <=
+                                                 kDepthAgreement * voxel;
+                     }
+                   });
+    }
   });
+  return counts;
+}
+
+std::vector<SweptDepthMap> KeepAgreeing(
+    std::vector<SweptDepthMap> maps,
+    const std::vector<std::vector<uint8_t>>& counts,
+    int min_agreeing) {
+  for (size_t i = 0; i < maps.size(); ++i) {
+    for (size_t k = 0; k < counts[i].size(); ++k) {
+      if (counts[i][k] < min_agreeing) {
+        maps[i].depths[k] = 0;
+      }
+    }
+  }
+  return maps;
 }
 
 std::vector<SweptDepthMap> KeepPlausible(const ViewSet& views,
@@ -105,18 +98,22 @@ std::vector<SweptDepthMap> KeepPlausible(const ViewSet& views,
                                          int min_like,
                                          const Context& context) {
   const float tolerance = kDepthAgreement / float(hull.Resolution());
-  return Keep(maps, context, [&](size_t i) {
-    const ViewProjection& projection = views[i].projection;
-    const Eigen::Matrix3f rays = projection.linear.inverse();
-    return [&, i, rays](int x, int y, float depth) {
-      return CountLike(maps[i], x, y, depth, tolerance) >= min_like &&
-             !IsBehindSolid(hull,
-                            solid,
-                            projection.center,
-                            rays * maps[i].Pixel(x, y),
-                            depth);
-    };
+  std::vector<SweptDepthMap> kept = maps;
+  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const ViewProjection& projection = views[i].projection;
+      ForEachDepth(
+          maps[i],
+          projection,
+          [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
+            if (CountLike(maps[i], x, y, depth, tolerance) < min_like ||
+                IsBehindSolid(hull, solid, projection.center, ray, depth)) {
+              kept[i].depths[size_t(y) * maps[i].width + x] = 0;
+            }
+          });
+    }
   });
+  return kept;
 }
 
 }  // namespace octacut

@@ -1,6 +1,7 @@
 // Which of the swept depths other views confirm. For core/evidence alone.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/base/context.h"
@@ -13,16 +14,21 @@ namespace octacut {
 // How far two depths may differ and still agree, in hull voxels.
 inline constexpr float kDepthAgreement = 1.5f;
 
-// Removes the depths that fewer than `min_agreeing` neighbours confirm, whose
-// own depth at that point is within kDepthAgreement. `voxel` is the side of a
-// hull voxel, unit coordinates.
-std::vector<SweptDepthMap> KeepAgreeing(
+// How many of its view's neighbours confirm each sample's depth: their own at
+// that point is within kDepthAgreement. `voxel` is the side of a hull voxel,
+// unit coordinates.
+std::vector<std::vector<uint8_t>> CountAgreeing(
     const ViewSet& views,
     const std::vector<SweptDepthMap>& maps,
     const std::vector<std::vector<int>>& neighbors,
     float voxel,
-    int min_agreeing,
     const Context& context);
+
+// Without the depths that fewer than `min_agreeing` neighbours confirm.
+std::vector<SweptDepthMap> KeepAgreeing(
+    std::vector<SweptDepthMap> maps,
+    const std::vector<std::vector<uint8_t>>& counts,
+    int min_agreeing);
 
 // Of depths that only one view confirms, keeps those
 // - that at least `min_like` of the eight samples around share, to

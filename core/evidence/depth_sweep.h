@@ -48,6 +48,23 @@ struct SweptDepthMap {
   }
 };
 
+// Calls visit(x, y, depth, ray) for every depth of a view's map; what it found
+// is projection.center + depth * ray.
+template <typename Visit>
+void ForEachDepth(const SweptDepthMap& map,
+                  const ViewProjection& projection,
+                  Visit&& visit) {
+  const Eigen::Matrix3f rays = projection.linear.inverse();
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const float depth = map.depths[size_t(y) * map.width + x];
+      if (depth > 0) {
+        visit(x, y, depth, Eigen::Vector3f(rays * map.Pixel(x, y)));
+      }
+    }
+  }
+}
+
 // One map a view. The neighbours that were compared with view i come back in
 // neighbors[i].
 std::vector<SweptDepthMap> SweepDepths(

@@ -149,8 +149,10 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   std::vector<std::vector<int>> neighbors;
   const std::vector<SweptDepthMap> swept =
       SweepDepths(views, hull, options.sweep, context, &neighbors);
-  std::vector<SweptDepthMap> agreeing = KeepAgreeing(
-      views, swept, neighbors, voxel, options.min_agreeing_views, context);
+  const std::vector<std::vector<uint8_t>> counts =
+      CountAgreeing(views, swept, neighbors, voxel, context);
+  std::vector<SweptDepthMap> agreeing =
+      KeepAgreeing(swept, counts, options.min_agreeing_views);
   InsideEvidence evidence;
   evidence.mask_trust = EstimateMaskTrust(views, agreeing, context);
   evidence.values = EvidenceOf(views, hull, agreeing, options, context);
@@ -159,7 +161,7 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   if (options.min_agreeing_views > 1 && options.min_like_samples <= 8) {
     AddPlausible(views,
                  hull,
-                 KeepAgreeing(views, swept, neighbors, voxel, 1, context),
+                 KeepAgreeing(swept, counts, 1),
                  evidence.values,
                  options,
                  context,

@@ -49,17 +49,12 @@ BorderPoints CountBorderPoints(const ViewSet& views,
       continue;  // its own depths end where its mask does
     }
     const ViewProjection& projection = views[i].projection;
-    const Eigen::Matrix3f rays = projection.linear.inverse();
-    for (int y = 0; y < maps[i].height; ++y) {
-      for (int x = 0; x < maps[i].width; ++x) {
-        const float depth = maps[i].depths[size_t(y) * maps[i].width + x];
-        if (depth > 0) {
-          CountPoint(views[judged],
-                     projection.center + depth * (rays * maps[i].Pixel(x, y)),
-                     &count);
-        }
-      }
-    }
+    ForEachDepth(maps[i],
+                 projection,
+                 [&](int, int, float depth, const Eigen::Vector3f& ray) {
+                   CountPoint(
+                       views[judged], projection.center + depth * ray, &count);
+                 });
   }
   return count;
 }

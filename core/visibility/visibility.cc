@@ -79,23 +79,14 @@ Visibility Visibility::Estimate(const ViewSet& views,
   return visibility;
 }
 
-bool Visibility::Sees(size_t view,
-                      const Eigen::Vector3f& point,
-                      float cosine) const {
-  const std::optional<ProjectedPoint> p =
-      (*views_)[view].projection.ProjectIntoFrame(point);
-  return p &&
-         p->depth <= depth_maps_[view].At(p->u, p->v) + tolerance_ / cosine;
-}
-
 Visibility::Selection Visibility::Select(const Eigen::Vector3f& point,
                                          const Eigen::Vector3f& normal) const {
   Selection selection;
   if (normal.squaredNorm() == 0) {
     return selection;
   }
-  // Insertion into a short sorted list of the best candidates; the depth test
-  // comes first so that the list holds seeing views only.
+  // Insertion into a short sorted list of the best candidates, after the depth
+  // test, so that the list holds seeing views only.
   for (size_t i = 0; i < views_->size(); ++i) {
     const Eigen::Vector3f to_camera = (*views_)[i].projection.center - point;
     const float along = normal.dot(to_camera);
@@ -103,15 +94,19 @@ Visibility::Selection Visibility::Select(const Eigen::Vector3f& point,
       continue;
     }
     const float cosine = along / to_camera.norm();
+    if (cosine < min_cosine_) {
+      continue;
+    }
     const ViewProjection& projection = (*views_)[i].projection;
+    const std::optional<ProjectedPoint> p = projection.ProjectIntoFrame(point);
+    if (!p) {
+      continue;
+    }
     const float weight =
-        cosine * std::min(1.0f,
-                          projection.Footprint(
-                              voxel_, projection.Homogeneous(point).z()));
+        cosine * std::min(1.0f, projection.Footprint(voxel_, p->depth));
     const bool full = selection.count == max_views_;
-    if (cosine < min_cosine_ ||
-        (full && weight <= selection.views[selection.count - 1].weight) ||
-        !Sees(i, point, cosine)) {
+    if ((full && weight <= selection.views[selection.count - 1].weight) ||
+        p->depth > depth_maps_[i].At(p->u, p->v) + tolerance_ / cosine) {
       continue;
     }
     int slot = full ? selection.count - 1 : selection.count++;

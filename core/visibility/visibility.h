@@ -57,8 +57,6 @@ class Visibility {
                    const Eigen::Vector3f& normal) const;
 
  private:
-  bool Sees(size_t view, const Eigen::Vector3f& point, float cosine) const;
-
   const ViewSet* views_ = nullptr;
   std::vector<DepthMap> depth_maps_;
   float min_cosine_ = 0;

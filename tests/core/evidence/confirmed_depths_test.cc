@@ -15,7 +15,7 @@ using testing::TestScene;
 constexpr int kLevel = 5;
 constexpr float kVoxel = 1.0f / (1 << kLevel);
 
-// A sphere's views, the hull, and maps of `depth` before the middle of the cube
+// A sphere's views, the hull, and maps with the depth of the middle of the cube
 // at every fourth pixel.
 struct Setting {
   TestScene test =
@@ -69,12 +69,11 @@ TEST(KeepAgreeing, CountsNeighborsWithTheSameDepth) {
   const size_t middle = setting.MiddleSample(0);
   setting.maps[3].depths[setting.MiddleSample(3)] += 3 * kVoxel;
   const auto keep = [&](int min_agreeing) {
-    return KeepAgreeing(setting.test.views,
-                        setting.maps,
-                        neighbors,
-                        kVoxel,
-                        min_agreeing,
-                        Context(2));
+    return KeepAgreeing(
+        setting.maps,
+        CountAgreeing(
+            setting.test.views, setting.maps, neighbors, kVoxel, Context(2)),
+        min_agreeing);
   };
   EXPECT_GT(keep(2)[0].depths[middle], 0);
   EXPECT_EQ(keep(3)[0].depths[middle], 0);

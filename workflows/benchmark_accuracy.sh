@@ -116,6 +116,7 @@ option_sets=(
   "hue-4           --OctahedralMeshing.hue_weight 4 --Refinement.hue_weight 4"
   "no-growing      --OctahedralMeshing.max_grow_rounds 0"
   "no-smoothing    --Smoothing.iterations 0"
+  "smoothing-5     --Smoothing.iterations 5"
   "taubin          --Smoothing.taubin_mu -0.53"
   "no-alignment    --Refinement.alignment_steps 0"
   "coarse-once     --Refinement.coarse_passes 1"

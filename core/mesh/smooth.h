@@ -9,7 +9,7 @@
 namespace octacut {
 
 struct SmoothOptions {
-  int iterations = 5;
+  int iterations = 3;
   // V <- V + lambda * Laplacian(V), with the uniform umbrella operator: mean of
   // the neighbours less the vertex.
   double lambda = 0.5;

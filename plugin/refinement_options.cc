@@ -42,8 +42,8 @@ void DeclareRefinementOptions(OptionManager& options,
               "of that scale");
   options.Add("Refinement.alignment_steps",
               &refinement->alignment_steps,
-              "By which the views' poses are aligned in each round at the "
-              "scale of the images; 0: they are exact");
+              "By which the views' poses are aligned in the last coarse round "
+              "and each one at their scale; 0: they are exact");
   options.Add("Refinement.step", &refinement->step, "Of the search, pixels");
   options.Add("Refinement.patch_radius",
               &refinement->patch.radius,

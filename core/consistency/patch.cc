@@ -5,8 +5,6 @@
 namespace octacut {
 namespace {
 
-constexpr float kMaxBackgroundShare = 1.0f / 3;
-
 // Two unit vectors that span the plane across `normal`.
 void TangentBasis(const Eigen::Vector3f& normal,
                   Eigen::Vector3f* tangent_u,

@@ -25,9 +25,9 @@ struct RefineOptions {
   // Of the pieces of the surface that are taken for smooth.
   double fit_radius = 9;
   double min_score = 0.2;  // of an accepted offset
-  // Steps of photometric alignment of the views in each round at their scale;
-  // 0: their poses are exact.
-  int alignment_steps = 2;
+  // Steps of photometric alignment of the views in the last coarse round and
+  // each one at their scale; 0: their poses are exact.
+  int alignment_steps = 4;
   // Weight of the surface's bend, against an offset that is known to a pixel.
   double smoothness = 30;
   // Offsets that are wrong by more than this many standard deviations weigh

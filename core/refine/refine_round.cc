@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "core/base/stopwatch.h"
@@ -82,6 +83,21 @@ OffsetSearch MakeSearch(const RoundPlan& plan, const RefineOptions& options) {
   search.min_score = options.min_score;
   search.patch = options.patch;
   return search;
+}
+
+std::vector<OffsetMeasurement> MeasureOffsets(const ViewSet& views,
+                                              const SeenSurface& seen,
+                                              const RoundPlan& plan,
+                                              const RefineOptions& options,
+                                              std::string_view phase_name,
+                                              const Context& context) {
+  Phase phase(context, phase_name, seen.surfaces.size());
+  return SearchOffsets(views,
+                       seen.surfaces,
+                       seen.choices,
+                       MakeSearch(plan, options),
+                       context,
+                       &phase);
 }
 
 // Lengths in pixels.
@@ -215,22 +231,17 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   summary.fit_seconds = seen.fit_seconds;
   summary.view_seconds = seen.view_seconds;
   Stopwatch stopwatch;
-  if (plan.scale == 1) {
+  if (plan.aligns) {
     Align(seen, options, context, views, &summary);
   }
   summary.alignment_seconds = stopwatch.Lap();
-  std::vector<OffsetMeasurement> measurements;
-  {
-    Phase phase(context,
-                fmt::format("refinement within {:.2g} pixels", summary.range),
-                seen.surfaces.size());
-    measurements = SearchOffsets(*views,
-                                 seen.surfaces,
-                                 seen.choices,
-                                 MakeSearch(plan, options),
-                                 context,
-                                 &phase);
-  }
+  const std::vector<OffsetMeasurement> measurements = MeasureOffsets(
+      *views,
+      seen,
+      plan,
+      options,
+      fmt::format("refinement within {:.2g} pixels", summary.range),
+      context);
   OffsetProblem problem =
       MakeProblem(seen, measurements, pixel, plan.scale, &summary);
   summary.search_seconds = stopwatch.Lap();
@@ -281,16 +292,14 @@ double MeanAgreement(const ViewSet& views,
                     options,
                     context,
                     mesh);
-  Phase phase(context, "agreement of the views", seen.surfaces.size());
-  const std::vector<OffsetMeasurement> measurements =
-      SearchOffsets(views,
-                    seen.surfaces,
-                    seen.choices,
-                    MakeSearch({1, 0, true}, options),
-                    context,
-                    &phase);
   double sum = 0;
-  for (const OffsetMeasurement& measurement : measurements) {
+  for (const OffsetMeasurement& measurement : MeasureOffsets(
+           views,
+           seen,
+           {.scale = 1, .range = 0, .smooths = true, .aligns = false},
+           options,
+           "agreement of the views",
+           context)) {
     sum += measurement.score_before;
   }
   return sum / double(std::max<size_t>(seen.NumSeen(), 1));

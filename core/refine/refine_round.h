@@ -42,11 +42,12 @@ struct RoundPlan {
   // Whether vertices come to lie on the fitted surface; else they keep their
   // distances from it.
   bool smooths;
+  bool aligns;  // the views, first
   // Of the masks' borders, pixels of the views: as found by the round before.
   double border_shift = 0;
 };
 
-// Aligns `views` in a round at their scale, moves the vertices of `mesh` (unit
+// Aligns `views` if it is to, moves the vertices of `mesh` (unit
 // coordinates) as far as it stays valid, and leaves the normals that belong to
 // the positions before. `pixel` is the size of a pixel of the views at the
 // surface; `start` is where the vertices were before the first round and

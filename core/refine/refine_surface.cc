@@ -21,12 +21,18 @@ std::vector<RoundPlan> PlanRounds(const RefineOptions& options) {
     for (int i = options.coarse_rounds; i > 0; --i) {
       // The first pass has taken the steps of the voxels; to smooth coarsely
       // once more would only take edges.
-      plan.push_back({double(1 << i), options.range, pass == 0});
+      // Nor are the views aligned on such steps, or on coarser images.
+      const bool later = pass > 0;
+      plan.push_back({.scale = double(1 << i),
+                      .range = options.range,
+                      .smooths = !later,
+                      .aligns = later && i == 1});
     }
   }
   double range = options.range;
   for (int i = 0; i < options.fine_rounds; ++i) {
-    plan.push_back({1, range, true});
+    plan.push_back(
+        {.scale = 1, .range = range, .smooths = true, .aligns = true});
     // A peak needs a neighbour on both sides.
     range = std::max(range / 2, 2 * options.step);
   }

@@ -7,7 +7,6 @@
 namespace octacut {
 namespace {
 
-constexpr float kMaxBackgroundShare = 1.0f / 3;
 // Of the samples' weights, in radii of the patch.
 constexpr float kSigma = 0.7f;
 // Of a patch's gradient that is taken out; all of it costs two of three

@@ -11,6 +11,8 @@ namespace octacut {
 
 // Coverage (0 .. 255) from which on a point counts as object.
 inline constexpr float kObjectCoverage = 127.5f;
+// Of the samples of a patch that is compared: others show too little object.
+inline constexpr float kMaxBackgroundShare = 1.0f / 3;
 
 enum class Footprint : uint8_t {
   kBackground,  // holds no pixel of the object, nor does what is near

@@ -85,7 +85,11 @@ double BorderShiftAfter(double scale, double known, double border_noise) {
   return RefineOnce(mesh.positions,
                     RefineScene::Neighbors(mesh),
                     scene.Pixel() / scene.test.region.cube.edge,
-                    {scale, 3, true, known},
+                    {.scale = scale,
+                     .range = 3,
+                     .smooths = true,
+                     .aligns = false,
+                     .border_shift = known},
                     options,
                     Context(2),
                     &views,
@@ -135,7 +139,7 @@ double RoughnessAfter(const RefineScene& scene, bool smooths) {
   RefineOnce(mesh.positions,
              neighbors,
              scene.Pixel() / cube.edge,
-             {2, 3, smooths},
+             {.scale = 2, .range = 3, .smooths = smooths, .aligns = false},
              RefineOptions(),
              Context(2),
              &views,
@@ -261,6 +265,9 @@ TEST(RefineOptions, AreChecked) {
   refused([](RefineOptions& o) { o.coarse_passes = 0; });
   refused([](RefineOptions& o) { o.step = 0; });
   refused([](RefineOptions& o) { o.range = 1.5 * o.step; });
+  refused([](RefineOptions& o) { o.range = 65; });
+  refused([](RefineOptions& o) { o.alignment_steps = -1; });
+  refused([](RefineOptions& o) { o.alignment_steps = 17; });
   refused([](RefineOptions& o) { o.patch.radius = 5; });
   refused([](RefineOptions& o) { o.measure_spacing = -1; });
   refused([](RefineOptions& o) { o.fit_radius = 0; });

@@ -15,7 +15,7 @@ constexpr float kMaxSecondPeak = 0.93f;
 constexpr float kScoreSlack = 0.05f;
 // Standard deviation of an offset at the views' own scale: what shape and gloss
 // leave even where all views agree, and the part of their noise; as measured
-// on three scenes with a truth (docs/design.md).
+// on three scenes with a truth (docs/refinement.md).
 constexpr float kLeastDeviation = 0.1f;  // pixels
 constexpr float kNoise = 0.4f;
 // Of weights in coarser rounds.

@@ -30,7 +30,7 @@ constexpr double kMaxBorderScale = 2;
 constexpr double kMinBorderRadius = 6;
 // Where there is nothing else: by how much their offsets are measured too far
 // inside, pixels of the round times pixels of radius, and what that leaves
-// open, in units of the noise (docs/design.md).
+// open, in units of the noise (docs/refinement.md).
 constexpr double kLimbBias = 1.5;
 constexpr double kLimbNoise = 2;
 // How far a place speaks of vertices, in distances between places.

@@ -108,6 +108,21 @@ def degraded_matrix($runs; $names):
                else times($reference) | worse_or_not(1.5) end]
         | row);
 
+# Of each set of options what it costs each scene, likewise.
+def ablated_matrix($runs; $names):
+  (map(select(.comparison)) | group_by(.scene) | sort_by(.[0].order)) as $scenes
+  | table(["set"] + [$scenes[] | .[0].scene];
+          . as $all
+          | $names[] as $name
+          | select(any($all[]; .set == $name))
+          | [$name]
+            + [$scenes[]
+               | (.[0] | clean_run($runs)) as $reference
+               | map(select(.set == $name)) | .[0]
+               | if . == null then missing
+                 else times($reference) | worse_or_not(1.05) end]
+          | row);
+
 def names: [.[] | "\(.scene)"
   + (if is_clean then "" else " \(.degradation)" end)
   + (if is_default then "" else " \(.set)" end)] | join(", ");
@@ -228,5 +243,9 @@ to_entries | map(.value + {order: .key}) | . as $runs
    "", ($degradations | bullets)),
   ($ablated | select(length > 0) | "",
    "## One option changed", "",
+   "The mean of accuracy and completeness over that of the defaults:", "",
+   ([$option_sets | split("\n")[] | select(. != "") | split(" ")[0]] as $names
+    | $ablated | ablated_matrix($runs; $names)),
+   "",
    table(changed_columns("set"); changed_rows($runs; 1.05; .set)),
    "", ($option_sets | bullets))

@@ -160,7 +160,8 @@ TEST(Workflows, BenchmarkAccuracyPicksScenesAndSets) {
 // the diagonal), aligned as well.
 std::string AccuracyRecord(const std::string& degradation,
                            double mean,
-                           int crossing) {
+                           int crossing,
+                           const std::string& set = "default") {
   const nlohmann::json distances = {{"mean_over_diagonal", mean},
                                     {"percentile_90_over_diagonal", mean},
                                     {"max_over_diagonal", mean}};
@@ -173,7 +174,7 @@ std::string AccuracyRecord(const std::string& degradation,
   aligned["from_reference"]["mean_over_diagonal"] = mean / 2;
   return nlohmann::json{{"scene", "lump"},
                         {"degradation", degradation},
-                        {"set", "default"},
+                        {"set", set},
                         {"level", 7},
                         {"state", "done"},
                         {"seconds", 30},
@@ -200,10 +201,11 @@ TEST(Workflows, AccuracyTablesMarkWhatMissesTheAims) {
                AccuracyRecord("clean", 2e-4, 0) +
                    AccuracyRecord("eroded-2", 3.2e-4, 0) +
                    AccuracyRecord("dilated-2", 2.2e-4, 3) +
-                   AccuracyRecord("poses-0.5", 1.4e-4, 0));
+                   AccuracyRecord("poses-0.5", 1.4e-4, 0) +
+                   AccuracyRecord("clean", 2.4e-4, 0, "ncc"));
   folder.Write("scenes", "lump --scene lump\n");
   folder.Write("degradations", "eroded-2 -2\ndilated-2 2\nposes-0.5 1\n");
-  folder.Write("sets", "default\n");
+  folder.Write("sets", "default\nncc --consistency ncc\nhull\n");
   const std::string at = folder.Path().string();
   const int status = std::system(
       fmt::format("jq -L '{0}' -rs --arg machine M --arg command C --argjson "
@@ -218,7 +220,7 @@ TEST(Workflows, AccuracyTablesMarkWhatMissesTheAims) {
   const std::string tables = ReadFile(folder / "tables");
   EXPECT_THAT(
       tables,
-      HasSubstr("| no self-intersecting triangle | 3 of 4 | lump dilated-2 |"));
+      HasSubstr("| no self-intersecting triangle | 4 of 5 | lump dilated-2 |"));
   EXPECT_THAT(tables,
               HasSubstr("| genus and components of the truth (clean scenes) | "
                         "0 of 1 | lump |"));
@@ -228,6 +230,8 @@ TEST(Workflows, AccuracyTablesMarkWhatMissesTheAims) {
   EXPECT_THAT(tables, HasSubstr("| lump | **1.60** | 1.10 | 1.40 |"));
   EXPECT_THAT(tables, HasSubstr("| **0** (1) | 1 | 0 | 30.0 | – | 1.80 |"));
   EXPECT_THAT(tables, HasSubstr("| **0** (1) | 1 | **3** |"));
+  EXPECT_THAT(tables,
+              HasSubstr("| set | lump |\n| --- | ---: |\n| ncc | **1.20** |"));
 }
 
 TEST(Workflows, PassShellcheck) {

@@ -83,6 +83,13 @@ inline RefineScene MakeSceneWithMasksOff(int mask_offset) {
   return {MakeTestScene(spec)};
 }
 
+// The same with poses that are so many pixels off.
+inline RefineScene MakeSceneWithPosesOff(double pixels) {
+  SceneSpec spec = RefineSceneSpec();
+  spec.degrade.pose_noise = pixels;
+  return {MakeTestScene(spec)};
+}
+
 // Bumps of up to `amplitude` some 0.16 units wide, as a mesh of voxels has
 // them after smoothing.
 inline auto Bumps(double amplitude) {

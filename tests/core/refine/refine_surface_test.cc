@@ -19,6 +19,7 @@ namespace octacut {
 namespace {
 
 using testing::Bumps;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::RefineScene;
 
@@ -29,9 +30,11 @@ IndexedMesh BumpyMesh(const RefineScene& scene) {
 }
 
 RefinedSurface Refine(const RefineScene& scene,
-                      const Context& context = Context(2)) {
+                      const Context& context = Context(2),
+                      int alignment_steps = RefineOptions().alignment_steps) {
   RefineOptions options;
   options.coarse_rounds = 1;
+  options.alignment_steps = alignment_steps;
   ViewSet views = scene.test.views;
   return RefineSurface(
       BumpyMesh(scene), scene.test.region.cube, options, context, &views);
@@ -61,6 +64,19 @@ TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
   EXPECT_EQ(summary.rounds[2].scale, 1);
   EXPECT_EQ(summary.rounds[2].num_seen, summary.rounds[2].num_places);
   EXPECT_GT(summary.rounds[2].num_measured, summary.rounds[2].num_places / 2);
+}
+
+TEST(RefineSurface, AlignsPosesThatAreOff) {
+  const RefineScene scene = testing::MakeSceneWithPosesOff(0.5);
+  const RefinedSurface refined = Refine(scene);
+  EXPECT_LT(RefineScene::MeanError(refined.mesh),
+            0.6 * RefineScene::MeanError(Refine(scene, Context(2), 0).mesh));
+  // Only when the first round has taken the steps of the voxels.
+  std::vector<size_t> num_aligned;
+  for (const RoundSummary& round : refined.summary.rounds) {
+    num_aligned.push_back(round.num_aligned);
+  }
+  EXPECT_THAT(num_aligned, ElementsAre(0, 28, 28, 28));
 }
 
 TEST(RefineSurface, FindsOutThatMasksAreTooLargeOrTooSmall) {

@@ -77,7 +77,7 @@ TEST_P(SweptDepthsOf, LieOnTheSurface) {
   ASSERT_GT(errors.size(), num_rays / 5);
   std::nth_element(
       errors.begin(), errors.begin() + errors.size() / 2, errors.end());
-  EXPECT_LT(errors[errors.size() / 2], 1.5);  // hull voxels
+  EXPECT_LT(errors[errors.size() / 2], 0.4);  // hull voxels
 }
 
 INSTANTIATE_TEST_SUITE_P(Objects,

@@ -23,13 +23,15 @@ void DeclareEvidenceOptions(OptionManager& options,
   options.Add("OctahedralMeshing.cover_rounds",
               &evidence->cover_rounds,
               "Times at most that what silhouettes miss is asked back");
-  options.Add("OctahedralMeshing.min_agreeing_views",
-              &evidence->min_agreeing_views,
-              "Other views that must confirm a depth");
+  options.Add(
+      "OctahedralMeshing.min_agreeing_views",
+      &evidence->min_agreeing_views,
+      "Other views that must confirm a depth; fewer where it is plausible");
   options.Add("OctahedralMeshing.min_like_samples",
               &evidence->min_like_samples,
-              "Of the eight samples around a depth that one view alone "
-              "confirms, those that must share it; 9: such depths never count");
+              "Of the eight samples around a depth that fewer views confirm, "
+              "one at least, those that must share it; 9: such depths never "
+              "count");
   options.Add("DepthSweep.num_neighbors",
               &evidence->sweep.num_neighbors,
               "Views that each view is compared with");

@@ -42,8 +42,9 @@ void DeclareRefinementOptions(OptionManager& options,
               "of that scale");
   options.Add("Refinement.alignment_steps",
               &refinement->alignment_steps,
-              "By which the views' poses are aligned in the last coarse round "
-              "and each one at their scale; 0: they are exact");
+              "By which the views' poses are aligned in the last round of each "
+              "coarse pass but the first, and each one at their scale; 0: they "
+              "are exact");
   options.Add("Refinement.step", &refinement->step, "Of the search, pixels");
   options.Add("Refinement.patch_radius",
               &refinement->patch.radius,
@@ -80,13 +81,13 @@ void DeclareRefinementOptions(OptionManager& options,
               "Least agreement of the views about an offset");
   options.Add("Refinement.max_views",
               &refinement->views.max_views,
-              "Views of a vertex at most");
+              "Views of a place at most");
   options.Add("Refinement.max_angle",
               &refinement->views.max_angle,
               "Of a view to the normal, degrees");
   options.Add("Refinement.min_separation",
               &refinement->views.min_separation,
-              "Between the directions of two views of a vertex, degrees");
+              "Between the directions of two views of a place, degrees");
 }
 
 Json RefinementToJson(const RefineSummary& summary) {

@@ -6,7 +6,8 @@
 #
 # DATA_FOLDER           default: $OCTACUT_SHARED_DATA, else ../shared/data
 #                       beside the source tree; only read
-# --target_level 9      meshes are cut from (2^level)^3 voxels; so is the hull
+# --target_level 9      meshes are cut from (2^level)^3 voxels; so is the hull, from
+#                       1024^3 at most
 # --only SCENE,...      run these alone; the others keep the figures of an
 #                       earlier run, where those are up to date
 # --work_path DIR       meshes, reports and logs; default build/results

@@ -6,7 +6,6 @@
 
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/read_sparse_model.h"
-#include "core/base/check_option.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -28,20 +27,6 @@ SparseCamera ToSparseCamera(const PinholeCamera& camera) {
 }
 
 }  // namespace
-
-MaskGeometry ParseMaskGeometry(const std::string& name) {
-  if (name == "original") {
-    return MaskGeometry::kOriginal;
-  }
-  if (name == "undistorted") {
-    return MaskGeometry::kUndistorted;
-  }
-  CheckOption(name == "auto",
-              "mask_geometry",
-              name,
-              "must be auto, original or undistorted");
-  return MaskGeometry::kAuto;
-}
 
 MaskCameras::MaskCameras(const Workspace& workspace,
                          MaskGeometry geometry,

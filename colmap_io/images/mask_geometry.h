@@ -19,8 +19,6 @@ enum class MaskGeometry {
   kOriginal,     // of the photographs as they were taken
   kUndistorted,  // of image_undistorter's output
 };
-// "auto", "original" or "undistorted"; throws OptionError for others.
-MaskGeometry ParseMaskGeometry(const std::string& name);
 
 // Finds the camera that the mask of an image was made with. Thread safe.
 //

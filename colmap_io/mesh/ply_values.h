@@ -15,7 +15,6 @@ class PlyValues {
   PlyValues(ByteSource* source, PlyEncoding encoding)
       : source_(source), encoding_(encoding) {}
 
-  PlyEncoding Encoding() const { return encoding_; }
   const ByteSource& Source() const { return *source_; }
 
   // Names the element that the following values are of, for errors.

@@ -163,13 +163,6 @@ bool IsUndistorted(const SparseCamera& camera) {
          camera.model_id == camera_model::kPinhole;
 }
 
-double MeanFocalLength(const SparseCamera& camera) {
-  const CameraModelInfo& info =
-      RequireCameraModel(camera.model_id, fmt::format("camera {}", camera.id));
-  if (info.num_focal_lengths == 1) return camera.params.at(0);
-  return (camera.params.at(0) + camera.params.at(1)) / 2;
-}
-
 std::optional<Eigen::Vector2d> ImgFromCam(const SparseCamera& camera,
                                           const Eigen::Vector3d& ray) {
   return CameraProjector(camera).ImgFromCam(ray);

@@ -82,9 +82,6 @@ void CheckCamera(const SparseCamera& camera, std::string_view source);
 // True when the model has no distortion: the camera is a pinhole as it is.
 bool IsUndistorted(const SparseCamera& camera);
 
-// Mean of the focal lengths, in pixels.
-double MeanFocalLength(const SparseCamera& camera);
-
 // Pixel of a ray (a point in the camera's frame, any length); empty when it
 // does not project. To project many rays make a CameraProjector
 // (camera_projector.h) once instead; these two make one per call.

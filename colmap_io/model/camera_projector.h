@@ -50,7 +50,6 @@ class CameraProjector {
                      float* x,
                      float* y) const;
 
-  int ModelId() const { return model_id_; }
   const CameraIntrinsics& Intrinsics() const { return intrinsics_; }
 
  private:

@@ -86,10 +86,6 @@ auto ReadFile(const std::string& path, const Reader& reader) {
 
 }  // namespace
 
-bool HasSparseModel(const fs::path& folder) {
-  return FindExtension(folder).has_value();
-}
-
 SparseModel ReadSparseModel(const fs::path& folder) {
   const std::string_view extension = RequireExtension(folder);
   const auto path = [&](std::string_view part) {

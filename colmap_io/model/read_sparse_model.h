@@ -24,10 +24,6 @@ namespace octacut {
 // An empty points3D.txt is a model without points.
 SparseModel ReadSparseModel(const std::filesystem::path& folder);
 
-// True when the folder holds cameras, images and points3D, all .bin or all
-// .txt.
-bool HasSparseModel(const std::filesystem::path& folder);
-
 // How many images the model has, without reading more than that takes.
 uint64_t CountSparseImages(const std::filesystem::path& folder);
 

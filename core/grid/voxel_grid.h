@@ -23,7 +23,6 @@ class VoxelGrid {
  public:
   using Index = uint32_t;
   static constexpr Index kNone = 0xffffffffu;
-  static constexpr int kMaxLevel = 20;
 
   struct Brick {
     uint64_t key;   // Morton code of the brick: voxel code >> 6

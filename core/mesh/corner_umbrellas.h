@@ -23,7 +23,6 @@ namespace octacut {
 
 // Bit q: quarter face q is inside.
 using QuarterFaceLabels = uint16_t;
-inline constexpr QuarterFaceLabels kAllQuarterFaces = 0xfff;
 
 // Octants of an umbrella: bit o set = the polygon of octant o belongs to it.
 using OctantMask = uint8_t;

@@ -83,7 +83,6 @@ KeptComponents KeepLargestComponents(IndexedMesh mesh, double min_fraction) {
     keep[c] = std::abs(volumes[c]) >= min_fraction * std::abs(*largest) &&
               (min_fraction < 1 || c == size_t(largest - volumes.begin()));
     result.summary.num_removed += !keep[c];
-    result.summary.num_removed_cavities += !keep[c] && volumes[c] < 0;
   }
   const size_t num_triangles = mesh.triangles.size();
   if (result.summary.num_removed > 0) {

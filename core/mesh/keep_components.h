@@ -9,8 +9,7 @@ namespace octacut {
 
 struct KeepComponentsSummary {
   size_t num_components = 0;
-  size_t num_removed = 0;           // both kinds together
-  size_t num_removed_cavities = 0;  // of negative volume
+  size_t num_removed = 0;
   size_t num_removed_triangles = 0;
 };
 

@@ -28,8 +28,8 @@ IndexedMesh FinalMesh(const ViewSet& views,
                       const Context& context,
                       ReconstructionSummary* summary);
 
-// Vertex colours: the mean over the views that see the vertex, weighted by
-// the cosine of the angle to the normal; grey where none does. `surface` is
+// Vertex colours: the mean over the views that see the vertex, weighted as
+// Visibility does; grey where none does. `surface` is
 // the labelling that the mesh came from; `mesh` has normals.
 void ColorMesh(const ViewSet& views,
                const LabeledVoxels& surface,

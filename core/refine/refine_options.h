@@ -11,7 +11,7 @@ struct RefineOptions {
   ViewChoiceOptions views;
   PatchOptions patch;  // samples are a pixel of the round apart
   // Rounds at the scale of the views, the first within `range`, each later one
-  // within half of that; 1 .. 8.
+  // within half of the one before, but at least two steps; 1 .. 8.
   int fine_rounds = 2;
   // Rounds before, each at half the resolution of the next; 0 .. 4.
   int coarse_rounds = 2;
@@ -25,8 +25,9 @@ struct RefineOptions {
   // Of the pieces of the surface that are taken for smooth.
   double fit_radius = 9;
   double min_score = 0.2;  // of an accepted offset
-  // Steps of photometric alignment of the views in the last coarse round and
-  // each one at their scale; 0: their poses are exact.
+  // Steps of photometric alignment of the views in the last round of each
+  // coarse pass but the first, and each one at their scale; 0: their poses are
+  // exact.
   int alignment_steps = 4;
   // Weight of the surface's bend, against an offset that is known to a pixel.
   double smoothness = 30;

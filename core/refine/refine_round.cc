@@ -183,9 +183,8 @@ void MovePlaces(SeenSurface seen,
   }
   const double mean_spacing =
       std::max(MeanSpacing(*mesh, seen.places), seen.edge);
-  SolveOffsetsOptions solving;
-  solving.smoothness = options.smoothness;
-  solving.outlier_scale = options.outlier_scale;
+  const SolveOffsetsOptions solving{.smoothness = options.smoothness,
+                                    .outlier_scale = options.outlier_scale};
   MovedPlaces moved;
   moved.offsets = SolveOffsets(problem, neighbors, solving, context);
   for (double& offset : moved.offsets) {

@@ -20,8 +20,8 @@ std::vector<RoundPlan> PlanRounds(const RefineOptions& options) {
   for (int pass = 0; pass < options.coarse_passes; ++pass) {
     for (int i = options.coarse_rounds; i > 0; --i) {
       // The first pass has taken the steps of the voxels; to smooth coarsely
-      // once more would only take edges.
-      // Nor are the views aligned on such steps, or on coarser images.
+      // once more would only take edges. Before, and on coarser images, the
+      // surface is not good enough to align the views.
       const bool later = pass > 0;
       plan.push_back({.scale = double(1 << i),
                       .range = options.range,

@@ -43,8 +43,8 @@ struct RefinedSurface {
 // PrepareViews for `cube`, with images; their poses are aligned. Topology
 // stays. Vertices that no two views see, and are not close to such that do,
 // keep their positions exactly. No two triangles intersect that did not before,
-// and none becomes degenerate. Throws InputError when a view has no image or
-// the mesh has no triangle.
+// and none becomes degenerate. Throws InputError when a view has no image,
+// there are fewer than two, or the mesh has no triangle or is behind them all.
 RefinedSurface RefineSurface(IndexedMesh mesh,
                              const BoundingCube& cube,
                              const RefineOptions& options,

@@ -24,8 +24,8 @@ struct RimTarget {
 // `border_shift` pixels too far outside, should be. Targets are offsets of the
 // fitted surface. Pixels are those of each view.
 // Only where the mesh of `rays` ends in the view, and where the border is a
-// plain step from object to background. `neighbors` are those of
-// FindVertexNeighbors.
+// plain step from object to background. `surfaces` are those of places,
+// `neighbors` those of SurfacePlaces.
 std::vector<RimTarget> FindRimTargets(const ViewSet& views,
                                       const RayScene& rays,
                                       const std::vector<LocalSurface>& surfaces,

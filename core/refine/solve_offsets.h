@@ -35,16 +35,17 @@ struct OffsetProblem {
   std::vector<float> spacings;
 };
 
+// Of RefineOptions, which has the defaults and limits.
 struct SolveOffsetsOptions {
   // Of the bend that the offsets add to the surface: how far the plane through
   // those of its neighbours is above a place. Over the spacing there, so the
   // weight means the same for any: a bend goes with its square, and there are
   // as many fewer.
-  double smoothness = 4;
+  double smoothness;
   // Of an offset that nothing is known of.
   double anchor = 0.02;
   // Residuals beyond this weigh like outliers (Cauchy's loss).
-  double outlier_scale = 1;
+  double outlier_scale;
 };
 
 // The offsets, zero for places that stay; the same bytes for any number of

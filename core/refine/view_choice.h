@@ -1,4 +1,4 @@
-// Which views see each vertex of a mesh, by rays.
+// Which views see each place of a surface, by rays.
 #pragma once
 
 #include <array>
@@ -45,7 +45,7 @@ struct LinesOfSight {
   double ring_clearance = 0;
 };
 
-// One choice a vertex. A view counts when the vertex is within its frame, on
+// One choice a place. A view counts when the place is within its frame, on
 // its silhouette's object and not hidden: none of `lines` meets `rays`. Pixels
 // larger than `pixel` are too large.
 // Coordinates are unit coordinates throughout, those of `rays` too.

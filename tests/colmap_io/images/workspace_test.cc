@@ -207,12 +207,5 @@ TEST_F(WorkspaceTest, MaskCamerasOfADenseFolder) {
               HasSubstr("64x48"));
 }
 
-TEST(MaskGeometry, Parses) {
-  EXPECT_EQ(ParseMaskGeometry("auto"), MaskGeometry::kAuto);
-  EXPECT_EQ(ParseMaskGeometry("original"), MaskGeometry::kOriginal);
-  EXPECT_EQ(ParseMaskGeometry("undistorted"), MaskGeometry::kUndistorted);
-  EXPECT_THROW(ParseMaskGeometry("distorted"), OptionError);
-}
-
 }  // namespace
 }  // namespace octacut

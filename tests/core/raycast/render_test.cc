@@ -7,7 +7,6 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
-#include "core/raycast/compose_comparison.h"
 #include "tests/core/raycast/random_mesh.h"
 
 namespace octacut {
@@ -140,19 +139,6 @@ TEST(RenderShaded, RefusesBadOptions) {
   EXPECT_THROW(
       RenderMask(RayScene(Square(1, 4)), TestCamera(), {}, Context(1), 0),
       OptionError);
-}
-
-TEST(ComposeComparison, PutsThemSideBySide) {
-  const cv::Mat left(100, 60, CV_8UC3, cv::Scalar(10, 20, 30));
-  const cv::Mat right(200, 80, CV_8UC3, cv::Scalar(40, 50, 60));
-  const cv::Mat both = ComposeComparison(left, right);
-  EXPECT_EQ(both.rows, 100);
-  EXPECT_EQ(both.cols, 60 + 2 + 40);
-  EXPECT_EQ(both.at<cv::Vec3b>(50, 59), cv::Vec3b(10, 20, 30));
-  EXPECT_EQ(both.at<cv::Vec3b>(50, 60), cv::Vec3b(255, 255, 255));
-  EXPECT_EQ(both.at<cv::Vec3b>(50, 62), cv::Vec3b(40, 50, 60));
-  EXPECT_THROW(ComposeComparison(cv::Mat(), right), OptionError);
-  EXPECT_THROW(ComposeComparison(left, cv::Mat(9, 9, CV_8UC1)), OptionError);
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ struct SphereProblem {
     problem.spacings = planes.spacings;
   }
   std::vector<double> Solve(const Context& context = Context(2)) const {
-    return SolveOffsets(problem, neighbors, SolveOffsetsOptions(), context);
+    return SolveOffsets(
+        problem, neighbors, {.smoothness = 4, .outlier_scale = 1}, context);
   }
 };
 

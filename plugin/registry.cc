@@ -24,7 +24,7 @@ std::span<const RegistryEntry> CommandRegistry() {
        "Measure meshes against masks and photographs, without a reference",
        &MakeMeshEvaluator},
       {"mesh_refiner",
-       "Move a mesh to where the photographs agree best, below voxels",
+       "Move a mesh to where the photographs agree best, below voxel size",
        &MakeMeshRefiner},
       {"octahedral_mesher",
        "Reconstruct a closed mesh from a sparse model and masks",

@@ -95,6 +95,13 @@ def changed_columns($what):
   ["scene", $what] + distance_columns + ["x clean"] + shape_columns
   + ["outline px", "NCC"] + time_columns;
 
+# The first words of lines.
+def first_words: [split("\n")[] | select(. != "") | split(" ")[0]];
+# A run's cell in the tables of what changes cost; null where it was not made.
+def cost_cell($reference; $limit):
+  if . == null then missing
+  else times($reference) | worse_or_not($limit) end;
+
 # Of each scene what each degradation costs, times the error of the clean scene.
 def degraded_matrix($runs; $names):
   table(["scene"] + $names;
@@ -104,8 +111,7 @@ def degraded_matrix($runs; $names):
         | [.[0].scene]
           + [$names[] as $name
              | $of_scene | map(select(.degradation == $name)) | .[0]
-             | if . == null then missing
-               else times($reference) | worse_or_not(1.5) end]
+             | cost_cell($reference; 1.5)]
         | row);
 
 # Of each set of options what it costs each scene, likewise.
@@ -119,8 +125,7 @@ def ablated_matrix($runs; $names):
             + [$scenes[]
                | (.[0] | clean_run($runs)) as $reference
                | map(select(.set == $name)) | .[0]
-               | if . == null then missing
-                 else times($reference) | worse_or_not(1.05) end]
+               | cost_cell($reference; 1.05)]
           | row);
 
 def names: [.[] | "\(.scene)"
@@ -236,16 +241,14 @@ to_entries | map(.value + {order: .key}) | . as $runs
   ($degraded | select(length > 0) | "",
    "## Degraded scenes", "",
    "The mean of accuracy and completeness over that of the clean scene, \"x clean\" below:", "",
-   ([$degradations | split("\n")[] | select(. != "") | split(" ")[0]] as $names
-    | $degraded | degraded_matrix($runs; $names)),
+   ($degraded | degraded_matrix($runs; $degradations | first_words)),
    "",
    table(changed_columns("degraded"); changed_rows($runs; 1.5; .degradation)),
    "", ($degradations | bullets)),
   ($ablated | select(length > 0) | "",
    "## One option changed", "",
    "The mean of accuracy and completeness over that of the defaults:", "",
-   ([$option_sets | split("\n")[] | select(. != "") | split(" ")[0]] as $names
-    | $ablated | ablated_matrix($runs; $names)),
+   ($ablated | ablated_matrix($runs; $option_sets | first_words)),
    "",
    table(changed_columns("set"); changed_rows($runs; 1.05; .set)),
    "", ($option_sets | bullets))

@@ -124,6 +124,9 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.mask_tolerance",
               &meshing->mask_tolerance,
               "Pixels by which masks may be cut too close");
+  options.Add("OctahedralMeshing.fill_false_holes",
+              &meshing->hull.fill_false_holes,
+              "1: holes in masks are filled where other views show the object");
   options.Add("OctahedralMeshing.target_level",
               &meshing->target_level,
               "The mesh is cut from (2^level)^3 voxels");
@@ -185,7 +188,8 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
     levels.push_back(LevelToJson(level));
   }
   return {{"hull",
-           {{"voxels", summary.hull.num_voxels},
+           {{"filled_mask_holes", summary.num_false_holes},
+            {"voxels", summary.hull.num_voxels},
             {"tested_voxels", summary.hull.tested_voxels},
             {"seconds", summary.hull_seconds}}},
           {"evidence",

@@ -8,6 +8,7 @@
 #include "core/base/stopwatch.h"
 #include "core/crust/label_hierarchy.h"
 #include "core/evidence/trim_hull.h"
+#include "core/hull/false_holes.h"
 #include "core/hull/hull_surface.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/level_step.h"
@@ -26,6 +27,17 @@ void CheckScene(const Scene& scene, bool needs_images) {
       throw InputError(view.name + ": the view has no image or no mask");
     }
   }
+}
+
+// With masks as they are to be believed, and how many of their holes are not.
+FilledScene BelievedScene(const Scene& scene,
+                          const BoundingCube& cube,
+                          double mask_tolerance,
+                          const VisualHullOptions& hull,
+                          const Context& context) {
+  return hull.fill_false_holes
+             ? FillFalseHoles(scene, cube, mask_tolerance, context)
+             : FilledScene{scene, {}};
 }
 
 Eigen::AlignedBox3f BoxInUnitCoordinates(const Region& region) {
@@ -66,8 +78,11 @@ Reconstruction Reconstruct(const Scene& scene,
   Reconstruction result;
   ReconstructionSummary& summary = result.summary;
   Stopwatch stopwatch;
-  ViewSet views =
-      PrepareViews(scene, region.cube, context, options.mask_tolerance);
+  const FilledScene believed = BelievedScene(
+      scene, region.cube, options.mask_tolerance, options.hull, context);
+  summary.num_false_holes = believed.holes.size();
+  ViewSet views = PrepareViews(
+      believed.scene, region.cube, context, options.mask_tolerance);
   const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);
   summary.prepare_seconds = stopwatch.Lap();
 
@@ -141,7 +156,10 @@ HullReconstruction ReconstructHull(const Scene& scene,
   hull.Check();
   smoothing.Check();
   CheckScene(scene, false);
-  const ViewSet views = PrepareViews(scene, region.cube, context);
+  const ViewSet views =
+      PrepareViews(BelievedScene(scene, region.cube, 0, hull, context).scene,
+                   region.cube,
+                   context);
   const LabeledVoxels surface =
       ComputeHullSurface(views, BoxInUnitCoordinates(region), hull, context);
   ReconstructionOptions options;

@@ -292,13 +292,13 @@ double MeanAgreement(const ViewSet& views,
                     context,
                     mesh);
   double sum = 0;
-  for (const OffsetMeasurement& measurement : MeasureOffsets(
-           views,
-           seen,
-           {.scale = 1, .range = 0, .smooths = true, .aligns = false},
-           options,
-           "agreement of the views",
-           context)) {
+  for (const OffsetMeasurement& measurement :
+       MeasureOffsets(views,
+                      seen,
+                      RoundPlan(),
+                      options,
+                      "agreement of the views",
+                      context)) {
     sum += measurement.score_before;
   }
   return sum / double(std::max<size_t>(seen.NumSeen(), 1));

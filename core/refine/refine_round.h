@@ -37,12 +37,12 @@ struct RoundSummary {
 };
 
 struct RoundPlan {
-  double scale;  // of the round's pixels, in pixels of the views
-  double range;  // of the search, in the round's pixels
+  double scale = 1;  // of the round's pixels, in pixels of the views
+  double range = 0;  // of the search, in the round's pixels
   // Whether vertices come to lie on the fitted surface; else they keep their
   // distances from it.
-  bool smooths;
-  bool aligns;  // the views, first
+  bool smooths = true;
+  bool aligns = false;  // the views, first
   // Of the masks' borders, pixels of the views: as found by the round before.
   double border_shift = 0;
 };

@@ -31,8 +31,7 @@ std::vector<RoundPlan> PlanRounds(const RefineOptions& options) {
   }
   double range = options.range;
   for (int i = 0; i < options.fine_rounds; ++i) {
-    plan.push_back(
-        {.scale = 1, .range = range, .smooths = true, .aligns = true});
+    plan.push_back({.range = range, .aligns = true});
     // A peak needs a neighbour on both sides.
     range = std::max(range / 2, 2 * options.step);
   }

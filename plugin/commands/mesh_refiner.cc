@@ -4,6 +4,7 @@
 
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
+#include "core/hull/false_holes.h"
 #include "core/mesh/audit.h"
 #include "core/pipeline/options.h"
 #include "plugin/mesh_json.h"
@@ -63,7 +64,12 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
       ReconstructionOptions().mask_tolerance;
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
-  ViewSet views = PrepareViews(loaded.scene, loaded.region.cube, context);
+  const FilledScene filled =
+      FillFalseHoles(loaded.scene,
+                     loaded.region.cube,
+                     workspace_.loading.region.mask_tolerance,
+                     context);
+  ViewSet views = PrepareViews(filled.scene, loaded.region.cube, context);
   const RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
   const MeshAudit audit = AuditMesh(refined.mesh, context);

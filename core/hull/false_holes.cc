@@ -1,0 +1,193 @@
+#include "core/hull/false_holes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <Eigen/LU>
+#include <set>
+
+#include "core/base/parallel.h"
+#include "core/hull/mask_holes.h"
+#include "core/views/silhouette.h"
+#include "core/views/view_projection.h"
+
+namespace octacut {
+namespace {
+
+// Of the object. Larger holes are hardly ever mistakes.
+constexpr double kMaxHoleShare = 0.05;
+// What others leave of the hole, over what they leave of what is around it.
+constexpr double kMinLeftShare = 0.5;
+constexpr int kMaxRounds = 5;
+// Lines of sight that are tried a hole, and samples of each an edge of the root
+// cube.
+constexpr size_t kMaxLines = 16;
+constexpr int kSamplesPerEdge = 128;
+
+struct Outline {
+  ViewProjection projection;
+  Silhouette silhouette;
+};
+
+struct HoleOfView {
+  size_t view;
+  MaskHole hole;
+  bool is_false = false;
+};
+
+bool IsLeftByOthers(const std::vector<Outline>& outlines,
+                    size_t view,
+                    const Eigen::Vector3f& point) {
+  for (size_t other = 0; other < outlines.size(); ++other) {
+    if (other != view) {
+      const auto p = outlines[other].projection.Project(point);
+      if (p &&
+          outlines[other].silhouette.Coverage(p->u, p->v) < kObjectCoverage) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Samples that all other views leave of a line of sight within the root cube.
+int CountLeft(const std::vector<Outline>& outlines,
+              size_t view,
+              const Eigen::Vector2f& pixel) {
+  const ViewProjection& projection = outlines[view].projection;
+  const Eigen::Vector3f direction =
+      (projection.linear.inverse() * pixel.homogeneous()).normalized();
+  const float middle =
+      direction.dot(Eigen::Vector3f::Constant(0.5f) - projection.center);
+  // Half the cube's diagonal is 0.866.
+  constexpr int kReach = kSamplesPerEdge * 7 / 8;
+  int num_left = 0;
+  for (int i = -kReach; i <= kReach; ++i) {
+    const float depth = middle + float(i) / kSamplesPerEdge;
+    const Eigen::Vector3f point = projection.center + depth * direction;
+    const bool is_in_cube =
+        depth > 0 && point.minCoeff() >= 0 && point.maxCoeff() <= 1;
+    num_left += is_in_cube && IsLeftByOthers(outlines, view, point) ? 1 : 0;
+  }
+  return num_left;
+}
+
+// Over some of the pixels.
+double MedianLeft(const std::vector<Outline>& outlines,
+                  size_t view,
+                  const std::vector<Eigen::Vector2f>& pixels) {
+  const size_t stride = (pixels.size() + kMaxLines - 1) / kMaxLines;
+  std::vector<int> left;
+  for (size_t i = 0; i < pixels.size(); i += stride) {
+    left.push_back(CountLeft(outlines, view, pixels[i]));
+  }
+  const auto median = left.begin() + ptrdiff_t(left.size() / 2);
+  std::nth_element(left.begin(), median, left.end());
+  return *median;
+}
+
+bool IsFalse(const std::vector<Outline>& outlines,
+             const HoleOfView& candidate) {
+  if (candidate.hole.ring.empty()) {
+    return false;
+  }
+  const double left =
+      MedianLeft(outlines, candidate.view, candidate.hole.middle);
+  return left > 0 &&
+         left >= kMinLeftShare *
+                     MedianLeft(outlines, candidate.view, candidate.hole.ring);
+}
+
+std::vector<HoleOfView> FindCandidates(const Scene& scene,
+                                       double mask_tolerance,
+                                       const Context& context) {
+  std::vector<std::vector<MaskHole>> of_views(scene.views.size());
+  ParallelFor(context, of_views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t v = begin; v < end; ++v) {
+      const View& view = scene.views[v];
+      of_views[v] =
+          FindMaskHoles(view.mask, mask_tolerance * view.scale, kMaxHoleShare);
+    }
+  });
+  std::vector<HoleOfView> candidates;
+  for (size_t v = 0; v < of_views.size(); ++v) {
+    for (MaskHole& hole : of_views[v]) {
+      candidates.push_back({v, std::move(hole)});
+    }
+  }
+  return candidates;
+}
+
+// Fills what is false and takes it from the candidates.
+void FillAndReport(std::vector<HoleOfView>* candidates,
+                   std::vector<Outline>* outlines,
+                   FilledScene* filled) {
+  std::set<size_t> changed;
+  for (const HoleOfView& candidate : *candidates) {
+    if (candidate.is_false) {
+      cv::Mat& mask = filled->scene.views[candidate.view].mask;
+      if (changed.insert(candidate.view).second) {
+        mask = mask.clone();
+      }
+      FillHole(candidate.hole, &mask);
+      filled->holes.push_back({candidate.view, candidate.hole.num_pixels});
+    }
+  }
+  for (const size_t view : changed) {
+    (*outlines)[view].silhouette = Silhouette(filled->scene.views[view].mask);
+  }
+  std::erase_if(*candidates,
+                [](const HoleOfView& candidate) { return candidate.is_false; });
+}
+
+void Report(const FilledScene& filled, const Context& context) {
+  if (filled.holes.empty()) {
+    return;
+  }
+  const auto largest =
+      std::max_element(filled.holes.begin(),
+                       filled.holes.end(),
+                       [](const FalseHole& a, const FalseHole& b) {
+                         return a.num_pixels < b.num_pixels;
+                       });
+  context.Info(fmt::format(
+      "{} holes in the masks are filled, since other views show the object "
+      "there; the largest has {} pixels and is in that of {}",
+      filled.holes.size(),
+      largest->num_pixels,
+      filled.scene.views[largest->view].name));
+}
+
+}  // namespace
+
+FilledScene FillFalseHoles(const Scene& scene,
+                           const BoundingCube& cube,
+                           double mask_tolerance,
+                           const Context& context) {
+  FilledScene filled{scene, {}};
+  std::vector<HoleOfView> candidates =
+      FindCandidates(scene, mask_tolerance, context);
+  if (candidates.empty()) {
+    return filled;
+  }
+  std::vector<Outline> outlines;
+  for (const View& view : scene.views) {
+    outlines.push_back({MakeViewProjection(view, cube), Silhouette(view.mask)});
+  }
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const size_t before = filled.holes.size();
+    ParallelFor(context, candidates.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        candidates[i].is_false = IsFalse(outlines, candidates[i]);
+      }
+    });
+    FillAndReport(&candidates, &outlines, &filled);
+    if (filled.holes.size() == before || candidates.empty()) {
+      break;
+    }
+  }
+  Report(filled, context);
+  return filled;
+}
+
+}  // namespace octacut

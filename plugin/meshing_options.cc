@@ -124,9 +124,11 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.mask_tolerance",
               &meshing->mask_tolerance,
               "Pixels by which masks may be cut too close");
-  options.Add("OctahedralMeshing.fill_false_holes",
-              &meshing->hull.fill_false_holes,
-              "1: holes in masks are filled where other views show the object");
+  options.Add(
+      "OctahedralMeshing.fill_false_gaps",
+      &meshing->hull.fill_false_gaps,
+      "1: holes and bays of masks are filled where other views show the "
+      "object");
   options.Add("OctahedralMeshing.target_level",
               &meshing->target_level,
               "The mesh is cut from (2^level)^3 voxels");
@@ -188,7 +190,7 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
     levels.push_back(LevelToJson(level));
   }
   return {{"hull",
-           {{"filled_mask_holes", summary.num_false_holes},
+           {{"filled_mask_gaps", summary.num_false_gaps},
             {"voxels", summary.hull.num_voxels},
             {"tested_voxels", summary.hull.tested_voxels},
             {"seconds", summary.hull_seconds}}},

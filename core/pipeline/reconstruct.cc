@@ -8,7 +8,7 @@
 #include "core/base/stopwatch.h"
 #include "core/crust/label_hierarchy.h"
 #include "core/evidence/trim_hull.h"
-#include "core/hull/false_holes.h"
+#include "core/hull/false_gaps.h"
 #include "core/hull/hull_surface.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/level_step.h"
@@ -29,14 +29,14 @@ void CheckScene(const Scene& scene, bool needs_images) {
   }
 }
 
-// With masks as they are to be believed, and how many of their holes are not.
+// With masks as they are to be believed, and what was filled.
 FilledScene BelievedScene(const Scene& scene,
                           const BoundingCube& cube,
                           double mask_tolerance,
                           const VisualHullOptions& hull,
                           const Context& context) {
-  return hull.fill_false_holes
-             ? FillFalseHoles(scene, cube, mask_tolerance, context)
+  return hull.fill_false_gaps
+             ? FillFalseGaps(scene, cube, mask_tolerance, context)
              : FilledScene{scene, {}};
 }
 
@@ -80,7 +80,7 @@ Reconstruction Reconstruct(const Scene& scene,
   Stopwatch stopwatch;
   const FilledScene believed = BelievedScene(
       scene, region.cube, options.mask_tolerance, options.hull, context);
-  summary.num_false_holes = believed.holes.size();
+  summary.num_false_gaps = believed.gaps.size();
   ViewSet views = PrepareViews(
       believed.scene, region.cube, context, options.mask_tolerance);
   const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);

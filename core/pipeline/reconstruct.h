@@ -43,7 +43,7 @@ struct LevelSummary {
 };
 
 struct ReconstructionSummary {
-  size_t num_false_holes = 0;  // in masks, filled
+  size_t num_false_gaps = 0;  // in masks, filled
   VisualHullSummary hull;
   InsideEvidenceSummary evidence;
   std::vector<LevelSummary> levels;

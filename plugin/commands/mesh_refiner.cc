@@ -4,7 +4,7 @@
 
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
-#include "core/hull/false_holes.h"
+#include "core/hull/false_gaps.h"
 #include "core/mesh/audit.h"
 #include "core/pipeline/options.h"
 #include "plugin/mesh_json.h"
@@ -65,7 +65,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
   const FilledScene filled =
-      FillFalseHoles(loaded.scene,
+      FillFalseGaps(loaded.scene,
                      loaded.region.cube,
                      workspace_.loading.region.mask_tolerance,
                      context);

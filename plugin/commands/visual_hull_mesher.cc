@@ -27,9 +27,11 @@ void VisualHullMesher::DeclareOptions(OptionManager& options) {
   options.Add("OctahedralMeshing.hull_level",
               &hull_.hull_level,
               "The hull has (2^level)^3 voxels");
-  options.Add("OctahedralMeshing.fill_false_holes",
-              &hull_.fill_false_holes,
-              "1: holes in masks are filled where other views show the object");
+  options.Add(
+      "OctahedralMeshing.fill_false_gaps",
+      &hull_.fill_false_gaps,
+      "1: holes and bays of masks are filled where other views show the "
+      "object");
   options.Add("Smoothing.iterations",
               &smoothing_.iterations,
               "Of V <- V + 1/2 Laplacian(V)");

@@ -1,10 +1,10 @@
-#include "core/hull/false_holes.h"
+#include "core/hull/false_gaps.h"
 
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/hull/mask_holes.h"
+#include "core/hull/mask_gaps.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -16,7 +16,7 @@ using testing::TestScene;
 constexpr double kTolerance = 2;
 
 FilledScene Fill(const TestScene& test, int num_threads = 2) {
-  return FillFalseHoles(
+  return FillFalseGaps(
       test.scene, test.region.cube, kTolerance, Context(num_threads));
 }
 
@@ -35,17 +35,17 @@ double Difference(const View& a, const View& b) {
   return cv::norm(a.mask, b.mask, cv::NORM_INF);
 }
 
-TEST(FalseHoles, AreFilledAndNothingElse) {
+TEST(FalseGaps, AreFilledAndNothingElse) {
   const TestScene exact = MakeTestScene("sphere");
   TestScene test = exact;
   Punch(Middle(test.scene.views[2]), 5, &test.scene.views[2]);
   Punch(Middle(test.scene.views[9]) + cv::Point(6, 4), 4, &test.scene.views[9]);
   const cv::Mat punched = test.scene.views[9].mask;
   const FilledScene filled = Fill(test);
-  ASSERT_EQ(filled.holes.size(), 2u);
-  EXPECT_EQ(filled.holes[0].view, 2u);
-  EXPECT_EQ(filled.holes[1].view, 9u);
-  EXPECT_GT(filled.holes[0].num_pixels, filled.holes[1].num_pixels);
+  ASSERT_EQ(filled.gaps.size(), 2u);
+  EXPECT_EQ(filled.gaps[0].view, 2u);
+  EXPECT_EQ(filled.gaps[1].view, 9u);
+  EXPECT_GT(filled.gaps[0].num_pixels, filled.gaps[1].num_pixels);
   for (size_t v = 0; v < exact.scene.views.size(); ++v) {
     EXPECT_EQ(Difference(filled.scene.views[v], exact.scene.views[v]), 0);
   }
@@ -54,19 +54,50 @@ TEST(FalseHoles, AreFilledAndNothingElse) {
             0);
 }
 
-TEST(FalseHoles, AreNotWhatOtherViewsSeeThrough) {
+TEST(FalseGaps, AreNotWhatOtherViewsSeeThrough) {
   const TestScene test = MakeTestScene("torus", 240, 180, 36);
-  size_t num_holes = 0;
+  size_t num_gaps = 0;
   for (const View& view : test.scene.views) {
-    num_holes += FindMaskHoles(view.mask, kTolerance, 0.05).size();
+    num_gaps += FindMaskGaps(view.mask, kTolerance).size();
   }
-  ASSERT_GT(num_holes, 0u);
-  EXPECT_TRUE(Fill(test).holes.empty());
+  ASSERT_GT(num_gaps, 0u);
+  EXPECT_TRUE(Fill(test).gaps.empty());
+}
+
+// Three fingers stand close together.
+TEST(FalseGaps, AreNotBaysOfTheObject) {
+  const TestScene test = MakeTestScene("fingers", 240, 180, 24);
+  size_t num_bays = 0;
+  for (const View& view : test.scene.views) {
+    for (const MaskGap& gap : FindMaskGaps(view.mask, 1)) {
+      num_bays += gap.is_enclosed ? 0 : 1;
+    }
+  }
+  ASSERT_GT(num_bays, 10u);
+  EXPECT_TRUE(
+      FillFalseGaps(test.scene, test.region.cube, 1, Context(2)).gaps.empty());
+}
+
+TEST(FalseGaps, AreBitesThatOtherViewsDeny) {
+  const TestScene exact = MakeTestScene("sphere", 320, 240, 20);
+  TestScene test = exact;
+  View& view = test.scene.views[5];
+  const cv::Rect box = cv::boundingRect(view.mask > 127);
+  Punch(cv::Point(box.x + 6, box.y + box.height / 2), 7, &view);
+  ASSERT_TRUE(Fill(exact).gaps.empty());
+  const FilledScene filled = Fill(test);
+  ASSERT_EQ(filled.gaps.size(), 1u);
+  EXPECT_EQ(filled.gaps[0].view, 5u);
+  const auto count_lost = [&](const View& other) {
+    return cv::countNonZero((exact.scene.views[5].mask > 127) &
+                            (other.mask <= 127));
+  };
+  EXPECT_LT(count_lost(filled.scene.views[5]), count_lost(view) / 4);
 }
 
 // A shadow that neighbouring views share is a hole that they confirm, but for
 // what is behind it.
-TEST(FalseHoles, AreFoundThoughNeighborsShareThem) {
+TEST(FalseGaps, AreFoundThoughNeighborsShareThem) {
   const TestScene exact = MakeTestScene("sphere");
   TestScene test = exact;
   const Eigen::Vector3d spot =
@@ -85,24 +116,24 @@ TEST(FalseHoles, AreFoundThoughNeighborsShareThem) {
     }
   }
   ASSERT_GE(num_punched, 3u);
-  EXPECT_EQ(Fill(test).holes.size(), num_punched);
+  EXPECT_EQ(Fill(test).gaps.size(), num_punched);
 }
 
-TEST(FalseHoles, StayWithinTheTolerance) {
+TEST(FalseGaps, StayWithinTheTolerance) {
   TestScene test = MakeTestScene("sphere");
   Punch(Middle(test.scene.views[2]), 1, &test.scene.views[2]);
-  EXPECT_TRUE(Fill(test).holes.empty());
+  EXPECT_TRUE(Fill(test).gaps.empty());
 }
 
-TEST(FalseHoles, AreTheSameForAnyNumberOfThreads) {
+TEST(FalseGaps, AreTheSameForAnyNumberOfThreads) {
   TestScene test = MakeTestScene("sphere");
   for (View& view : test.scene.views) {
     Punch(Middle(view), 4, &view);
   }
   const FilledScene one = Fill(test, 1);
   const FilledScene three = Fill(test, 3);
-  EXPECT_EQ(one.holes.size(), test.scene.views.size());
-  ASSERT_EQ(one.holes.size(), three.holes.size());
+  EXPECT_EQ(one.gaps.size(), test.scene.views.size());
+  ASSERT_EQ(one.gaps.size(), three.gaps.size());
   for (size_t v = 0; v < test.scene.views.size(); ++v) {
     EXPECT_EQ(Difference(one.scene.views[v], three.scene.views[v]), 0);
   }

@@ -1,4 +1,4 @@
-#include "core/hull/false_holes.h"
+#include "core/hull/false_gaps.h"
 
 #include <fmt/format.h>
 
@@ -7,19 +7,18 @@
 #include <set>
 
 #include "core/base/parallel.h"
-#include "core/hull/mask_holes.h"
+#include "core/hull/mask_gaps.h"
 #include "core/views/silhouette.h"
 #include "core/views/view_projection.h"
 
 namespace octacut {
 namespace {
 
-// Of the object. Larger holes are hardly ever mistakes.
-constexpr double kMaxHoleShare = 0.05;
-// What others leave of the hole, over what they leave of what is around it.
-constexpr double kMinLeftShare = 0.5;
+// What others leave of the gap, over what they leave of what is around it.
+constexpr double kMinLeftOfEnclosed = 0.5;
+constexpr double kMinLeftOfBay = 0.7;
 constexpr int kMaxRounds = 5;
-// Lines of sight that are tried a hole, and samples of each an edge of the root
+// Lines of sight that are tried a gap, and samples of each an edge of the root
 // cube.
 constexpr size_t kMaxLines = 16;
 constexpr int kSamplesPerEdge = 128;
@@ -29,9 +28,9 @@ struct Outline {
   Silhouette silhouette;
 };
 
-struct HoleOfView {
+struct GapOfView {
   size_t view;
-  MaskHole hole;
+  MaskGap gap;
   bool is_false = false;
 };
 
@@ -86,86 +85,86 @@ double MedianLeft(const std::vector<Outline>& outlines,
   return *median;
 }
 
-bool IsFalse(const std::vector<Outline>& outlines,
-             const HoleOfView& candidate) {
-  if (candidate.hole.ring.empty()) {
+bool IsFalse(const std::vector<Outline>& outlines, const GapOfView& candidate) {
+  if (candidate.gap.ring.empty()) {
     return false;
   }
   const double left =
-      MedianLeft(outlines, candidate.view, candidate.hole.middle);
-  return left > 0 &&
-         left >= kMinLeftShare *
-                     MedianLeft(outlines, candidate.view, candidate.hole.ring);
+      MedianLeft(outlines, candidate.view, candidate.gap.middle);
+  const double around =
+      MedianLeft(outlines, candidate.view, candidate.gap.ring);
+  const double min_share =
+      candidate.gap.is_enclosed ? kMinLeftOfEnclosed : kMinLeftOfBay;
+  return left > 0 && left >= min_share * around;
 }
 
-std::vector<HoleOfView> FindCandidates(const Scene& scene,
-                                       double mask_tolerance,
-                                       const Context& context) {
-  std::vector<std::vector<MaskHole>> of_views(scene.views.size());
+std::vector<GapOfView> FindCandidates(const Scene& scene,
+                                      double mask_tolerance,
+                                      const Context& context) {
+  std::vector<std::vector<MaskGap>> of_views(scene.views.size());
   ParallelFor(context, of_views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
       const View& view = scene.views[v];
-      of_views[v] =
-          FindMaskHoles(view.mask, mask_tolerance * view.scale, kMaxHoleShare);
+      of_views[v] = FindMaskGaps(view.mask, mask_tolerance * view.scale);
     }
   });
-  std::vector<HoleOfView> candidates;
+  std::vector<GapOfView> candidates;
   for (size_t v = 0; v < of_views.size(); ++v) {
-    for (MaskHole& hole : of_views[v]) {
-      candidates.push_back({v, std::move(hole)});
+    for (MaskGap& gap : of_views[v]) {
+      candidates.push_back({v, std::move(gap)});
     }
   }
   return candidates;
 }
 
 // Fills what is false and takes it from the candidates.
-void FillAndReport(std::vector<HoleOfView>* candidates,
+void FillAndReport(std::vector<GapOfView>* candidates,
                    std::vector<Outline>* outlines,
                    FilledScene* filled) {
   std::set<size_t> changed;
-  for (const HoleOfView& candidate : *candidates) {
+  for (const GapOfView& candidate : *candidates) {
     if (candidate.is_false) {
       cv::Mat& mask = filled->scene.views[candidate.view].mask;
       if (changed.insert(candidate.view).second) {
         mask = mask.clone();
       }
-      FillHole(candidate.hole, &mask);
-      filled->holes.push_back({candidate.view, candidate.hole.num_pixels});
+      FillGap(candidate.gap, &mask);
+      filled->gaps.push_back({candidate.view, candidate.gap.num_pixels});
     }
   }
   for (const size_t view : changed) {
     (*outlines)[view].silhouette = Silhouette(filled->scene.views[view].mask);
   }
   std::erase_if(*candidates,
-                [](const HoleOfView& candidate) { return candidate.is_false; });
+                [](const GapOfView& candidate) { return candidate.is_false; });
 }
 
 void Report(const FilledScene& filled, const Context& context) {
-  if (filled.holes.empty()) {
+  if (filled.gaps.empty()) {
     return;
   }
   const auto largest =
-      std::max_element(filled.holes.begin(),
-                       filled.holes.end(),
-                       [](const FalseHole& a, const FalseHole& b) {
+      std::max_element(filled.gaps.begin(),
+                       filled.gaps.end(),
+                       [](const FalseGap& a, const FalseGap& b) {
                          return a.num_pixels < b.num_pixels;
                        });
   context.Info(fmt::format(
-      "{} holes in the masks are filled, since other views show the object "
+      "{} gaps in the masks are filled, since other views show the object "
       "there; the largest has {} pixels and is in that of {}",
-      filled.holes.size(),
+      filled.gaps.size(),
       largest->num_pixels,
       filled.scene.views[largest->view].name));
 }
 
 }  // namespace
 
-FilledScene FillFalseHoles(const Scene& scene,
-                           const BoundingCube& cube,
-                           double mask_tolerance,
-                           const Context& context) {
+FilledScene FillFalseGaps(const Scene& scene,
+                          const BoundingCube& cube,
+                          double mask_tolerance,
+                          const Context& context) {
   FilledScene filled{scene, {}};
-  std::vector<HoleOfView> candidates =
+  std::vector<GapOfView> candidates =
       FindCandidates(scene, mask_tolerance, context);
   if (candidates.empty()) {
     return filled;
@@ -175,14 +174,14 @@ FilledScene FillFalseHoles(const Scene& scene,
     outlines.push_back({MakeViewProjection(view, cube), Silhouette(view.mask)});
   }
   for (int round = 0; round < kMaxRounds; ++round) {
-    const size_t before = filled.holes.size();
+    const size_t before = filled.gaps.size();
     ParallelFor(context, candidates.size(), 1, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         candidates[i].is_false = IsFalse(outlines, candidates[i]);
       }
     });
     FillAndReport(&candidates, &outlines, &filled);
-    if (filled.holes.size() == before || candidates.empty()) {
+    if (filled.gaps.size() == before || candidates.empty()) {
       break;
     }
   }

@@ -1,0 +1,39 @@
+// Gaps in masks that are none: shadows and highlights that a threshold or a
+// network takes for background. Each would be a tunnel through the object or a
+// bite out of it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/scene/scene.h"
+
+namespace octacut {
+
+// Background that a mask's object encloses, or a bay of its border, that other
+// views deny.
+struct FalseGap {
+  size_t view = 0;
+  size_t num_pixels = 0;
+};
+
+struct FilledScene {
+  Scene scene;  // shares images and masks that are as they were
+  std::vector<FalseGap> gaps;
+};
+
+// Fills false gaps in the masks. What is seen through a gap is free, and other
+// views' silhouettes leave little of the lines of sight through its middle. A
+// gap is false where they leave half as much of them (seven tenths, of a bay)
+// as of those through the object around it. That is asked again when the gaps
+// that were found are filled, since views share shadows. Enclosed gaps that are
+// within `mask_tolerance` (pixels of the photographs) of the object everywhere,
+// and bays within twice that, do no harm and stay; larger ones than a twentieth
+// of the object are believed. Says what it fills.
+FilledScene FillFalseGaps(const Scene& scene,
+                          const BoundingCube& cube,
+                          double mask_tolerance,
+                          const Context& context);
+
+}  // namespace octacut

@@ -79,6 +79,7 @@ degradations=(
   "dilated-2   --Degrade.mask_offset 2"
   "dilated-4   --Degrade.mask_offset 4"
   "holes       --Degrade.num_mask_holes 12 --Degrade.num_mask_specks 12 --Degrade.mask_defect_radius 3"
+  "large-holes --Degrade.num_mask_holes 6 --Degrade.mask_defect_radius 9"
   "poses-0.25  --Degrade.pose_noise 0.25"
   "poses-0.5   --Degrade.pose_noise 0.5"
   "poses-1     --Degrade.pose_noise 1"

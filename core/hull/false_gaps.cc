@@ -100,12 +100,14 @@ bool IsFalse(const std::vector<Outline>& outlines, const GapOfView& candidate) {
 
 std::vector<GapOfView> FindCandidates(const Scene& scene,
                                       double mask_tolerance,
-                                      const Context& context) {
+                                      const Context& context,
+                                      Phase* phase) {
   std::vector<std::vector<MaskGap>> of_views(scene.views.size());
   ParallelFor(context, of_views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
       const View& view = scene.views[v];
       of_views[v] = FindMaskGaps(view.mask, mask_tolerance * view.scale);
+      phase->Advance();
     }
   });
   std::vector<GapOfView> candidates;
@@ -164,8 +166,9 @@ FilledScene FillFalseGaps(const Scene& scene,
                           double mask_tolerance,
                           const Context& context) {
   FilledScene filled{scene, {}};
+  Phase phase(context, "gaps in the masks", scene.views.size());
   std::vector<GapOfView> candidates =
-      FindCandidates(scene, mask_tolerance, context);
+      FindCandidates(scene, mask_tolerance, context, &phase);
   if (candidates.empty()) {
     return filled;
   }

@@ -70,6 +70,28 @@ TEST(Reconstruct, RefinesBeyondMasksThatAreOff) {
   EXPECT_LT(ErrorWithMasksOff(2, QuickOptions()), 1.2 * clean);
 }
 
+TEST(Reconstruct, ToleratesLargeHolesInMasks) {
+  SceneSpec spec = PipelineSpec("lump");
+  ReconstructionOptions options = QuickOptions();
+  options.refine = false;
+  const ReconstructedScene clean = ReconstructScene(spec, options);
+  spec.degrade.num_mask_holes = 4;
+  spec.degrade.mask_defect_radius = 5;
+  const ReconstructedScene filled = ReconstructScene(spec, options);
+  EXPECT_GT(filled.result.summary.num_false_gaps, 48u);
+  EXPECT_EQ(filled.result.audit.genus, 0);
+  options.hull.fill_false_gaps = false;
+  const ReconstructedScene believed = ReconstructScene(spec, options);
+  EXPECT_EQ(believed.result.summary.num_false_gaps, 0u);
+  EXPECT_GT(believed.result.audit.genus, 3);
+  const auto error = [](const ReconstructedScene& scene) {
+    return MeanDistance(scene.mesh, scene.synthetic.reference) /
+           scene.VoxelSize();
+  };
+  EXPECT_LT(error(filled), 2 * error(clean));
+  EXPECT_GT(error(believed), 2 * error(filled));
+}
+
 TEST(Reconstruct, Torus) {
   const ReconstructedScene scene =
       ReconstructScene(PipelineSpec("torus"), QuickOptions());

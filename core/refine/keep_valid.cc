@@ -12,6 +12,8 @@ namespace {
 constexpr size_t kGrain = 4096;
 // Of triangles, in pixels.
 constexpr double kMinHeight = 0.01;
+// Averagings with the neighbours.
+constexpr int kRelaxations = 5;
 // Pixels out of a mask at which one place is as bad as another.
 constexpr float kMaxReach = 200;
 
@@ -75,9 +77,46 @@ size_t WithdrawIntoHull(const ViewSet& views,
       }));
 }
 
+// Smooths where vertices are not where they were `wanted`, and a ring around:
+// moved back one by one they stand out of a surface that has moved on, and with
+// normals so odd that no view or place speaks of them any more. What was to
+// stay where it was stays.
+void RelaxMoved(const std::vector<Eigen::Vector3d>& before,
+                const std::vector<Eigen::Vector3d>& wanted,
+                const VertexCorners& neighbors,
+                IndexedMesh* mesh) {
+  std::vector<Eigen::Vector3d>& positions = mesh->positions;
+  std::vector<uint32_t> vertices;
+  for (uint32_t v = 0; v < wanted.size(); ++v) {
+    if (positions[v] != wanted[v]) {
+      vertices.push_back(v);
+      const auto ring = neighbors.Of(v);
+      vertices.insert(vertices.end(), ring.begin(), ring.end());
+    }
+  }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  std::erase_if(vertices, [&](uint32_t v) { return wanted[v] == before[v]; });
+  std::vector<Eigen::Vector3d> relaxed(vertices.size());
+  for (int i = 0; i < kRelaxations; ++i) {
+    for (size_t k = 0; k < vertices.size(); ++k) {
+      const auto ring = neighbors.Of(vertices[k]);
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (const uint32_t next : ring) {
+        sum += positions[next];
+      }
+      relaxed[k] = 0.5 * (positions[vertices[k]] + sum / double(ring.size()));
+    }
+    for (size_t k = 0; k < vertices.size(); ++k) {
+      positions[vertices[k]] = relaxed[k];
+    }
+  }
+}
+
 }  // namespace
 
 size_t KeepValid(const ViewSet& views,
+                 const VertexCorners& neighbors,
                  const std::vector<Eigen::Vector3d>& start,
                  const std::vector<Eigen::Vector3d>& before,
                  double tolerance,
@@ -87,8 +126,16 @@ size_t KeepValid(const ViewSet& views,
   const Phase phase(context, "refined mesh kept valid");
   const size_t num_withdrawn =
       WithdrawIntoHull(views, start, before, tolerance, context, mesh);
-  return num_withdrawn +
-         Untangle(before, kMinHeight * pixel, context, mesh).num_withdrawn;
+  const std::vector<Eigen::Vector3d> wanted = mesh->positions;
+  const size_t num_tangled =
+      Untangle(before, kMinHeight * pixel, context, mesh).num_withdrawn;
+  if (num_tangled > 0) {
+    const std::vector<Eigen::Vector3d> valid = mesh->positions;
+    RelaxMoved(before, wanted, neighbors, mesh);
+    WithdrawIntoHull(views, start, valid, tolerance, context, mesh);
+    Untangle(valid, kMinHeight * pixel, context, mesh);
+  }
+  return num_withdrawn + num_tangled;
 }
 
 size_t KeepFloatsValid(const std::vector<Eigen::Vector3d>& before,

@@ -8,6 +8,7 @@
 
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/vertex_corners.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
@@ -22,8 +23,11 @@ namespace octacut {
 //   were at `before`;
 // - of triangles that intersect others, until none do but those that did at
 //   `before`.
-// Unit coordinates. Returns how many vertices.
+// What is left standing out by the last two is smoothed, as far as it stays
+// valid. `neighbors` are those of FindVertexNeighbors, coordinates unit
+// coordinates. Returns how many vertices were moved back.
 size_t KeepValid(const ViewSet& views,
+                 const VertexCorners& neighbors,
                  const std::vector<Eigen::Vector3d>& start,
                  const std::vector<Eigen::Vector3d>& before,
                  double tolerance,
@@ -31,8 +35,8 @@ size_t KeepValid(const ViewSet& views,
                  const Context& context,
                  IndexedMesh* mesh);
 
-// The last two parts of that alone, in any coordinates, which are floats and
-// stay so; `pixel` is in those.
+// The last two parts of that alone, without smoothing, in any coordinates,
+// which are floats and stay so; `pixel` is in those.
 size_t KeepFloatsValid(const std::vector<Eigen::Vector3d>& before,
                        double pixel,
                        const Context& context,

@@ -271,7 +271,7 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   const double tolerance =
       options.hull_tolerance + std::max(0.0, -summary.border_shift);
   summary.num_withdrawn =
-      KeepValid(*views, start, before, tolerance, pixel, context, mesh);
+      KeepValid(*views, neighbors, start, before, tolerance, pixel, context, mesh);
   summary.validity_seconds = stopwatch.Lap();
   return summary;
 }

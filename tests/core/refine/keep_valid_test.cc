@@ -11,14 +11,27 @@ namespace {
 
 constexpr double kPixel = 0.01;
 
+size_t Keep(const ViewSet& views,
+            const std::vector<Eigen::Vector3d>& start,
+            const std::vector<Eigen::Vector3d>& before,
+            double tolerance,
+            double pixel,
+            IndexedMesh* mesh) {
+  return KeepValid(views,
+                   testing::RefineScene::Neighbors(*mesh),
+                   start,
+                   before,
+                   tolerance,
+                   pixel,
+                   Context(2),
+                   mesh);
+}
+
 TEST(KeepValid, LeavesAlonePlainMoves) {
   const IndexedMesh start = Sphere(12, 0.4);
   IndexedMesh mesh = Sphere(12, 0.41);
   const std::vector<Eigen::Vector3d> moved = mesh.positions;
-  EXPECT_EQ(
-      KeepValid(
-          {}, start.positions, start.positions, 1, kPixel, Context(2), &mesh),
-      0u);
+  EXPECT_EQ(Keep({}, start.positions, start.positions, 1, kPixel, &mesh), 0u);
   EXPECT_EQ(mesh.positions, moved);
 }
 
@@ -30,10 +43,7 @@ TEST(KeepValid, TakesBackWhatIntersects) {
     mesh.positions[vertex] *= -1.5;
   }
   ASSERT_GT(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
-  EXPECT_GT(
-      KeepValid(
-          {}, start.positions, start.positions, 1, kPixel, Context(2), &mesh),
-      0u);
+  EXPECT_GT(Keep({}, start.positions, start.positions, 1, kPixel, &mesh), 0u);
   EXPECT_EQ(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
   EXPECT_TRUE(AuditMesh(mesh).IsPrintable());
 }
@@ -49,7 +59,7 @@ TEST(KeepValid, LeavesIntersectionsThatWereThere) {
     position *= 1.001;
     position.x() += 0.001 * std::sin(30 * position.y());
   }
-  KeepValid({}, start.positions, start.positions, 1, kPixel, Context(2), &mesh);
+  Keep({}, start.positions, start.positions, 1, kPixel, &mesh);
   EXPECT_LE(FindSelfIntersections(mesh, Context(2)).num_pairs, num_pairs);
 }
 
@@ -59,12 +69,26 @@ TEST(KeepValid, TakesBackWhatSqueezesTriangles) {
   const auto& [a, b, c] = mesh.triangles[77];
   mesh.positions[a] =
       (0.5 + 1e-9) * mesh.positions[b] + (0.5 - 1e-9) * mesh.positions[c];
-  EXPECT_GT(
-      KeepValid(
-          {}, start.positions, start.positions, 1, kPixel, Context(2), &mesh),
-      0u);
+  EXPECT_GT(Keep({}, start.positions, start.positions, 1, kPixel, &mesh), 0u);
   const MeshAudit audit = AuditMesh(mesh);
   EXPECT_EQ(audit.num_degenerate_triangles, 0u);
+}
+
+TEST(KeepValid, SmoothsWhatIsLeftBehind) {
+  const IndexedMesh start = Sphere(24, 0.4);
+  IndexedMesh mesh = Sphere(24, 0.45);
+  const auto& [a, b, c] = mesh.triangles[77];
+  const std::vector<Eigen::Vector3d> moved = mesh.positions;
+  mesh.positions[a] =
+      (0.5 + 1e-9) * mesh.positions[b] + (0.5 - 1e-9) * mesh.positions[c];
+  EXPECT_GT(Keep({}, start.positions, start.positions, 1, kPixel, &mesh), 0u);
+  size_t num_changed = 0;
+  for (size_t v = 0; v < moved.size(); ++v) {
+    // A third of what it is behind.
+    EXPECT_NEAR(mesh.positions[v].norm(), moved[v].norm(), 0.05 / 3);
+    num_changed += mesh.positions[v] != moved[v] ? 1 : 0;
+  }
+  EXPECT_LT(num_changed, moved.size() / 10);
 }
 
 TEST(KeepValid, KeepsVerticesInTheHull) {
@@ -72,13 +96,12 @@ TEST(KeepValid, KeepsVerticesInTheHull) {
   const IndexedMesh start = scene.Larger(24, -1);
   IndexedMesh mesh = scene.Larger(24, 7);
   const double pixel = scene.Pixel() / scene.test.region.cube.edge;
-  EXPECT_GT(KeepValid(scene.test.views,
-                      start.positions,
-                      start.positions,
-                      1.5,
-                      pixel,
-                      Context(2),
-                      &mesh),
+  EXPECT_GT(Keep(scene.test.views,
+                 start.positions,
+                 start.positions,
+                 1.5,
+                 pixel,
+                 &mesh),
             mesh.positions.size() / 2);
   double largest = 0;
   for (const Eigen::Vector3d& position : mesh.positions) {
@@ -99,13 +122,8 @@ TEST(KeepValid, AsksTheFirstStartWhatWasOutOfTheHull) {
   const IndexedMesh before = scene.Larger(24, -1);
   IndexedMesh mesh = scene.Larger(24, 5);
   const auto keep_valid = [&](const IndexedMesh& first) {
-    return KeepValid(scene.test.views,
-                     first.positions,
-                     before.positions,
-                     1,
-                     pixel,
-                     Context(2),
-                     &mesh);
+    return Keep(
+        scene.test.views, first.positions, before.positions, 1, pixel, &mesh);
   };
   EXPECT_LT(keep_valid(start), mesh.positions.size() / 20);
   EXPECT_GT(keep_valid(before), mesh.positions.size() / 2);
@@ -116,13 +134,12 @@ TEST(KeepValid, KeepsWhatIsOutOfTheHullFromGoingFarther) {
   const testing::RefineScene scene = testing::MakeRefineScene();
   const IndexedMesh before = scene.Larger(24, 4);
   IndexedMesh mesh = scene.Larger(24, 8);
-  EXPECT_GT(KeepValid(scene.test.views,
-                      scene.Larger(24, -1).positions,
-                      before.positions,
-                      1.5,
-                      scene.Pixel() / scene.test.region.cube.edge,
-                      Context(2),
-                      &mesh),
+  EXPECT_GT(Keep(scene.test.views,
+                 scene.Larger(24, -1).positions,
+                 before.positions,
+                 1.5,
+                 scene.Pixel() / scene.test.region.cube.edge,
+                 &mesh),
             mesh.positions.size() / 2);
 }
 
@@ -131,13 +148,12 @@ TEST(KeepValid, LetsComeNearerWhatIsOutOfTheHull) {
   const testing::RefineScene scene = testing::MakeRefineScene();
   IndexedMesh mesh = scene.Larger(24, 4);
   const std::vector<Eigen::Vector3d> moved = mesh.positions;
-  EXPECT_EQ(KeepValid(scene.test.views,
-                      scene.Larger(24, -1).positions,
-                      scene.Larger(24, 6).positions,
-                      1.5,
-                      scene.Pixel() / scene.test.region.cube.edge,
-                      Context(2),
-                      &mesh),
+  EXPECT_EQ(Keep(scene.test.views,
+                 scene.Larger(24, -1).positions,
+                 scene.Larger(24, 6).positions,
+                 1.5,
+                 scene.Pixel() / scene.test.region.cube.edge,
+                 &mesh),
             0u);
   EXPECT_EQ(mesh.positions, moved);
 }

@@ -8,8 +8,8 @@
 
 #include "core/base/parallel.h"
 #include "core/hull/mask_gaps.h"
-#include "core/views/silhouette.h"
-#include "core/views/view_projection.h"
+#include "core/hull/visual_hull.h"
+#include "core/views/view_set.h"
 
 namespace octacut {
 namespace {
@@ -23,37 +23,26 @@ constexpr int kMaxRounds = 5;
 constexpr size_t kMaxLines = 16;
 constexpr int kSamplesPerEdge = 128;
 
-struct Outline {
-  ViewProjection projection;
-  Silhouette silhouette;
-};
-
 struct GapOfView {
   size_t view;
   MaskGap gap;
   bool is_false = false;
 };
 
-bool IsLeftByOthers(const std::vector<Outline>& outlines,
+bool IsLeftByOthers(const ViewSet& views,
                     size_t view,
                     const Eigen::Vector3f& point) {
-  for (size_t other = 0; other < outlines.size(); ++other) {
-    if (other != view) {
-      const auto p = outlines[other].projection.Project(point);
-      if (p &&
-          outlines[other].silhouette.Coverage(p->u, p->v) < kObjectCoverage) {
-        return false;
-      }
+  for (size_t other = 0; other < views.size(); ++other) {
+    if (other != view && ShowsBackground(views[other], point)) {
+      return false;
     }
   }
   return true;
 }
 
 // Samples that all other views leave of a line of sight within the root cube.
-int CountLeft(const std::vector<Outline>& outlines,
-              size_t view,
-              const Eigen::Vector2f& pixel) {
-  const ViewProjection& projection = outlines[view].projection;
+int CountLeft(const ViewSet& views, size_t view, const Eigen::Vector2f& pixel) {
+  const ViewProjection& projection = views[view].projection;
   const Eigen::Vector3f direction =
       (projection.linear.inverse() * pixel.homogeneous()).normalized();
   const float middle =
@@ -66,33 +55,31 @@ int CountLeft(const std::vector<Outline>& outlines,
     const Eigen::Vector3f point = projection.center + depth * direction;
     const bool is_in_cube =
         depth > 0 && point.minCoeff() >= 0 && point.maxCoeff() <= 1;
-    num_left += is_in_cube && IsLeftByOthers(outlines, view, point) ? 1 : 0;
+    num_left += is_in_cube && IsLeftByOthers(views, view, point) ? 1 : 0;
   }
   return num_left;
 }
 
 // Over some of the pixels.
-double MedianLeft(const std::vector<Outline>& outlines,
+double MedianLeft(const ViewSet& views,
                   size_t view,
                   const std::vector<Eigen::Vector2f>& pixels) {
   const size_t stride = (pixels.size() + kMaxLines - 1) / kMaxLines;
   std::vector<int> left;
   for (size_t i = 0; i < pixels.size(); i += stride) {
-    left.push_back(CountLeft(outlines, view, pixels[i]));
+    left.push_back(CountLeft(views, view, pixels[i]));
   }
   const auto median = left.begin() + ptrdiff_t(left.size() / 2);
   std::nth_element(left.begin(), median, left.end());
   return *median;
 }
 
-bool IsFalse(const std::vector<Outline>& outlines, const GapOfView& candidate) {
+bool IsFalse(const ViewSet& views, const GapOfView& candidate) {
   if (candidate.gap.ring.empty()) {
     return false;
   }
-  const double left =
-      MedianLeft(outlines, candidate.view, candidate.gap.middle);
-  const double around =
-      MedianLeft(outlines, candidate.view, candidate.gap.ring);
+  const double left = MedianLeft(views, candidate.view, candidate.gap.middle);
+  const double around = MedianLeft(views, candidate.view, candidate.gap.ring);
   const double min_share =
       candidate.gap.is_enclosed ? kMinLeftOfEnclosed : kMinLeftOfBay;
   return left > 0 && left >= min_share * around;
@@ -119,10 +106,19 @@ std::vector<GapOfView> FindCandidates(const Scene& scene,
   return candidates;
 }
 
+ViewSet PrepareSilhouettes(Scene scene,
+                           const BoundingCube& cube,
+                           const Context& context) {
+  for (View& view : scene.views) {
+    view.image = cv::Mat();
+  }
+  return PrepareViews(scene, cube, context);
+}
+
 // Fills what is false and takes it from the candidates.
-void FillAndReport(std::vector<GapOfView>* candidates,
-                   std::vector<Outline>* outlines,
-                   FilledScene* filled) {
+void FillFalse(std::vector<GapOfView>* candidates,
+               ViewSet* views,
+               FilledScene* filled) {
   std::set<size_t> changed;
   for (const GapOfView& candidate : *candidates) {
     if (candidate.is_false) {
@@ -135,7 +131,7 @@ void FillAndReport(std::vector<GapOfView>* candidates,
     }
   }
   for (const size_t view : changed) {
-    (*outlines)[view].silhouette = Silhouette(filled->scene.views[view].mask);
+    (*views)[view].silhouette = Silhouette(filled->scene.views[view].mask);
   }
   std::erase_if(*candidates,
                 [](const GapOfView& candidate) { return candidate.is_false; });
@@ -172,18 +168,15 @@ FilledScene FillFalseGaps(const Scene& scene,
   if (candidates.empty()) {
     return filled;
   }
-  std::vector<Outline> outlines;
-  for (const View& view : scene.views) {
-    outlines.push_back({MakeViewProjection(view, cube), Silhouette(view.mask)});
-  }
+  ViewSet views = PrepareSilhouettes(scene, cube, context);
   for (int round = 0; round < kMaxRounds; ++round) {
     const size_t before = filled.gaps.size();
     ParallelFor(context, candidates.size(), 1, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
-        candidates[i].is_false = IsFalse(outlines, candidates[i]);
+        candidates[i].is_false = IsFalse(views, candidates[i]);
       }
     });
-    FillAndReport(&candidates, &outlines, &filled);
+    FillFalse(&candidates, &views, &filled);
     if (filled.gaps.size() == before || candidates.empty()) {
       break;
     }

@@ -1,5 +1,7 @@
 #include "core/hull/visual_hull.h"
 
+#include <algorithm>
+
 #include "core/base/check_option.h"
 #include "core/grid/morphology.h"
 #include "core/hull/hull_octree.h"
@@ -36,19 +38,20 @@ VisualHull ComputeVisualHull(const ViewSet& views,
   return hull;
 }
 
+bool ShowsBackground(const PreparedView& view, const Eigen::Vector3f& point) {
+  const std::optional<ProjectedPoint> p = view.projection.Project(point);
+  return p && view.silhouette.Coverage(p->u, p->v) < kObjectCoverage;
+}
+
 bool IsInsideHull(const ViewSet& views,
                   const Eigen::AlignedBox3f& box,
                   const Eigen::Vector3f& point) {
   if (!box.contains(point)) {
     return false;
   }
-  for (const PreparedView& view : views) {
-    const std::optional<ProjectedPoint> p = view.projection.Project(point);
-    if (p && view.silhouette.Coverage(p->u, p->v) < kObjectCoverage) {
-      return false;
-    }
-  }
-  return true;
+  return std::none_of(views.begin(), views.end(), [&](const auto& view) {
+    return ShowsBackground(view, point);
+  });
 }
 
 }  // namespace octacut

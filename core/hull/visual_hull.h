@@ -40,6 +40,10 @@ VisualHull ComputeVisualHull(const ViewSet& views,
                              const VisualHullOptions& options,
                              const Context& context);
 
+// Whether the view has a point (unit coordinates) before it, within its frame
+// and beside its object.
+bool ShowsBackground(const PreparedView& view, const Eigen::Vector3f& point);
+
 // Whether a point (unit coordinates) lies in the hull: object in every view
 // whose frame it projects to. Exact at sub-pixel scale, not conservative.
 bool IsInsideHull(const ViewSet& views,

@@ -32,11 +32,7 @@ void Step(const VertexCorners& neighbors,
         to[v] = from[v];
         continue;
       }
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const uint32_t neighbor : around) {
-        sum += from[neighbor];
-      }
-      const Eigen::Vector3d laplacian = sum / double(around.size()) - from[v];
+      const Eigen::Vector3d laplacian = MeanPosition(around, from) - from[v];
       const Eigen::Vector3d moved = from[v] + weight * laplacian;
       const Eigen::Vector3d displacement = moved - anchors[v];
       const double squared_length = displacement.squaredNorm();

@@ -45,4 +45,18 @@ VertexCorners FindVertexNeighbors(
   return result;
 }
 
+std::vector<uint8_t> Dilate(std::vector<uint8_t> set,
+                            const VertexCorners& neighbors,
+                            int rings) {
+  for (int ring = 0; ring < rings; ++ring) {
+    const std::vector<uint8_t> before = set;
+    for (size_t v = 0; v < set.size(); ++v) {
+      for (const uint32_t next : neighbors.Of(v)) {
+        set[v] |= before[next];
+      }
+    }
+  }
+  return set;
+}
+
 }  // namespace octacut

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
@@ -29,5 +30,21 @@ VertexCorners FindVertexCorners(
 // of them once, in place of the corners.
 VertexCorners FindVertexNeighbors(
     size_t num_vertices, std::span<const std::array<uint32_t, 3>> triangles);
+
+// The vertices of `set` (1: in it) and so many rings of `neighbors` around.
+std::vector<uint8_t> Dilate(std::vector<uint8_t> set,
+                            const VertexCorners& neighbors,
+                            int rings);
+
+// Mean position of `vertices`, at least one.
+inline Eigen::Vector3d MeanPosition(
+    std::span<const uint32_t> vertices,
+    const std::vector<Eigen::Vector3d>& positions) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const uint32_t vertex : vertices) {
+    sum += positions[vertex];
+  }
+  return sum / double(vertices.size());
+}
 
 }  // namespace octacut

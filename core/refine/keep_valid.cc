@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/mesh/untangle.h"
@@ -86,26 +87,23 @@ void RelaxMoved(const std::vector<Eigen::Vector3d>& before,
                 const VertexCorners& neighbors,
                 IndexedMesh* mesh) {
   std::vector<Eigen::Vector3d>& positions = mesh->positions;
+  std::vector<uint8_t> is_held(wanted.size());
+  for (size_t v = 0; v < wanted.size(); ++v) {
+    is_held[v] = positions[v] != wanted[v] ? 1 : 0;
+  }
+  is_held = Dilate(std::move(is_held), neighbors, 1);
   std::vector<uint32_t> vertices;
   for (uint32_t v = 0; v < wanted.size(); ++v) {
-    if (positions[v] != wanted[v]) {
+    if (is_held[v] && wanted[v] != before[v]) {
       vertices.push_back(v);
-      const auto ring = neighbors.Of(v);
-      vertices.insert(vertices.end(), ring.begin(), ring.end());
     }
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  std::erase_if(vertices, [&](uint32_t v) { return wanted[v] == before[v]; });
   std::vector<Eigen::Vector3d> relaxed(vertices.size());
   for (int i = 0; i < kRelaxations; ++i) {
     for (size_t k = 0; k < vertices.size(); ++k) {
-      const auto ring = neighbors.Of(vertices[k]);
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const uint32_t next : ring) {
-        sum += positions[next];
-      }
-      relaxed[k] = 0.5 * (positions[vertices[k]] + sum / double(ring.size()));
+      const uint32_t v = vertices[k];
+      relaxed[k] =
+          0.5 * (positions[v] + MeanPosition(neighbors.Of(v), positions));
     }
     for (size_t k = 0; k < vertices.size(); ++k) {
       positions[vertices[k]] = relaxed[k];

@@ -49,20 +49,6 @@ double MeanSpacing(const IndexedMesh& mesh, const SurfacePlaces& places) {
   return sum / double(std::max<size_t>(places.neighbors.corners.size(), 1));
 }
 
-std::vector<uint8_t> Dilate(std::vector<uint8_t> set,
-                            const VertexCorners& neighbors,
-                            int rings) {
-  for (int ring = 0; ring < rings; ++ring) {
-    const std::vector<uint8_t> before = set;
-    for (size_t v = 0; v < set.size(); ++v) {
-      for (const uint32_t next : neighbors.Of(v)) {
-        set[v] |= before[next];
-      }
-    }
-  }
-  return set;
-}
-
 void Align(const SeenSurface& seen,
            const RefineOptions& options,
            const Context& context,
@@ -270,8 +256,8 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   // makes it smooth.
   const double tolerance =
       options.hull_tolerance + std::max(0.0, -summary.border_shift);
-  summary.num_withdrawn =
-      KeepValid(*views, neighbors, start, before, tolerance, pixel, context, mesh);
+  summary.num_withdrawn = KeepValid(
+      *views, neighbors, start, before, tolerance, pixel, context, mesh);
   summary.validity_seconds = stopwatch.Lap();
   return summary;
 }

@@ -66,9 +66,9 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
       workspace_.workspace_path, workspace_.loading, target_level_, context);
   const FilledScene filled =
       FillFalseGaps(loaded.scene,
-                     loaded.region.cube,
-                     workspace_.loading.region.mask_tolerance,
-                     context);
+                    loaded.region.cube,
+                    workspace_.loading.region.mask_tolerance,
+                    context);
   ViewSet views = PrepareViews(filled.scene, loaded.region.cube, context);
   const RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);

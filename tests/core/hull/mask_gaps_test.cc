@@ -8,12 +8,15 @@
 namespace octacut {
 namespace {
 
-// An object of 60 x 40 pixels in a frame of 80 x 60.
-cv::Mat Mask() {
-  cv::Mat mask = cv::Mat::zeros(60, 80, CV_8UC1);
-  mask(cv::Rect(10, 10, 60, 40)).setTo(255);
+// An object of 60 x 40 pixels in a frame of 80 x 60, or so many times as large.
+cv::Mat Mask(int scale = 1) {
+  cv::Mat mask = cv::Mat::zeros(60 * scale, 80 * scale, CV_8UC1);
+  mask(cv::Rect(10 * scale, 10 * scale, 60 * scale, 40 * scale)).setTo(255);
   return mask;
 }
+
+// A disc of 5.9 pixels rolls around it.
+cv::Mat LargeMask() { return Mask(2); }
 
 TEST(MaskGaps, AreWhatTheObjectEncloses) {
   cv::Mat mask = Mask();
@@ -48,13 +51,6 @@ TEST(MaskGaps, AreNotLargerThanATwentiethOfTheObject) {
   EXPECT_TRUE(FindMaskGaps(mask, 0).empty());
   mask(cv::Rect(20, 20, 10, 1)).setTo(255);
   EXPECT_EQ(FindMaskGaps(mask, 0).size(), 1u);
-}
-
-// An object around which a disc of 5.9 pixels rolls.
-cv::Mat LargeMask() {
-  cv::Mat mask = cv::Mat::zeros(120, 160, CV_8UC1);
-  mask(cv::Rect(20, 20, 120, 80)).setTo(255);
-  return mask;
 }
 
 TEST(MaskGaps, AreNarrowBays) {

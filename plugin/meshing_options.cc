@@ -1,6 +1,7 @@
 #include "plugin/meshing_options.h"
 
 #include "plugin/refinement_options.h"
+#include "plugin/workspace_options.h"
 
 namespace octacut {
 namespace {
@@ -124,11 +125,7 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.mask_tolerance",
               &meshing->mask_tolerance,
               "Pixels by which masks may be cut too close");
-  options.Add(
-      "OctahedralMeshing.fill_false_gaps",
-      &meshing->hull.fill_false_gaps,
-      "1: holes and bays of masks are filled where other views show the "
-      "object");
+  DeclareFillFalseGaps(options, &meshing->fill_false_gaps);
   options.Add("OctahedralMeshing.target_level",
               &meshing->target_level,
               "The mesh is cut from (2^level)^3 voxels");

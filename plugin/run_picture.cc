@@ -16,7 +16,7 @@ size_t ViewOfMostObject(const Scene& scene) {
   size_t best = 0;
   int most = -1;
   for (size_t i = 0; i < scene.views.size(); ++i) {
-    const int count = cv::countNonZero(scene.views[i].mask >= 128);
+    const int count = cv::countNonZero(scene.views[i].mask >= kObjectThreshold);
     if (count > most) {
       most = count;
       best = i;

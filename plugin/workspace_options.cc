@@ -51,6 +51,14 @@ void DeclareLoadingOptions(OptionManager& options,
       "all object");
 }
 
+void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps) {
+  options.Add(
+      "OctahedralMeshing.fill_false_gaps",
+      fill_false_gaps,
+      "1: holes and bays of masks are filled where other views show the "
+      "object");
+}
+
 void WorkspaceArguments::Declare(OptionManager& options) {
   DeclareLoadingOptions(options, &workspace_path, &loading);
   options.Add("output_path",

@@ -15,6 +15,8 @@ void DeclareLoadingOptions(OptionManager& options,
                            std::filesystem::path* workspace_path,
                            LoadSceneOptions* loading);
 
+void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps);
+
 struct WorkspaceArguments {
   std::filesystem::path workspace_path;
   std::filesystem::path output_path;  // empty: default_output in the workspace

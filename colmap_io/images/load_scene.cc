@@ -268,7 +268,7 @@ void Loader::WarnOfMasksElsewhere() const {
   size_t count = 0;
   const Candidate* first = nullptr;
   for (size_t i = 0; i < candidates_.size(); ++i) {
-    if (ContentOfMask(result_.scene.views[i].mask >= 128) ==
+    if (ContentOfMask(result_.scene.views[i].mask >= kObjectThreshold) ==
         MaskContent::kAllBackground) {
       ++count;
       first = first == nullptr ? &candidates_[i] : first;

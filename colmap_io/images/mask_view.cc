@@ -24,7 +24,7 @@ MaskView ReadMaskView(const ViewFiles& files,
                                     *files.camera,
                                     {uint64_t(mask.cols), uint64_t(mask.rows)},
                                     files.mask_file.string());
-  const cv::Mat object = mask >= 128;
+  const cv::Mat object = mask >= kObjectThreshold;
   result.content = ContentOfMask(object);
   if (result.content != MaskContent::kOutline) {
     return result;

@@ -5,11 +5,10 @@
 
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/camera_projector.h"
+#include "core/scene/scene.h"
 
 namespace octacut {
 namespace {
-
-constexpr int kObjectThreshold = 128;
 
 // Pixels (x, y) of the result hold any object of pixels [k x, k x + k) etc.,
 // with `padding` background pixels around.

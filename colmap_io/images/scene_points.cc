@@ -53,7 +53,8 @@ bool IsInsideMask(const Eigen::Vector3d& point, const View& view) {
   const Eigen::Vector2d pixel = view.camera.Project(point_in_cam);
   return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < view.camera.width &&
          pixel.y() < view.camera.height &&
-         view.mask.at<uint8_t>(int(pixel.y()), int(pixel.x())) >= 128;
+         view.mask.at<uint8_t>(int(pixel.y()), int(pixel.x())) >=
+             kObjectThreshold;
 }
 
 }  // namespace

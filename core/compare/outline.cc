@@ -6,10 +6,12 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "core/scene/scene.h"
+
 namespace octacut {
 namespace {
 
-constexpr double kHalf = 127.5;
+constexpr double kHalf = kObjectThreshold - 0.5;
 
 double DistanceToSegment(const Eigen::Vector2d& point,
                          const OutlineSegment& segment) {

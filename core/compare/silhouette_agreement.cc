@@ -8,11 +8,10 @@
 #include "core/base/parallel.h"
 #include "core/compare/outline.h"
 #include "core/raycast/render_coverage.h"
+#include "core/scene/scene.h"
 
 namespace octacut {
 namespace {
-
-constexpr uint8_t kObject = 128;
 
 void AppendDistances(const Outline& from,
                      const Outline& to,
@@ -61,8 +60,8 @@ ViewSilhouette CompareSilhouettes(const cv::Mat& mask,
   ViewSilhouette view;
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
-      const bool object = mask.at<uint8_t>(y, x) >= kObject;
-      const bool mesh = mesh_coverage.at<uint8_t>(y, x) >= kObject;
+      const bool object = mask.at<uint8_t>(y, x) >= kObjectThreshold;
+      const bool mesh = mesh_coverage.at<uint8_t>(y, x) >= kObjectThreshold;
       view.object_pixels += object;
       view.mesh_pixels += mesh;
       view.common_pixels += object && mesh;

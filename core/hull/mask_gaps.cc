@@ -4,10 +4,11 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/scene/scene.h"
+
 namespace octacut {
 namespace {
 
-constexpr double kObjectThreshold = 127;
 // Of the object. Larger gaps are hardly ever mistakes.
 constexpr double kMaxGapShare = 0.05;
 // Of the side of a square as large as the object: the disc that rolls around
@@ -117,7 +118,7 @@ void AddGap(const Parts& parts,
 }  // namespace
 
 std::vector<MaskGap> FindMaskGaps(const cv::Mat& mask, double margin) {
-  const cv::Mat object = mask > kObjectThreshold;
+  const cv::Mat object = mask >= kObjectThreshold;
   const double area = cv::countNonZero(object);
   const double side = std::sqrt(area);
   std::vector<MaskGap> gaps;
@@ -148,7 +149,7 @@ void FillGap(const MaskGap& gap, cv::Mat* mask) {
   cv::Mat beside;
   cv::dilate(filled, beside, cv::Mat::ones(3, 3, CV_8UC1));
   cv::Mat pixels = (*mask)(around);
-  pixels.setTo(255, filled | (beside & (pixels > kObjectThreshold)));
+  pixels.setTo(255, filled | (beside & (pixels >= kObjectThreshold)));
 }
 
 }  // namespace octacut

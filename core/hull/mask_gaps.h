@@ -19,11 +19,10 @@ struct MaskGap {
   std::vector<Eigen::Vector2f> ring;
 };
 
-// `mask` CV_8UC1; at least 128 counts as object. Enclosed gaps hold a pixel
-// farther than `margin` (pixels) from the object and are at most a twentieth of
-// it. A bay is what is left when a disc rolls around the object, of 6 % of the
-// side of a square as large as the object; its middle is 2 % of that and twice
-// `margin` from its border.
+// `mask` CV_8UC1. Enclosed gaps hold a pixel farther than `margin` (pixels)
+// from the object and are at most a twentieth of it. A bay is what is left when
+// a disc rolls around the object, of 6 % of the side of a square as large as
+// the object; its middle is 2 % of that and twice `margin` from its border.
 std::vector<MaskGap> FindMaskGaps(const cv::Mat& mask, double margin);
 
 // Makes object of the gap and of the pixels at its border that are object in

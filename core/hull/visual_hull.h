@@ -14,9 +14,6 @@ namespace octacut {
 
 struct VisualHullOptions {
   int hull_level = 7;  // l0: the hull has (2^l0)^3 voxels; 2 .. 10
-  // Whether gaps in masks are filled first where other views deny them
-  // (FillFalseGaps), by who makes the silhouettes.
-  bool fill_false_gaps = true;
   void Check() const;
 };
 

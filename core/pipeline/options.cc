@@ -66,4 +66,9 @@ void ReconstructionOptions::Check() const {
               "must be in 1 .. 64");
 }
 
+void HullReconstructionOptions::Check() const {
+  hull.Check();
+  smoothing.Check();
+}
+
 }  // namespace octacut

@@ -32,6 +32,7 @@ struct EnergyOptions {
 struct ReconstructionOptions {
   // Pixels of the photographs by which masks may be too small; 0 .. 64.
   double mask_tolerance = 2;
+  bool fill_false_gaps = true;  // of masks, where other views deny them
   VisualHullOptions hull;
   InsideEvidenceOptions evidence;
   CrustOptions crust;
@@ -56,6 +57,13 @@ struct ReconstructionOptions {
   // Averagings of the inside over neighbouring voxels before its gradient is
   // taken for the normal; 1 .. 64.
   int normal_blur = 12;
+  void Check() const;
+};
+
+struct HullReconstructionOptions {
+  bool fill_false_gaps = true;  // as above
+  VisualHullOptions hull{.hull_level = 8};
+  SmoothOptions smoothing{.iterations = 2};
   void Check() const;
 };
 

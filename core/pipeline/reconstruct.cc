@@ -33,11 +33,10 @@ void CheckScene(const Scene& scene, bool needs_images) {
 FilledScene BelievedScene(const Scene& scene,
                           const BoundingCube& cube,
                           double mask_tolerance,
-                          const VisualHullOptions& hull,
+                          bool fill_false_gaps,
                           const Context& context) {
-  return hull.fill_false_gaps
-             ? FillFalseGaps(scene, cube, mask_tolerance, context)
-             : FilledScene{scene, {}};
+  return fill_false_gaps ? FillFalseGaps(scene, cube, mask_tolerance, context)
+                         : FilledScene{scene, {}};
 }
 
 Eigen::AlignedBox3f BoxInUnitCoordinates(const Region& region) {
@@ -78,8 +77,11 @@ Reconstruction Reconstruct(const Scene& scene,
   Reconstruction result;
   ReconstructionSummary& summary = result.summary;
   Stopwatch stopwatch;
-  const FilledScene believed = BelievedScene(
-      scene, region.cube, options.mask_tolerance, options.hull, context);
+  const FilledScene believed = BelievedScene(scene,
+                                             region.cube,
+                                             options.mask_tolerance,
+                                             options.fill_false_gaps,
+                                             context);
   summary.num_false_gaps = believed.gaps.size();
   ViewSet views = PrepareViews(
       believed.scene, region.cube, context, options.mask_tolerance);
@@ -150,24 +152,21 @@ Reconstruction Reconstruct(const Scene& scene,
 
 HullReconstruction ReconstructHull(const Scene& scene,
                                    const Region& region,
-                                   const VisualHullOptions& hull,
-                                   const SmoothOptions& smoothing,
+                                   const HullReconstructionOptions& options,
                                    const Context& context) {
-  hull.Check();
-  smoothing.Check();
+  options.Check();
   CheckScene(scene, false);
-  const ViewSet views =
-      PrepareViews(BelievedScene(scene, region.cube, 0, hull, context).scene,
-                   region.cube,
-                   context);
-  const LabeledVoxels surface =
-      ComputeHullSurface(views, BoxInUnitCoordinates(region), hull, context);
-  ReconstructionOptions options;
-  options.smoothing = smoothing;
+  const FilledScene believed =
+      BelievedScene(scene, region.cube, 0, options.fill_false_gaps, context);
+  const ViewSet views = PrepareViews(believed.scene, region.cube, context);
+  const LabeledVoxels surface = ComputeHullSurface(
+      views, BoxInUnitCoordinates(region), options.hull, context);
+  ReconstructionOptions finishing;
+  finishing.smoothing = options.smoothing;
   ReconstructionSummary summary;
   HullReconstruction result;
   result.mesh = ToSurfaceMesh(
-      FinalMesh(views, surface, region.cube, options, context, &summary));
+      FinalMesh(views, surface, region.cube, finishing, context, &summary));
   result.audit = AuditMesh(ToIndexedMesh(result.mesh), context);
   CheckAudit(result.audit);
   return result;

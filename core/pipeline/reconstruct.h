@@ -86,8 +86,7 @@ struct HullReconstruction {
 // Reconstruct does.
 HullReconstruction ReconstructHull(const Scene& scene,
                                    const Region& region,
-                                   const VisualHullOptions& hull,
-                                   const SmoothOptions& smoothing,
+                                   const HullReconstructionOptions& options,
                                    const Context& context);
 
 // Bytes that Reconstruct will need at its peak besides the scene, roughly.

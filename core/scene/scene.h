@@ -11,6 +11,9 @@
 
 namespace octacut {
 
+// Value of a mask from which on a pixel counts as object.
+inline constexpr int kObjectThreshold = 128;
+
 // One view, cropped to the object and held at the resolution that the target
 // level needs. `image` and `mask` have the size of `camera`.
 //
@@ -23,7 +26,7 @@ struct View {
   Rigid3d cam_from_world;
   cv::Mat image;  // CV_8UC3, BGR (OpenCV's order); empty where not needed
   cv::Mat mask;   // CV_8UC1, 255 = object, 0 = background; values between are
-                  // coverage by the object. At least 128 counts as object.
+                  // coverage by the object
   double scale = 1;  // pixels of this view a pixel of the photograph
 
   Eigen::Vector3d Center() const {

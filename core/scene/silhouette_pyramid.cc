@@ -5,11 +5,6 @@
 #include <limits>
 
 namespace octacut {
-namespace {
-
-constexpr int kObjectThreshold = 128;  // as scene.h defines the mask
-
-}  // namespace
 
 SilhouettePyramid::SilhouettePyramid(const View& view, bool trust_sides)
     : camera_(view.camera), cam_from_world_(view.cam_from_world) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/check_option.h"
+#include "core/scene/scene.h"
 #include "core/synthetic/move_mask_border.h"
 #include "core/synthetic/noise.h"
 
@@ -81,7 +82,7 @@ void AddDefects(int count,
   std::vector<cv::Point> candidates;
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
-      if ((mask.at<uint8_t>(y, x) >= 128) == on_object) {
+      if ((mask.at<uint8_t>(y, x) >= kObjectThreshold) == on_object) {
         candidates.emplace_back(x, y);
       }
     }

@@ -6,7 +6,6 @@
 namespace octacut {
 namespace {
 
-constexpr uint8_t kObjectThreshold = 128;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 }  // namespace

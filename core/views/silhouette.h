@@ -5,12 +5,13 @@
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
+#include "core/scene/scene.h"
 #include "core/views/view_projection.h"
 
 namespace octacut {
 
-// Coverage (0 .. 255) from which on a point counts as object.
-inline constexpr float kObjectCoverage = 127.5f;
+// Coverage (0 .. 255), interpolated, from which on a point counts as object.
+inline constexpr float kObjectCoverage = kObjectThreshold - 0.5f;
 // Of the samples of a patch that is compared: others show too little object.
 inline constexpr float kMaxBackgroundShare = 1.0f / 3;
 
@@ -23,7 +24,7 @@ enum class Footprint : uint8_t {
 class Silhouette {
  public:
   Silhouette() = default;
-  // `mask` CV_8UC1 of the view's size; at least 128 counts as object.
+  // `mask` CV_8UC1 of the view's size.
   explicit Silhouette(const cv::Mat& mask);
 
   // Pixels with coordinates in [u0, u1] x [v0, v1]. Background only when the

@@ -26,6 +26,7 @@ class MeshRefiner : public Command {
   WorkspaceArguments workspace_;
   std::filesystem::path mesh_path_;
   int target_level_ = 9;
+  bool fill_false_gaps_ = true;
   RefineOptions refinement_;
 };
 
@@ -39,6 +40,7 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
               &target_level_,
               "Images are held as fine as voxels of 2^-level of the region "
               "need");
+  DeclareFillFalseGaps(options, &fill_false_gaps_);
   DeclareRefinementOptions(options, &refinement_);
 }
 
@@ -64,12 +66,14 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
       ReconstructionOptions().mask_tolerance;
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
-  const FilledScene filled =
-      FillFalseGaps(loaded.scene,
-                    loaded.region.cube,
-                    workspace_.loading.region.mask_tolerance,
-                    context);
-  ViewSet views = PrepareViews(filled.scene, loaded.region.cube, context);
+  const Scene scene =
+      fill_false_gaps_ ? FillFalseGaps(loaded.scene,
+                                       loaded.region.cube,
+                                       workspace_.loading.region.mask_tolerance,
+                                       context)
+                             .scene
+                       : loaded.scene;
+  ViewSet views = PrepareViews(scene, loaded.region.cube, context);
   const RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
   const MeshAudit audit = AuditMesh(refined.mesh, context);

@@ -18,35 +18,31 @@ class VisualHullMesher : public Command {
 
  private:
   WorkspaceArguments workspace_;
-  VisualHullOptions hull_{.hull_level = 8};
-  SmoothOptions smoothing_{.iterations = 2};
+  HullReconstructionOptions options_;
 };
 
 void VisualHullMesher::DeclareOptions(OptionManager& options) {
   workspace_.Declare(options);
   options.Add("OctahedralMeshing.hull_level",
-              &hull_.hull_level,
+              &options_.hull.hull_level,
               "The hull has (2^level)^3 voxels");
-  options.Add(
-      "OctahedralMeshing.fill_false_gaps",
-      &hull_.fill_false_gaps,
-      "1: holes and bays of masks are filled where other views show the "
-      "object");
+  DeclareFillFalseGaps(options, &options_.fill_false_gaps);
   options.Add("Smoothing.iterations",
-              &smoothing_.iterations,
+              &options_.smoothing.iterations,
               "Of V <- V + 1/2 Laplacian(V)");
 }
 
 void VisualHullMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
-  hull_.Check();
-  smoothing_.Check();
+  options_.Check();
   workspace_.Complete("meshed-visual-hull.ply");
   workspace_.loading.load_images = false;
-  const LoadedScene loaded = LoadScene(
-      workspace_.workspace_path, workspace_.loading, hull_.hull_level, context);
+  const LoadedScene loaded = LoadScene(workspace_.workspace_path,
+                                       workspace_.loading,
+                                       options_.hull.hull_level,
+                                       context);
   const HullReconstruction result =
-      ReconstructHull(loaded.scene, loaded.region, hull_, smoothing_, context);
+      ReconstructHull(loaded.scene, loaded.region, options_, context);
   WriteMesh(workspace_.output_path, ToIndexedMesh(result.mesh));
 
   Json report = MakeReport(environment);

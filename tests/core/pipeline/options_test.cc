@@ -85,11 +85,10 @@ TEST(ReconstructionOptions, AreCheckedBeforeAnythingElse) {
   options.target_level = 20;
   EXPECT_THROW(Reconstruct(Scene(), Region(), options, Context(1)),
                OptionError);
-  VisualHullOptions hull;
-  hull.hull_level = 0;
-  EXPECT_THROW(
-      ReconstructHull(Scene(), Region(), hull, SmoothOptions(), Context(1)),
-      OptionError);
+  HullReconstructionOptions hull;
+  hull.hull.hull_level = 0;
+  EXPECT_THROW(ReconstructHull(Scene(), Region(), hull, Context(1)),
+               OptionError);
 }
 
 }  // namespace

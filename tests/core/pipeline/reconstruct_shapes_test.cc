@@ -80,7 +80,7 @@ TEST(Reconstruct, ToleratesLargeHolesInMasks) {
   const ReconstructedScene filled = ReconstructScene(spec, options);
   EXPECT_GT(filled.result.summary.num_false_gaps, 48u);
   EXPECT_EQ(filled.result.audit.genus, 0);
-  options.hull.fill_false_gaps = false;
+  options.fill_false_gaps = false;
   const ReconstructedScene believed = ReconstructScene(spec, options);
   EXPECT_EQ(believed.result.summary.num_false_gaps, 0u);
   EXPECT_GT(believed.result.audit.genus, 3);

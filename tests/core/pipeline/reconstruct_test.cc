@@ -193,8 +193,7 @@ TEST(Reconstruct, CanBeCancelledInEveryPhase) {
   EXPECT_THROW(RunSmall(small, Context(1, nullptr, &stop)), CancelledError);
   EXPECT_THROW(ReconstructHull(small.scene,
                                small.region,
-                               VisualHullOptions(),
-                               SmoothOptions(),
+                               HullReconstructionOptions(),
                                Context(1, nullptr, &stop)),
                CancelledError);
 }
@@ -235,10 +234,10 @@ TEST(ReconstructHull, IsClosedAndNeedsNoImages) {
   for (View& view : small.scene.views) {
     view.image = cv::Mat();
   }
-  VisualHullOptions options;
-  options.hull_level = 6;
-  const HullReconstruction hull = ReconstructHull(
-      small.scene, small.region, options, SmoothOptions(), Context(2));
+  HullReconstructionOptions options;
+  options.hull.hull_level = 6;
+  const HullReconstruction hull =
+      ReconstructHull(small.scene, small.region, options, Context(2));
   EXPECT_EQ(hull.audit.DescribeFailure(), "");
   EXPECT_EQ(hull.audit.genus, 1);
   EXPECT_TRUE(hull.mesh.has_vertex_normals());
@@ -246,10 +245,8 @@ TEST(ReconstructHull, IsClosedAndNeedsNoImages) {
   for (View& view : small.scene.views) {
     view.mask = cv::Mat::zeros(view.mask.size(), CV_8UC1);
   }
-  EXPECT_THROW(
-      ReconstructHull(
-          small.scene, small.region, options, SmoothOptions(), Context(2)),
-      InputError);
+  EXPECT_THROW(ReconstructHull(small.scene, small.region, options, Context(2)),
+               InputError);
 }
 
 TEST(EstimateReconstructionBytes, GrowsWithLevelCrustAndViews) {

@@ -10,20 +10,21 @@ namespace octacut {
 namespace {
 
 // Pairs of triangles that intersect, of which one at least has moved since the
-// search before.
+// search before, or `start`.
 class NewIntersections {
  public:
+  explicit NewIntersections(const std::vector<Eigen::Vector3d>& start)
+      : before_(start) {}
+
   std::vector<std::array<uint32_t, 2>> Find(const IndexedMesh& mesh,
                                             const Context& context) {
-    std::vector<uint8_t> has_moved(mesh.triangles.size(), 1);
-    if (!before_.empty()) {
-      for (size_t i = 0; i < has_moved.size(); ++i) {
-        const auto& corners = mesh.triangles[i];
-        has_moved[i] =
-            std::any_of(corners.begin(), corners.end(), [&](uint32_t v) {
-              return mesh.positions[v] != before_[v];
-            });
-      }
+    std::vector<uint8_t> has_moved(mesh.triangles.size());
+    for (size_t i = 0; i < has_moved.size(); ++i) {
+      const auto& corners = mesh.triangles[i];
+      has_moved[i] =
+          std::any_of(corners.begin(), corners.end(), [&](uint32_t v) {
+            return mesh.positions[v] != before_[v];
+          });
     }
     before_ = mesh.positions;
     return FindIntersectionsOfMarked(mesh, has_moved, context);
@@ -99,7 +100,7 @@ WithdrawSummary Untangle(const std::vector<Eigen::Vector3d>& start,
                          double min_height,
                          const Context& context,
                          IndexedMesh* mesh) {
-  NewIntersections intersections;
+  NewIntersections intersections(start);
   WithdrawSummary summary;
   size_t num_intersecting;
   do {

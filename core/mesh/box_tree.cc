@@ -37,14 +37,20 @@ Eigen::AlignedBox3d BoxOf(const IndexedMesh& mesh, uint32_t triangle) {
   return box;
 }
 
+// More than half of the last bit, also of what is nearly 0.
+float RoundingOf(float value) {
+  return std::numeric_limits<float>::epsilon() * std::abs(value) +
+         std::numeric_limits<float>::min();
+}
+
 float RoundDown(double value) {
-  return std::nextafter(static_cast<float>(value),
-                        -std::numeric_limits<float>::infinity());
+  const float rounded = static_cast<float>(value);
+  return rounded - RoundingOf(rounded);
 }
 
 float RoundUp(double value) {
-  return std::nextafter(static_cast<float>(value),
-                        std::numeric_limits<float>::infinity());
+  const float rounded = static_cast<float>(value);
+  return rounded + RoundingOf(rounded);
 }
 
 }  // namespace

@@ -35,25 +35,99 @@ void CheckIndices(const IndexedMesh& mesh) {
   }
 }
 
-// 1 for triangles with finite corners and an area.
+bool IsFinite(const TriangleCorners& corners) {
+  return corners[0].allFinite() && corners[1].allFinite() &&
+         corners[2].allFinite();
+}
+
+// 1 for triangles among `marked` with finite corners and an area.
 std::vector<uint8_t> MarkUsable(const IndexedMesh& mesh,
+                                std::vector<uint8_t> marked,
                                 const Context& context) {
-  std::vector<uint8_t> used(mesh.triangles.size());
-  ParallelFor(context, used.size(), kGrain, [&](size_t begin, size_t end) {
+  ParallelFor(context, marked.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const TriangleCorners corners = CornersOf(mesh, static_cast<uint32_t>(i));
-      const bool is_finite = corners[0].allFinite() && corners[1].allFinite() &&
-                             corners[2].allFinite();
-      used[i] = is_finite && !IsDegenerate(corners);
+      if (marked[i] != 0) {
+        const TriangleCorners corners =
+            CornersOf(mesh, static_cast<uint32_t>(i));
+        marked[i] = IsFinite(corners) && !IsDegenerate(corners);
+      }
     }
   });
-  return used;
+  return marked;
+}
+
+using TrianglePair = std::array<uint32_t, 2>;
+
+TrianglePair Ordered(uint32_t one, uint32_t other) {
+  return {std::min(one, other), std::max(one, other)};
 }
 
 struct Found {
   size_t num_pairs = 0;
-  std::vector<std::array<uint32_t, 2>> examples;
+  std::vector<TrianglePair> examples;
 };
+
+// Appends what find(begin, end, found) finds, in order.
+template <typename Find>
+void AddFound(size_t count,
+              const Find& find,
+              const Context& context,
+              std::vector<TrianglePair>* pairs) {
+  std::vector<std::vector<TrianglePair>> chunks(NumChunks(count, kGrain));
+  ParallelChunks(
+      context, count, kGrain, [&](size_t chunk, size_t begin, size_t end) {
+        find(begin, end, &chunks[chunk]);
+      });
+  for (const auto& chunk : chunks) {
+    pairs->insert(pairs->end(), chunk.begin(), chunk.end());
+  }
+}
+
+void AddPairsInTree(const IndexedMesh& mesh,
+                    const BoxTree& tree,
+                    const Context& context,
+                    std::vector<TrianglePair>* pairs) {
+  const auto find =
+      [&](size_t begin, size_t end, std::vector<TrianglePair>* found) {
+        for (size_t leaf = begin; leaf < end; ++leaf) {
+          const uint32_t triangle = tree.Triangle(leaf);
+          const TriangleCorners corners = CornersOf(mesh, triangle);
+          tree.ForLaterNeighbors(leaf, [&](size_t other_leaf) {
+            const uint32_t other = tree.Triangle(other_leaf);
+            if (TrianglesIntersect(corners, CornersOf(mesh, other))) {
+              found->push_back(Ordered(triangle, other));
+            }
+          });
+        }
+      };
+  AddFound(tree.NumLeaves(), find, context, pairs);
+}
+
+// Of triangles in the tree with others, which are not `marked`.
+void AddPairsWithUnmarked(const IndexedMesh& mesh,
+                          const BoxTree& tree,
+                          const std::vector<uint8_t>& marked,
+                          const Context& context,
+                          std::vector<TrianglePair>* pairs) {
+  const auto find =
+      [&](size_t begin, size_t end, std::vector<TrianglePair>* found) {
+        for (auto triangle = static_cast<uint32_t>(begin); triangle < end;
+             ++triangle) {
+          const TriangleCorners corners = CornersOf(mesh, triangle);
+          if (marked[triangle] != 0 || !IsFinite(corners)) {
+            continue;
+          }
+          tree.ForTouching(mesh, triangle, [&](size_t leaf) {
+            const uint32_t other = tree.Triangle(leaf);
+            if (!IsDegenerate(corners) &&
+                TrianglesIntersect(corners, CornersOf(mesh, other))) {
+              found->push_back(Ordered(triangle, other));
+            }
+          });
+        }
+      };
+  AddFound(marked.size(), find, context, pairs);
+}
 
 }  // namespace
 
@@ -61,7 +135,8 @@ SelfIntersections FindSelfIntersections(const IndexedMesh& mesh,
                                         const Context& context,
                                         size_t max_examples) {
   CheckIndices(mesh);
-  const std::vector<uint8_t> used = MarkUsable(mesh, context);
+  const std::vector<uint8_t> used =
+      MarkUsable(mesh, std::vector<uint8_t>(mesh.triangles.size(), 1), context);
   const BoxTree tree(mesh, used, context);
   Phase phase(context, "self-intersections", tree.NumLeaves());
   std::vector<uint8_t> is_hit(mesh.triangles.size());
@@ -89,8 +164,7 @@ SelfIntersections FindSelfIntersections(const IndexedMesh& mesh,
             mark(triangle);
             mark(other);
             if (found.examples.size() < max_examples) {
-              found.examples.push_back(
-                  {std::min(triangle, other), std::max(triangle, other)});
+              found.examples.push_back(Ordered(triangle, other));
             }
           });
         }
@@ -119,40 +193,10 @@ std::vector<std::array<uint32_t, 2>> FindIntersectionsOfMarked(
     const std::vector<uint8_t>& marked,
     const Context& context) {
   CheckIndices(mesh);
-  const std::vector<uint8_t> usable = MarkUsable(mesh, context);
-  std::vector<uint8_t> in_tree = usable;
-  for (size_t i = 0; i < in_tree.size(); ++i) {
-    in_tree[i] &= marked[i] != 0 ? 1 : 0;
-  }
-  const BoxTree tree(mesh, in_tree, context);
-  std::vector<std::vector<std::array<uint32_t, 2>>> chunks(
-      NumChunks(usable.size(), kGrain));
-  ParallelChunks(
-      context,
-      usable.size(),
-      kGrain,
-      [&](size_t chunk, size_t begin, size_t end) {
-        for (uint32_t triangle = uint32_t(begin); triangle < end; ++triangle) {
-          if (!usable[triangle]) {
-            continue;
-          }
-          const TriangleCorners corners = CornersOf(mesh, triangle);
-          tree.ForTouching(mesh, triangle, [&](size_t leaf) {
-            const uint32_t other = tree.Triangle(leaf);
-            // Of two that are marked the smaller finds the pair.
-            if (other == triangle || (marked[triangle] && other < triangle) ||
-                !TrianglesIntersect(corners, CornersOf(mesh, other))) {
-              return;
-            }
-            chunks[chunk].push_back(
-                {std::min(triangle, other), std::max(triangle, other)});
-          });
-        }
-      });
-  std::vector<std::array<uint32_t, 2>> pairs;
-  for (const auto& chunk : chunks) {
-    pairs.insert(pairs.end(), chunk.begin(), chunk.end());
-  }
+  const BoxTree tree(mesh, MarkUsable(mesh, marked, context), context);
+  std::vector<TrianglePair> pairs;
+  AddPairsInTree(mesh, tree, context, &pairs);
+  AddPairsWithUnmarked(mesh, tree, marked, context, &pairs);
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

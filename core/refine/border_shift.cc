@@ -10,21 +10,42 @@ namespace {
 constexpr size_t kMinRims = 100;
 constexpr size_t kMinShare = 10;  // one in so many of all rims
 
-struct Excess {
+struct RimExcess {
   float pixels;
   double weight;
 };
 
+// By weight; in any order of `values`.
+float WeightedMedian(std::vector<RimExcess> values) {
+  std::sort(values.begin(),
+            values.end(),
+            [](const RimExcess& one, const RimExcess& other) {
+              return std::pair(one.pixels, one.weight) <
+                     std::pair(other.pixels, other.weight);
+            });
+  double sum = 0;
+  for (const RimExcess& value : values) {
+    sum += value.weight;
+  }
+  double below = 0;
+  return std::find_if(values.begin(),
+                      values.end() - 1,
+                      [&](const RimExcess& value) {
+                        below += value.weight;
+                        return 2 * below >= sum;
+                      })
+      ->pixels;
+}
+
 }  // namespace
 
-std::optional<double> MedianExcess(
+std::optional<BorderExcess> MedianExcess(
     const std::vector<RimTarget>& rims,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,
     double min_radius,
     double curvature_bias) {
-  std::vector<Excess> excesses;
-  double sum = 0;
+  std::vector<RimExcess> excesses;
   for (const auto& [edge, pixels_per_unit] : rims) {
     const OffsetMeasurement& a = measurements[edge.places[0]];
     const OffsetMeasurement& b = measurements[edge.places[1]];
@@ -37,25 +58,16 @@ std::optional<double> MedianExcess(
       excesses.push_back({(edge.target - measured) * pixels_per_unit -
                               float(curvature_bias * curvature),
                           std::pow(std::min(a.weight, b.weight), 4)});
-      sum += excesses.back().weight;
     }
   }
   if (excesses.size() < std::max(kMinRims, rims.size() / kMinShare)) {
     return std::nullopt;
   }
-  std::sort(excesses.begin(),
-            excesses.end(),
-            [](const Excess& one, const Excess& other) {
-              return std::pair(one.pixels, one.weight) <
-                     std::pair(other.pixels, other.weight);
-            });
-  double below = 0;
-  const auto middle = std::find_if(
-      excesses.begin(), excesses.end() - 1, [&](const Excess& excess) {
-        below += excess.weight;
-        return 2 * below >= sum;
-      });
-  return middle->pixels;
+  const float median = WeightedMedian(excesses);
+  for (RimExcess& excess : excesses) {
+    excess.pixels = std::abs(excess.pixels - median);
+  }
+  return BorderExcess{median, WeightedMedian(std::move(excesses))};
 }
 
 double ShrinkShift(double measured, double noise) {

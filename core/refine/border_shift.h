@@ -12,6 +12,12 @@
 
 namespace octacut {
 
+// Pixels.
+struct BorderExcess {
+  double median = 0;
+  double deviation = 0;  // the median distance from it
+};
+
 // By how many pixels of their views `rims` lead farther outward than the
 // offsets measured at their places, where `surfaces` are: the median, weighted
 // by the fourth power of the offsets' weights, since badly measured ones lie
@@ -19,7 +25,7 @@ namespace octacut {
 // is at least `min_radius` pixels count, and `curvature_bias` over that radius
 // (pixels^2) is taken off. None where fewer than a hundred rims, or than a
 // tenth of them, could tell.
-std::optional<double> MedianExcess(
+std::optional<BorderExcess> MedianExcess(
     const std::vector<RimTarget>& rims,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,

@@ -37,8 +37,8 @@ struct RefineOptions {
   // Weight of the masks' borders, like that of an offset; 0: none.
   double silhouette_weight = 1;
   // Pixels to which the photographs tell how far the masks' borders are shifted
-  // as a whole: much smaller shifts are taken for noise. Large: masks are
-  // right.
+  // as a whole, less where all rims say the same: much smaller shifts are taken
+  // for noise. Large: masks are right.
   double border_noise = 0.3;
   // Pixels by which vertices may leave a silhouette, and by as many more as
   // the masks are found to be too small.

@@ -28,6 +28,9 @@ constexpr int kBlendRings = 2;
 constexpr double kMaxBorderScale = 2;
 // Nor can limbs as thin as patches: of the surface, pixels of the round.
 constexpr double kMinBorderRadius = 6;
+// Of the rims from their median, pixels: those that agree better tell a shift
+// that much better than to the border's noise.
+constexpr double kUsualDeviation = 0.15;
 // Where there is nothing else: by how much their offsets are measured too far
 // inside, pixels of the round times pixels of radius, and what that leaves
 // open, in units of the noise (docs/refinement.md).
@@ -114,14 +117,17 @@ double FindBorderShift(const std::vector<RimTarget>& rims,
   if (plan.scale > kMaxBorderScale) {
     return plan.border_shift;
   }
-  if (const std::optional<double> excess = MedianExcess(
+  if (const std::optional<BorderExcess> excess = MedianExcess(
           rims, surfaces, measurements, kMinBorderRadius * plan.scale, 0)) {
-    return ShrinkShift(plan.border_shift + *excess, border_noise);
+    const double share = std::min(1.0, excess->deviation / kUsualDeviation);
+    return ShrinkShift(plan.border_shift + excess->median,
+                       share * border_noise);
   }
   // Only limbs are there to tell.
-  if (const std::optional<double> excess = MedianExcess(
+  if (const std::optional<BorderExcess> excess = MedianExcess(
           rims, surfaces, measurements, 0, kLimbBias * plan.scale)) {
-    return ShrinkShift(plan.border_shift + *excess, kLimbNoise * border_noise);
+    return ShrinkShift(plan.border_shift + excess->median,
+                       kLimbNoise * border_noise);
   }
   return plan.border_shift;
 }

@@ -25,7 +25,7 @@ OffsetMeasurement Measured(float offset, float weight) {
 }
 
 // On planes.
-std::optional<double> Excess(
+std::optional<BorderExcess> Excess(
     const std::vector<RimTarget>& rims,
     const std::vector<OffsetMeasurement>& measurements) {
   const std::vector<LocalSurface> surfaces(measurements.size());
@@ -35,8 +35,9 @@ std::optional<double> Excess(
 TEST(MedianExcess, IsWhatRimsLeadFartherOutward) {
   const std::vector<OffsetMeasurement> measurements = {Measured(0.3f, 4),
                                                        Measured(0.6f, 5)};
-  EXPECT_NEAR(Excess(Rims(100, 0.9f), measurements).value(), 0.5, 1e-6);
-  EXPECT_NEAR(Excess(Rims(100, -0.2f), measurements).value(), -0.6, 1e-6);
+  EXPECT_NEAR(Excess(Rims(100, 0.9f), measurements).value().median, 0.5, 1e-6);
+  EXPECT_NEAR(
+      Excess(Rims(100, -0.2f), measurements).value().median, -0.6, 1e-6);
 }
 
 TEST(MedianExcess, IsThatOfTheBestMeasuredMajority) {
@@ -46,18 +47,38 @@ TEST(MedianExcess, IsThatOfTheBestMeasuredMajority) {
   for (const RimTarget& rim : Rims(100, 3)) {
     rims.push_back(rim);
   }
-  EXPECT_NEAR(Excess(rims, measurements).value(), 0.5, 1e-6);
+  EXPECT_NEAR(Excess(rims, measurements).value().median, 0.5, 1e-6);
   // Fifteen times as many rims of half the weight do not outvote the rest.
   rims.resize(101);
   for (RimTarget rim : Rims(1500, 3)) {
     rim.edge.places = {2, 3};
     rims.push_back(rim);
   }
-  EXPECT_NEAR(Excess(rims, measurements).value(), 0.5, 1e-6);
+  EXPECT_NEAR(Excess(rims, measurements).value().median, 0.5, 1e-6);
   std::reverse(rims.begin(), rims.end());
-  EXPECT_NEAR(Excess(rims, measurements).value(), 0.5, 1e-6);
+  EXPECT_NEAR(Excess(rims, measurements).value().median, 0.5, 1e-6);
   measurements[2].weight = 4;
-  EXPECT_NEAR(Excess(rims, measurements).value(), 3, 1e-6);
+  EXPECT_NEAR(Excess(rims, measurements).value().median, 3, 1e-6);
+}
+
+TEST(MedianExcess, SaysHowWellRimsAgree) {
+  const std::vector<OffsetMeasurement> measurements = {
+      Measured(0, 8), Measured(0, 8), Measured(0, 2)};
+  EXPECT_NEAR(Excess(Rims(100, 0.9f), measurements).value().deviation, 0, 1e-6);
+  std::vector<RimTarget> rims = Rims(101, 0.5f);
+  for (const float target : {0.3f, 0.6f}) {
+    for (const RimTarget& rim : Rims(60, target)) {
+      rims.push_back(rim);
+    }
+  }
+  EXPECT_NEAR(Excess(rims, measurements).value().median, 0.5, 1e-6);
+  EXPECT_NEAR(Excess(rims, measurements).value().deviation, 0.1, 1e-6);
+  // Those that are measured worse count less.
+  for (RimTarget rim : Rims(1500, 3)) {
+    rim.edge.places = {1, 2};
+    rims.push_back(rim);
+  }
+  EXPECT_NEAR(Excess(rims, measurements).value().deviation, 0.1, 1e-6);
 }
 
 TEST(MedianExcess, IsInPixelsOfEachView) {
@@ -66,7 +87,9 @@ TEST(MedianExcess, IsInPixelsOfEachView) {
     rim.pixels_per_unit = 2 * kScale;
   }
   EXPECT_NEAR(
-      Excess(rims, {Measured(0.3f, 4), Measured(0.3f, 5)}).value(), 1, 1e-6);
+      Excess(rims, {Measured(0.3f, 4), Measured(0.3f, 5)}).value().median,
+      1,
+      1e-6);
 }
 
 TEST(MedianExcess, LeavesOutLimbs) {
@@ -83,9 +106,10 @@ TEST(MedianExcess, TakesOffWhatCurvaturePretends) {
   surfaces[0].vv = 0.5f * kScale / 4;
   const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
                                                        Measured(0, 1)};
-  EXPECT_NEAR(MedianExcess(Rims(100, 1), surfaces, measurements, 0, 2).value(),
-              1 - 2.0 / 4,
-              1e-6);
+  EXPECT_NEAR(
+      MedianExcess(Rims(100, 1), surfaces, measurements, 0, 2).value().median,
+      1 - 2.0 / 4,
+      1e-6);
 }
 
 TEST(MedianExcess, NeedsRimsWithOffsets) {

@@ -90,7 +90,8 @@ degradations=(
 # need more ballooning than by default, or nothing is left.
 ablated_scenes=(example lump cup-1 rods-3 rocker-exact)
 # And single ones, where a scene shows what an option is for: the deep cup has
-# handles to remove and a bottom that few views see, dino plain plaster.
+# handles to remove and a bottom that few views see, dino plain plaster and
+# shadows that its masks take for background.
 single_ablations=(
   "cup-2 all-handles" "cup-2 agreeing-1" "cup-2 no-plausible"
   "walls agreeing-1" "walls no-plausible" "walls no-ballooning"
@@ -98,6 +99,7 @@ single_ablations=(
   "shiny ncc" "shiny variance" "shiny hue-1"
   "turntable-light ncc" "turntable-light variance" "turntable-light hue-1"
   "dino no-ballooning" "dino no-cover" "dino masks-trusted"
+  "dino gaps-believed"
   "temple masks-trusted"
 )
 option_sets=(
@@ -124,6 +126,7 @@ option_sets=(
   "all-handles     --OctahedralMeshing.min_handle 0"
   "mask-tolerance-0 --OctahedralMeshing.mask_tolerance 0"
   "masks-trusted   --Refinement.border_noise 1000"
+  "gaps-believed   --OctahedralMeshing.fill_false_gaps 0"
 )
 
 fail() {

@@ -13,6 +13,7 @@
 
 #include "colmap_io/images/image_header.h"
 #include "core/base/error.h"
+#include "core/scene/scene.h"
 
 namespace octacut {
 namespace {
@@ -133,7 +134,7 @@ std::array<uint8_t, 256> MaskTable(const cv::Mat& values, bool from_jpeg) {
   std::array<uint8_t, 256> table{};
   for (int value = 1; value < 256; ++value) {
     if (from_jpeg) {
-      table[value] = value > 127 ? 255 : 0;
+      table[value] = value >= kObjectThreshold ? 255 : 0;
     } else if (distinct <= kMaxLabels) {
       table[value] = 255;
     } else if (largest < 128) {

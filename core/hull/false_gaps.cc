@@ -185,4 +185,13 @@ FilledScene FillFalseGaps(const Scene& scene,
   return filled;
 }
 
+FilledScene BelievedScene(const Scene& scene,
+                          const BoundingCube& cube,
+                          double mask_tolerance,
+                          bool fill_false_gaps,
+                          const Context& context) {
+  return fill_false_gaps ? FillFalseGaps(scene, cube, mask_tolerance, context)
+                         : FilledScene{scene, {}};
+}
+
 }  // namespace octacut

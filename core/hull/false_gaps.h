@@ -36,4 +36,11 @@ FilledScene FillFalseGaps(const Scene& scene,
                           double mask_tolerance,
                           const Context& context);
 
+// That, or the scene as it is: with masks as they are to be believed.
+FilledScene BelievedScene(const Scene& scene,
+                          const BoundingCube& cube,
+                          double mask_tolerance,
+                          bool fill_false_gaps,
+                          const Context& context);
+
 }  // namespace octacut

@@ -67,6 +67,26 @@ struct Found {
   std::vector<TrianglePair> examples;
 };
 
+// Calls visit(triangle, other) for what the leaves from `begin` to `end`
+// intersect of those after them.
+template <typename Visit>
+void VisitPairs(const IndexedMesh& mesh,
+                const BoxTree& tree,
+                size_t begin,
+                size_t end,
+                const Visit& visit) {
+  for (size_t leaf = begin; leaf < end; ++leaf) {
+    const uint32_t triangle = tree.Triangle(leaf);
+    const TriangleCorners corners = CornersOf(mesh, triangle);
+    tree.ForLaterNeighbors(leaf, [&](size_t other_leaf) {
+      const uint32_t other = tree.Triangle(other_leaf);
+      if (TrianglesIntersect(corners, CornersOf(mesh, other))) {
+        visit(triangle, other);
+      }
+    });
+  }
+}
+
 // Appends what find(begin, end, found) finds, in order.
 template <typename Find>
 void AddFound(size_t count,
@@ -87,19 +107,13 @@ void AddPairsInTree(const IndexedMesh& mesh,
                     const BoxTree& tree,
                     const Context& context,
                     std::vector<TrianglePair>* pairs) {
-  const auto find =
-      [&](size_t begin, size_t end, std::vector<TrianglePair>* found) {
-        for (size_t leaf = begin; leaf < end; ++leaf) {
-          const uint32_t triangle = tree.Triangle(leaf);
-          const TriangleCorners corners = CornersOf(mesh, triangle);
-          tree.ForLaterNeighbors(leaf, [&](size_t other_leaf) {
-            const uint32_t other = tree.Triangle(other_leaf);
-            if (TrianglesIntersect(corners, CornersOf(mesh, other))) {
-              found->push_back(Ordered(triangle, other));
-            }
-          });
-        }
-      };
+  const auto find = [&](size_t begin,
+                        size_t end,
+                        std::vector<TrianglePair>* found) {
+    VisitPairs(mesh, tree, begin, end, [&](uint32_t triangle, uint32_t other) {
+      found->push_back(Ordered(triangle, other));
+    });
+  };
   AddFound(tree.NumLeaves(), find, context, pairs);
 }
 
@@ -152,22 +166,15 @@ SelfIntersections FindSelfIntersections(const IndexedMesh& mesh,
       kGrain,
       [&](size_t chunk, size_t begin, size_t end) {
         Found& found = chunks[chunk];
-        for (size_t leaf = begin; leaf < end; ++leaf) {
-          const uint32_t triangle = tree.Triangle(leaf);
-          const TriangleCorners corners = CornersOf(mesh, triangle);
-          tree.ForLaterNeighbors(leaf, [&](size_t other_leaf) {
-            const uint32_t other = tree.Triangle(other_leaf);
-            if (!TrianglesIntersect(corners, CornersOf(mesh, other))) {
-              return;
-            }
-            ++found.num_pairs;
-            mark(triangle);
-            mark(other);
-            if (found.examples.size() < max_examples) {
-              found.examples.push_back(Ordered(triangle, other));
-            }
-          });
-        }
+        VisitPairs(
+            mesh, tree, begin, end, [&](uint32_t triangle, uint32_t other) {
+              ++found.num_pairs;
+              mark(triangle);
+              mark(other);
+              if (found.examples.size() < max_examples) {
+                found.examples.push_back(Ordered(triangle, other));
+              }
+            });
         phase.Advance(end - begin);
       });
   SelfIntersections result;

@@ -29,16 +29,6 @@ void CheckScene(const Scene& scene, bool needs_images) {
   }
 }
 
-// With masks as they are to be believed, and what was filled.
-FilledScene BelievedScene(const Scene& scene,
-                          const BoundingCube& cube,
-                          double mask_tolerance,
-                          bool fill_false_gaps,
-                          const Context& context) {
-  return fill_false_gaps ? FillFalseGaps(scene, cube, mask_tolerance, context)
-                         : FilledScene{scene, {}};
-}
-
 Eigen::AlignedBox3f BoxInUnitCoordinates(const Region& region) {
   const auto to_unit = [&](const Eigen::Vector3d& x) {
     return Eigen::Vector3f(

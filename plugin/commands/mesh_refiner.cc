@@ -66,14 +66,13 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
       ReconstructionOptions().mask_tolerance;
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
-  const Scene scene =
-      fill_false_gaps_ ? FillFalseGaps(loaded.scene,
-                                       loaded.region.cube,
-                                       workspace_.loading.region.mask_tolerance,
-                                       context)
-                             .scene
-                       : loaded.scene;
-  ViewSet views = PrepareViews(scene, loaded.region.cube, context);
+  const FilledScene believed =
+      BelievedScene(loaded.scene,
+                    loaded.region.cube,
+                    workspace_.loading.region.mask_tolerance,
+                    fill_false_gaps_,
+                    context);
+  ViewSet views = PrepareViews(believed.scene, loaded.region.cube, context);
   const RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
   const MeshAudit audit = AuditMesh(refined.mesh, context);

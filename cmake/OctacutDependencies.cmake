@@ -1,4 +1,5 @@
-# Every package octacut needs, all from Debian 12. The README says why each.
+# What the libraries and the executable need, all from Debian 12. The README says
+# why each.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
@@ -8,5 +9,4 @@ find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs calib3d)
 find_package(OpenMesh REQUIRED)
 find_package(embree 3 REQUIRED)
 find_package(Ceres 2.1 REQUIRED)
-find_package(Boost 1.74 REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/compare/compare_meshes.h"
-#include "core/compare/evaluate_mesh.h"
+#include "core/evaluate/evaluate_mesh.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
 #include "plugin/option_value.h"

@@ -67,15 +67,16 @@ void DeclareConsistencyOptions(OptionManager& options,
   options.Add("OctahedralMeshing.patch_radius",
               &meshing->consistency.patch_radius,
               "Of the patch of (2 r + 1)^2 samples, voxels");
-  options.Add("OctahedralMeshing.min_patch_pixels",
-              &meshing->consistency.min_patch_pixels,
-              "Pixels that a patch spans at least: its radius grows to 4");
+  options.Add(
+      "OctahedralMeshing.min_patch_pixels",
+      &meshing->consistency.min_patch_pixels,
+      "Pixels that a patch spans at least: its radius grows, to 4 at most");
   options.Add("OctahedralMeshing.neutral",
               &meshing->consistency.neutral,
               "Photo-consistency of what fewer than two views see");
   options.Add("OctahedralMeshing.pixel_noise",
               &meshing->consistency.pixel_noise,
-              "Standard deviation of the images' noise, grey levels");
+              "Grey levels; weaker contrast of a patch counts less");
   options.Add("OctahedralMeshing.hue_weight",
               &meshing->consistency.hue_weight,
               "Of differences of hue against those of grey, to which gloss "
@@ -122,9 +123,7 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.hull_level",
               &meshing->hull.hull_level,
               "l0: the visual hull has (2^l0)^3 voxels");
-  options.Add("OctahedralMeshing.mask_tolerance",
-              &meshing->mask_tolerance,
-              "Pixels by which masks may be cut too close");
+  DeclareMaskTolerance(options, &meshing->mask_tolerance);
   DeclareFillFalseGaps(options, &meshing->fill_false_gaps);
   options.Add("OctahedralMeshing.target_level",
               &meshing->target_level,

@@ -39,7 +39,8 @@ void DeclareRefinementOptions(OptionManager& options,
   options.Add("Refinement.range",
               &refinement->range,
               "Search along the normal in the first round of a scale, pixels "
-              "of that scale");
+              "of that scale. All pixels of refinement are those of the "
+              "photographs as the target level holds them");
   options.Add("Refinement.alignment_steps",
               &refinement->alignment_steps,
               "By which the views' poses are aligned in the last round of each "
@@ -64,14 +65,14 @@ void DeclareRefinementOptions(OptionManager& options,
   options.Add("Refinement.border_noise",
               &refinement->border_noise,
               "Pixels to which photographs tell a shift of all masks' borders; "
-              "large: masks are right");
+              "large (1000): masks are right");
   options.Add("Refinement.hull_tolerance",
               &refinement->hull_tolerance,
               "Pixels by which the surface may leave a silhouette, besides "
               "those by which masks are found to be too small");
   options.Add("Refinement.pixel_noise",
               &refinement->patch.pixel_noise,
-              "Standard deviation of the images' noise, grey levels");
+              "Grey levels; weaker contrast of a patch counts less");
   options.Add("Refinement.hue_weight",
               &refinement->patch.hue_weight,
               "Of differences of hue against those of grey, to which gloss "

@@ -51,6 +51,12 @@ void DeclareLoadingOptions(OptionManager& options,
       "all object");
 }
 
+void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance) {
+  options.Add("OctahedralMeshing.mask_tolerance",
+              mask_tolerance,
+              "Pixels of the photographs by which masks may be cut too close");
+}
+
 void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps) {
   options.Add(
       "OctahedralMeshing.fill_false_gaps",
@@ -89,11 +95,18 @@ void WorkspaceArguments::Complete(const fs::path& default_output) {
   }
   CheckMeshPath(output_path);
   // The report is written last; that it cannot be must not be news then.
-  CheckOption(report_path != output_path,
+  CheckReportIsNot(output_path, "the mesh");
+  CheckFilePath(report_path);
+}
+
+void WorkspaceArguments::CheckReportIsNot(const fs::path& other,
+                                          const std::string& what) const {
+  std::error_code ignored;
+  CheckOption(fs::weakly_canonical(report_path, ignored) !=
+                  fs::weakly_canonical(other, ignored),
               "report_path",
               report_path.string(),
-              "must be another file than the mesh");
-  CheckFilePath(report_path);
+              "must be another file than " + what);
 }
 
 fs::path WorkspaceArguments::Beside(const std::string& ending) const {

@@ -15,6 +15,8 @@ void DeclareLoadingOptions(OptionManager& options,
                            std::filesystem::path* workspace_path,
                            LoadSceneOptions* loading);
 
+// How far masks are believed; each for the commands that use it.
+void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance);
 void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps);
 
 struct WorkspaceArguments {
@@ -28,6 +30,9 @@ struct WorkspaceArguments {
   // Fills in the defaults and checks that the mesh can be written; to be
   // asked before any long work.
   void Complete(const std::filesystem::path& default_output);
+  // That the report would not replace `other`, which is `what`.
+  void CheckReportIsNot(const std::filesystem::path& other,
+                        const std::string& what) const;
   // The output path with another ending, for files beside the mesh.
   std::filesystem::path Beside(const std::string& ending) const;
 };

@@ -6,7 +6,8 @@
 #
 # WORKSPACE holds images/, masks/ and sparse/ (or what --image_path,
 # --mask_path and --input_path name). Safe to run again: it replaces its own
-# results and touches nothing else.
+# results and touches nothing else. --output_path belongs on the command line, not
+# into a --project_path: the comparison reads it there.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -6,7 +6,7 @@
 #
 # MESH is octacut's mesh, by default WORKSPACE/meshed-octahedral.ply; COLMAP's
 # meshed-poisson.ply, meshed-delaunay.ply and meshed-advancing-front.ply are
-# looked for beside it, in WORKSPACE/dense and in WORKSPACE/dense/*. octacut's
+# looked for in WORKSPACE, WORKSPACE/dense and WORKSPACE/dense/*. octacut's
 # mesh is the reference of the distances: they say how far the meshes are
 # apart, not which one is right. Changes nothing but
 # WORKSPACE/compare-dense.json.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <map>
 #include <opencv2/core.hpp>
@@ -22,6 +21,7 @@
 #include "colmap_io/model/camera_projector.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
+#include "core/base/stopwatch.h"
 
 namespace octacut {
 namespace {
@@ -37,9 +37,10 @@ struct Candidate {
   MaskView mask;
 };
 
-double SecondsSince(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin)
-      .count();
+WorkspaceOptions WithImages(const LoadSceneOptions& options) {
+  WorkspaceOptions workspace = options.workspace;
+  workspace.needs_images = options.load_images;
+  return workspace;
 }
 
 class Loader {
@@ -51,7 +52,7 @@ class Loader {
       : options_(options),
         target_level_(target_level),
         context_(context),
-        workspace_(OpenWorkspace(workspace_path, options.workspace, context)),
+        workspace_(OpenWorkspace(workspace_path, WithImages(options), context)),
         mask_cameras_(
             workspace_, options.mask_geometry, options.original_path) {}
 
@@ -63,19 +64,17 @@ class Loader {
     summary.num_images = workspace_.model.images.size();
     summary.num_model_points = workspace_.model.points.size();
 
-    auto begin = std::chrono::steady_clock::now();
+    Stopwatch stopwatch;
     FindCandidates();
     ReadReducedMasks();
-    summary.mask_seconds = SecondsSince(begin);
+    summary.mask_seconds = stopwatch.Lap();
 
-    begin = std::chrono::steady_clock::now();
     FindRegion();
-    summary.region_seconds = SecondsSince(begin);
+    summary.region_seconds = stopwatch.Lap();
 
-    begin = std::chrono::steady_clock::now();
     PlanWindows();
     ReadViews();
-    summary.image_seconds = SecondsSince(begin);
+    summary.image_seconds = stopwatch.Lap();
     return std::move(result_);
   }
 

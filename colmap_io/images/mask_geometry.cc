@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "colmap_io/images/undistorted_camera.h"
@@ -33,7 +34,22 @@ MaskCameras::MaskCameras(const Workspace& workspace,
                          const fs::path& original_path)
     : workspace_(workspace),
       geometry_(geometry),
-      original_path_(original_path) {}
+      original_path_(original_path) {
+  if (original_path.empty()) {
+    return;
+  }
+  if (!workspace.is_dense_folder) {
+    throw InputError(fmt::format(
+        "original_path {}: {} is no dense folder; its model is that of the "
+        "original photographs",
+        original_path.string(),
+        workspace.path.string()));
+  }
+  if (FindModels(original_path).empty()) {
+    throw InputError(fmt::format("original_path {}: holds no sparse model",
+                                 original_path.string()));
+  }
+}
 
 SparseCamera MaskCameras::Find(const SparseImage& image,
                                const SparseCamera& camera,
@@ -51,11 +67,13 @@ SparseCamera MaskCameras::Find(const SparseImage& image,
   }
   const bool other_allowed = geometry_ != own;
   if (other_allowed) {
-    const std::optional<SparseCamera> other = OtherCamera(image, camera);
-    if (other && HasSize(*other, mask_size)) {
-      return *other;
+    const std::vector<SparseCamera> others = OtherCameras(image, camera);
+    for (const SparseCamera& other : others) {
+      if (HasSize(other, mask_size)) {
+        return other;
+      }
     }
-    if (!other && workspace_.is_dense_folder) {
+    if (others.empty() && workspace_.is_dense_folder) {
       throw InputError(fmt::format(
           "{}: the mask has {}x{} pixels, image {} {}x{}: if it was made for "
           "the original photograph, --original_path must name the sparse model "
@@ -82,7 +100,7 @@ SparseCamera MaskCameras::Find(const SparseImage& image,
                                              : "undistorted"));
 }
 
-std::optional<SparseCamera> MaskCameras::OtherCamera(
+std::vector<SparseCamera> MaskCameras::OtherCameras(
     const SparseImage& image, const SparseCamera& camera) const {
   const CamerasByName& others = OtherCameras();
   const auto found = others.find(image.name);
@@ -90,7 +108,7 @@ std::optional<SparseCamera> MaskCameras::OtherCamera(
     return found->second;
   }
   if (!workspace_.is_dense_folder) {
-    return ToSparseCamera(UndistortedCamera(camera));
+    return {ToSparseCamera(UndistortedCamera(camera))};
   }
   return {};
 }
@@ -100,36 +118,58 @@ const MaskCameras::CamerasByName& MaskCameras::OtherCameras() const {
   return others_;
 }
 
-void MaskCameras::ReadOtherCameras() const {
-  std::vector<fs::path> folders;
+std::vector<fs::path> MaskCameras::OtherModels() const {
   const fs::path here = fs::absolute(workspace_.path / "").parent_path();
+  std::vector<fs::path> models;
+  const auto add = [&](const fs::path& folder) {
+    const std::vector<fs::path> found = FindModels(folder);
+    models.insert(models.end(), found.begin(), found.end());
+  };
   if (workspace_.is_dense_folder) {
-    folders =
-        original_path_.empty()
-            ? std::vector<fs::path>{here.parent_path() / "sparse",
-                                    here.parent_path().parent_path() / "sparse"}
-            : std::vector<fs::path>{original_path_};
-  } else {
-    folders = {here / "dense" / "sparse"};
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(here / "dense", ignored)) {
-      folders.push_back(entry.path() / "sparse");
+    if (!original_path_.empty()) {
+      return FindModels(original_path_);
     }
+    add(here.parent_path() / "sparse");
+    add(here.parent_path().parent_path() / "sparse");
+    std::stable_partition(
+        models.begin(), models.end(), [&](const fs::path& model) {
+          return model.filename() == here.filename();
+        });
+    return models;
   }
-  for (const fs::path& folder : folders) {
-    for (const fs::path& path : FindModels(folder)) {
-      SparseModel model;
-      try {
-        model = ReadSparseModel(path);
-      } catch (const InputError&) {
-        if (!original_path_.empty()) {
-          throw;
-        }
-        continue;  // a neighbour that nobody asked for
+  add(here / "dense" / "sparse");
+  std::vector<fs::path> numbered;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(here / "dense", ignored)) {
+    numbered.push_back(entry.path());
+  }
+  const fs::path own = workspace_.model_path.filename();
+  std::sort(numbered.begin(),
+            numbered.end(),
+            [&](const fs::path& a, const fs::path& b) {
+              const bool a_is_own = a.filename() == own;
+              const bool b_is_own = b.filename() == own;
+              return a_is_own != b_is_own ? a_is_own : a < b;
+            });
+  for (const fs::path& folder : numbered) {
+    add(folder / "sparse");
+  }
+  return models;
+}
+
+void MaskCameras::ReadOtherCameras() const {
+  for (const fs::path& path : OtherModels()) {
+    SparseModel model;
+    try {
+      model = ReadSparseModel(path);
+    } catch (const InputError&) {
+      if (!original_path_.empty()) {
+        throw;
       }
-      for (const SparseImage& image : model.images) {
-        others_.emplace(image.name, *model.FindCamera(image.camera_id));
-      }
+      continue;  // a neighbour that nobody asked for
+    }
+    for (const SparseImage& image : model.images) {
+      others_[image.name].push_back(*model.FindCamera(image.camera_id));
     }
   }
 }

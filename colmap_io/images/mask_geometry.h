@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <map>
 #include <mutex>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "colmap_io/images/image_header.h"
 #include "colmap_io/images/workspace.h"
@@ -27,10 +27,13 @@ enum class MaskGeometry {
 // image (of a dense folder in W/dense, W/dense/<i>, or as image_undistorter
 // would make it); in a dense folder it may be that of the original photograph,
 // for which the original model is needed: `original_path`, or a model in
-// ../sparse or ../../sparse.
+// ../sparse or ../../sparse. Where several models hold the image, that with the
+// workspace's number comes first (dense/1 is made of sparse/1), then the others
+// in the order of their names; the first camera of the mask's size counts.
 class MaskCameras {
  public:
-  // The workspace must outlive this. `original_path` may be empty.
+  // The workspace must outlive this. `original_path` may be empty; throws
+  // InputError when it holds no model, or the workspace is no dense folder.
   MaskCameras(const Workspace& workspace,
               MaskGeometry geometry,
               const std::filesystem::path& original_path);
@@ -43,13 +46,14 @@ class MaskCameras {
                     const std::string& mask_name) const;
 
  private:
-  using CamerasByName = std::map<std::string, SparseCamera>;
+  using CamerasByName = std::map<std::string, std::vector<SparseCamera>>;
 
   // Cameras of the same photographs in the other geometry.
   const CamerasByName& OtherCameras() const;
   void ReadOtherCameras() const;
-  std::optional<SparseCamera> OtherCamera(const SparseImage& image,
-                                          const SparseCamera& camera) const;
+  std::vector<std::filesystem::path> OtherModels() const;
+  std::vector<SparseCamera> OtherCameras(const SparseImage& image,
+                                         const SparseCamera& camera) const;
 
   const Workspace& workspace_;
   MaskGeometry geometry_;

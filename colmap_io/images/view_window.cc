@@ -146,7 +146,8 @@ std::optional<PinholeCamera> PlanWindow(const SparseCamera& camera,
       low.x(), high.x(), frame_low.x(), frame_high.x(), options.margin);
   const Span rows = WindowSpan(
       low.y(), high.y(), frame_low.y(), frame_high.y(), options.margin);
-  if (columns.size == 0 || rows.size == 0) {
+  // Nothing can be interpolated in a row of pixels.
+  if (columns.size < 2 || rows.size < 2) {
     return {};
   }
   window.width = columns.size;

@@ -136,7 +136,7 @@ Workspace OpenWorkspace(const fs::path& path,
   workspace.path = path;
   workspace.image_path =
       options.image_path.empty() ? path / "images" : options.image_path;
-  if (!IsFolder(workspace.image_path)) {
+  if (options.needs_images && !IsFolder(workspace.image_path)) {
     throw InputError(
         fmt::format("{}: no folder of images; --image_path names it",
                     workspace.image_path.string()));

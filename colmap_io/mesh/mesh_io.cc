@@ -37,6 +37,25 @@ void CheckSizes(const IndexedMesh& mesh) {
   }
 }
 
+// What is computed from coordinates, and their boxes in floats, is to be
+// finite.
+constexpr double kMaxCoordinate = 1e30;
+
+void CheckCoordinates(const IndexedMesh& mesh, const std::string& name) {
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    const double largest = mesh.positions[v].cwiseAbs().maxCoeff();
+    if (largest > kMaxCoordinate) {
+      throw InputError(
+          fmt::format("{}: vertex {}: a coordinate of {:g} is "
+                      "beyond {:g}",
+                      name,
+                      v,
+                      largest,
+                      kMaxCoordinate));
+    }
+  }
+}
+
 }  // namespace
 
 MeshFormat MeshFormatOf(const std::filesystem::path& path) {
@@ -90,6 +109,7 @@ MeshFile ReadMesh(std::istream& stream,
       break;
   }
   result.mesh = Triangulate(std::move(polygons), name, &result.notes);
+  CheckCoordinates(result.mesh, name);
   return result;
 }
 

@@ -30,8 +30,9 @@ struct MeshFile {
 // mesh_readers.h and polygon_mesh.h. A file that begins with "ply" is read as
 // PLY whatever its extension. Throws InputError "<file>: ..." that names the
 // first bad element or line when the file is missing, truncated, has
-// coordinates that are not finite or indices out of range. Counts are checked
-// against the size of the file before memory is taken for them.
+// coordinates that are not finite or beyond 1e30, or indices out of range.
+// Counts are checked against the size of the file before memory is taken for
+// them.
 MeshFile ReadMesh(const std::filesystem::path& path);
 MeshFile ReadMesh(std::istream& stream,
                   MeshFormat format,

@@ -7,25 +7,13 @@
 #include <Eigen/Geometry>
 
 #include "core/base/error.h"
+#include "core/base/hash.h"
 #include "core/base/parallel.h"
 
 namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 8192;
-
-// A well mixed 64-bit number of each input (the finalizer of splitmix64).
-uint64_t Mix(uint64_t x) {
-  x += 0x9e3779b97f4a7c15;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-  return x ^ (x >> 31);
-}
-
-// In [0, 1).
-double ToUnit(uint64_t bits) {
-  return static_cast<double>(bits >> 11) * 0x1p-53;
-}
 
 std::vector<double> CumulativeAreas(const IndexedMesh& mesh) {
   std::vector<double> cumulative;
@@ -74,13 +62,13 @@ std::vector<SurfaceSample> SampleSurface(const IndexedMesh& mesh,
                                          const Context& context) {
   const std::vector<double> cumulative = CumulativeAreas(mesh);
   const double piece = cumulative.back() / static_cast<double>(count);
-  const uint64_t seed_mix = Mix(seed);
-  const uint64_t shift_first = Mix(seed_mix + 1);
-  const uint64_t shift_second = Mix(seed_mix + 2);
+  const uint64_t seed_mix = HashBits(seed);
+  const uint64_t shift_first = HashBits(seed_mix + 1);
+  const uint64_t shift_second = HashBits(seed_mix + 2);
   std::vector<SurfaceSample> samples(count);
   ParallelFor(context, count, kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const double jitter = ToUnit(Mix(seed_mix ^ Mix(i)));
+      const double jitter = HashUniform(HashBits(seed_mix ^ HashBits(i)));
       const double area = (static_cast<double>(i) + jitter) * piece;
       auto found = std::upper_bound(cumulative.begin(), cumulative.end(), area);
       if (found == cumulative.end()) {
@@ -91,8 +79,8 @@ std::vector<SurfaceSample> SampleSurface(const IndexedMesh& mesh,
       const auto triangle = static_cast<uint32_t>(found - cumulative.begin());
       samples[i] = {PointInTriangle(mesh,
                                     triangle,
-                                    ToUnit(i * kR2First + shift_first),
-                                    ToUnit(i * kR2Second + shift_second)),
+                                    HashUniform(i * kR2First + shift_first),
+                                    HashUniform(i * kR2Second + shift_second)),
                     triangle};
     }
   });

@@ -14,7 +14,6 @@ void LabelHierarchy::Add(LabeledVoxels level) {
 
 float LabelHierarchy::InsideFraction(const Eigen::Vector3i& voxel,
                                      int level) const {
-  Eigen::Vector3i child = voxel;
   for (size_t i = levels_.size(); i-- > 0;) {
     const LabeledVoxels& labeled = levels_[i];
     const int up = level - labeled.voxels.Level();
@@ -26,7 +25,7 @@ float LabelHierarchy::InsideFraction(const Eigen::Vector3i& voxel,
     const VoxelGrid::Index index = labeled.voxels.Find(parent);
     if (index != VoxelGrid::kNone) {
       const FaceLabels labels = labeled.labels[index];
-      child = Eigen::Vector3i(
+      const Eigen::Vector3i child(
           voxel.x() >> (up - 1), voxel.y() >> (up - 1), voxel.z() >> (up - 1));
       int inside = 0;
       for (int axis = 0; axis < 3; ++axis) {

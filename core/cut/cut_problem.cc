@@ -110,7 +110,6 @@ void CheckCutValues(const OctahedralCutProblem& problem,
     return;
   }
   CheckSize("evidence values", problem.evidence.size(), grid.Size());
-  constexpr float kMaxEvidence = 6 * kMaxCutWeight;
   CheckAll(
       grid.Size(),
       context,

@@ -15,6 +15,8 @@ inline constexpr double kCutScale = double(1 << kCutFractionBits);
 inline constexpr int32_t kMaxFixedCapacity = (1 << 30) - 1;
 // The same in units of the weights, rounded down.
 inline constexpr float kMaxCutWeight = 1023.0f;
+// Of a voxel, in magnitude.
+inline constexpr float kMaxEvidence = 6 * kMaxCutWeight;
 
 // `weight` in (0, kMaxCutWeight].
 inline int32_t FixedWeight(float weight) {
@@ -23,7 +25,7 @@ inline int32_t FixedWeight(float weight) {
 }
 
 // A voxel's share in the evidence of each of its six faces, signed;
-// |evidence| at most 6 kMaxCutWeight.
+// |evidence| at most kMaxEvidence.
 inline int32_t FixedFaceEvidence(float evidence) {
   const double share = double(evidence) / 6 * kCutScale;
   return int32_t(share + (share < 0 ? -0.5 : 0.5));

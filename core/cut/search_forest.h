@@ -65,8 +65,6 @@ class SearchForest {
   // Joins the range that follows and opens the arcs between the two.
   void Absorb(SearchForest& next);
 
-  size_t QueueBytes() const { return pool_.MemoryBytes(); }
-
  private:
   // A word: label << 7 | flags | parent. The label is > 0 in the forest, -1
   // of a source node and 0 of a free one; the parent is the code of the arc to

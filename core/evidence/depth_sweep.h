@@ -40,10 +40,11 @@ struct SweptDepthMap {
   }
   // Depth at pixel coordinates of the view; 0 for none.
   float DepthAt(float u, float v) const {
-    const int x = int(u * scale);
-    const int y = int(v * scale);
-    return u >= 0 && v >= 0 && x < width && y < height
-               ? depths[size_t(y) * width + x]
+    // Points just before the camera are at pixels that no int holds.
+    const float x = u * scale;
+    const float y = v * scale;
+    return x >= 0 && y >= 0 && x < float(width) && y < float(height)
+               ? depths[size_t(y) * width + size_t(x)]
                : 0;
   }
 };

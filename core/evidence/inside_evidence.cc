@@ -1,7 +1,10 @@
 #include "core/evidence/inside_evidence.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/check_option.h"
 #include "core/evidence/confirmed_depths.h"
@@ -16,8 +19,8 @@ namespace {
 constexpr float kFreeBefore = 1.5f;
 constexpr float kMatterFrom = 1.0f;
 constexpr float kMatterTo = 3.5f;
-// Views of one kind that count at most, so that many views of one side do not
-// drown the others.
+// Views for matter that count at most, and half of those for free space, so
+// that many views of one side do not drown the others.
 constexpr float kMaxVotes = 4;
 // What the first view that sees through a voxel lacks of a vote: on its own
 // its depth may be wrong and would drill a tunnel.
@@ -110,30 +113,50 @@ void AddPlausible(const ViewSet& views,
   }
 }
 
+void WarnOfNoDepths(const std::vector<std::vector<int>>& neighbors,
+                    const InsideEvidenceOptions& options,
+                    const Context& context) {
+  const auto num_lonely = std::count_if(
+      neighbors.begin(), neighbors.end(), [&](const std::vector<int>& of_view) {
+        return of_view.size() < size_t(options.min_agreeing_views);
+      });
+  context.Warn(fmt::format(
+      "no depth is confirmed by {} other views, so hollows stay closed: {} of "
+      "{} views have fewer others at {} to {} degrees",
+      options.min_agreeing_views,
+      num_lonely,
+      neighbors.size(),
+      options.sweep.min_angle,
+      options.sweep.max_angle));
+}
+
 }  // namespace
 
 void InsideEvidenceOptions::Check() const {
   sweep.Check();
-  CheckOption(min_agreeing_views >= 1 && min_agreeing_views <= 8,
-              "min_agreeing_views",
-              min_agreeing_views,
-              "must be in 1 .. 8");
+  CheckOption(
+      min_agreeing_views >= 1 && min_agreeing_views <= sweep.num_neighbors,
+      "min_agreeing_views",
+      min_agreeing_views,
+      fmt::format("must be in 1 .. num_neighbors = {}", sweep.num_neighbors));
   CheckOption(min_like_samples >= 0 && min_like_samples <= 9,
               "min_like_samples",
               min_like_samples,
               "must be in 0 .. 9");
+  for (const auto& [name, weight] :
+       {std::pair("ballooning", ballooning),
+        std::pair("matter_weight", matter_weight),
+        std::pair("free_space_weight", free_space_weight)}) {
+    CheckOption(weight >= 0 && weight <= kMaxEvidenceWeight,
+                name,
+                weight,
+                fmt::format("must be in 0 .. {}", kMaxEvidenceWeight));
+  }
   CheckOption(
-      ballooning >= 0, "ballooning", ballooning, "must not be negative");
-  CheckOption(matter_weight >= 0,
-              "matter_weight",
-              matter_weight,
-              "must not be negative");
-  CheckOption(free_space_weight >= 0,
-              "free_space_weight",
-              free_space_weight,
-              "must not be negative");
-  CheckOption(
-      cover_weight > 0, "cover_weight", cover_weight, "must be positive");
+      cover_weight > 0 && cover_weight <= kMaxEvidenceWeight,
+      "cover_weight",
+      cover_weight,
+      fmt::format("must be positive and at most {}", kMaxEvidenceWeight));
   CheckOption(cover_rounds >= 0 && cover_rounds <= 8,
               "cover_rounds",
               cover_rounds,
@@ -158,6 +181,9 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   evidence.values = EvidenceOf(views, hull, agreeing, options, context);
   evidence.summary.num_depths = CountDepths(swept);
   evidence.summary.num_agreeing = CountDepths(agreeing);
+  if (evidence.summary.num_agreeing == 0) {
+    WarnOfNoDepths(neighbors, options, context);
+  }
   if (options.min_agreeing_views > 1 && options.min_like_samples <= 8) {
     AddPlausible(views,
                  hull,

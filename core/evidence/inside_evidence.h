@@ -13,6 +13,9 @@
 
 namespace octacut {
 
+// Of all weights of evidence, which graphs hold to some thousands.
+inline constexpr double kMaxEvidenceWeight = 100;
+
 struct InsideEvidenceOptions {
   DepthSweepOptions sweep;
   // Other views whose depth maps must agree (within 1.5 hull voxels) before a

@@ -29,6 +29,11 @@ void CountPoint(const PreparedView& view,
   const float u = p->u;
   const float v = p->v;
   const float reach = view.mask_tolerance;
+  // Where the frame cuts the object off the mask has no border.
+  if (!view.projection.InFrame(u - reach, v - reach) ||
+      !view.projection.InFrame(u + reach, v + reach)) {
+    return;
+  }
   const Footprint pixel = view.silhouette.Test(u, v, u, v);
   if (pixel == Footprint::kObject) {
     count->inside +=

@@ -73,7 +73,7 @@ class VoxelGrid {
            Index(CountBits(mask & ((uint64_t{1} << bit) - 1)));
   }
 
-  // Calls body(index, voxel coordinates) in Morton order for the voxels of
+  // Calls body(index, Morton code) in Morton order for the voxels of
   // bricks [begin, end).
   template <typename Body>
   void ForEachInBricks(size_t begin, size_t end, Body&& body) const {

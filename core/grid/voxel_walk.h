@@ -2,7 +2,7 @@
 //
 // A voxel is addressed by a place: its brick and its position in it, which
 // two small tables a brick turn into the voxel's index and into the places
-// beside it. Some 2.5 bytes a voxel; a neighbour table would take 24.
+// beside it. Some 3 bytes a voxel; a neighbour table would take 24.
 #pragma once
 
 #include <array>

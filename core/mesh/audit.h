@@ -51,11 +51,10 @@ struct MeshAudit {
   bool IsVertexManifold() const { return num_nonmanifold_vertices == 0; }
   bool IsOriented() const { return num_misoriented_edges == 0; }
   bool IsOutward() const { return volume > 0; }
-  // All that is promised of a reconstruction; see DescribeFailure.
-  bool IsPrintable() const { return DescribeFailure().empty(); }
-  // Names every broken promise with its count; empty when all are kept:
-  // non-empty, finite, closed, manifold at every edge and vertex, oriented
-  // outward, no degenerate or duplicate triangle, no unreferenced vertex.
+  // Names with its count what breaks the promise that each reconstruction
+  // keeps; empty when nothing does: non-empty, finite, closed, manifold at
+  // every edge and vertex, oriented outward, no degenerate or duplicate
+  // triangle, no unreferenced vertex.
   std::string DescribeFailure() const;
 };
 

@@ -108,8 +108,8 @@ WithdrawSummary WithdrawFromThinTriangles(const Triangles& triangles,
     });
     thin = std::move(next);
   }
-  summary.num_withdrawn = withdrawn.size();
   for (const auto& [vertex, state] : withdrawn) {
+    summary.num_withdrawn += state.target != start[vertex] ? 1 : 0;
     for (const uint32_t corner : corners.Of(vertex)) {
       // Each once, at its first corner that was withdrawn.
       const auto& triangle = triangles[corner / 3];

@@ -8,11 +8,11 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/mesh/extract_surface.h"
+#include "core/extract/extract_surface.h"
+#include "core/extract/place_vertices.h"
+#include "core/handles/remove_handles.h"
 #include "core/mesh/keep_components.h"
 #include "core/mesh/normals.h"
-#include "core/mesh/place_vertices.h"
-#include "core/mesh/remove_handles.h"
 #include "core/mesh/smooth.h"
 #include "core/mesh/untangle.h"
 

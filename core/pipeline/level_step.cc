@@ -5,6 +5,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/crust/medial_voxels.h"
+#include "core/cut/fixed_point.h"
 #include "core/evidence/uncovered_silhouettes.h"
 #include "core/pipeline/voxel_terms.h"
 
@@ -81,7 +82,8 @@ OctahedralCut CutCoveringSilhouettes(const ViewSet& views,
       return cut;
     }
     for (size_t i = 0; i < evidence->size(); ++i) {
-      (*evidence)[i] += float(weight) * missed.shares[i];
+      (*evidence)[i] = std::min(
+          (*evidence)[i] + float(weight) * missed.shares[i], kMaxEvidence);
     }
   }
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/base/check_option.h"
 #include "core/scene/scene.h"
 
@@ -12,22 +14,19 @@ void EnergyOptions::Check() const {
               "smoothness",
               smoothness,
               "must be positive and at most 16");
-  CheckOption(area_weight > 0 && area_weight <= 1,
+  CheckOption(area_weight >= 1e-12 && area_weight <= 1,
               "area_weight",
               area_weight,
-              "must be positive and at most 1");
-  CheckOption(silhouette_weight >= 0,
-              "silhouette_weight",
-              silhouette_weight,
-              "must not be negative");
-  CheckOption(mask_border_weight >= 0,
-              "mask_border_weight",
-              mask_border_weight,
-              "must not be negative");
-  CheckOption(unseen_weight >= 0,
-              "unseen_weight",
-              unseen_weight,
-              "must not be negative");
+              "must be in 1e-12 .. 1");
+  for (const auto& [name, weight] :
+       {std::pair("silhouette_weight", silhouette_weight),
+        std::pair("mask_border_weight", mask_border_weight),
+        std::pair("unseen_weight", unseen_weight)}) {
+    CheckOption(weight >= 0 && weight <= kMaxEvidenceWeight,
+                name,
+                weight,
+                fmt::format("must be in 0 .. {}", kMaxEvidenceWeight));
+  }
 }
 
 void ReconstructionOptions::Check() const {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/base/check_option.h"
 #include "core/base/stopwatch.h"
@@ -21,6 +22,12 @@ void CheckScene(const Scene& scene, bool needs_images) {
   if (scene.views.size() < 3) {
     throw InputError(
         fmt::format("{} views: at least 3 are needed", scene.views.size()));
+  }
+  // Lists of views that see a place hold numbers of 16 bits.
+  if (scene.views.size() > std::numeric_limits<uint16_t>::max()) {
+    throw InputError(fmt::format("{} views: at most {} can be used",
+                                 scene.views.size(),
+                                 std::numeric_limits<uint16_t>::max()));
   }
   for (const View& view : scene.views) {
     if ((needs_images && view.image.empty()) || view.mask.empty()) {
@@ -64,6 +71,7 @@ Reconstruction Reconstruct(const Scene& scene,
                            const LevelObserver& observer) {
   options.Check();
   CheckScene(scene, true);
+  CheckFloatsResolve(region.cube, options.target_level);
   Reconstruction result;
   ReconstructionSummary& summary = result.summary;
   Stopwatch stopwatch;
@@ -146,6 +154,7 @@ HullReconstruction ReconstructHull(const Scene& scene,
                                    const Context& context) {
   options.Check();
   CheckScene(scene, false);
+  CheckFloatsResolve(region.cube, options.hull.hull_level);
   const FilledScene believed =
       BelievedScene(scene, region.cube, 0, options.fill_false_gaps, context);
   const ViewSet views = PrepareViews(believed.scene, region.cube, context);

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "core/base/context.h"
+#include "core/extract/extract_surface.h"
+#include "core/handles/remove_handles.h"
 #include "core/mesh/audit.h"
-#include "core/mesh/extract_surface.h"
 #include "core/mesh/indexed_mesh.h"
-#include "core/mesh/remove_handles.h"
 #include "core/mesh/surface_mesh.h"
 #include "core/pipeline/options.h"
 #include "core/refine/refine_surface.h"

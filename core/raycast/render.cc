@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/check_option.h"
+#include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/raycast/sampling.h"
 #include "core/raycast/tone_curve.h"

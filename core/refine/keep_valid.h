@@ -13,14 +13,13 @@
 
 namespace octacut {
 
-// Moves vertices of `mesh` back towards `before` (a half, a quarter, none of
-// their way left)
+// Moves vertices of `mesh` back towards `before`, in steps up to the whole way,
 // - that are more than `tolerance` pixels out of a mask and farther than they
 //   were at `start` and `before`, where an earlier move with a larger tolerance
 //   may have left them; with several moves one after the other `start` is that
 //   before the first;
-// - of triangles that are thinner than a hundredth of `pixel`, unless they
-//   were at `before`;
+// - of triangles that are thinner than a hundredth of `pixel`; those of
+//   triangles that were at `before` stay there;
 // - of triangles that intersect others, until none do but those that did at
 //   `before`.
 // What is left standing out by the last two is smoothed, as far as it stays

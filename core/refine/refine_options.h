@@ -1,5 +1,6 @@
 // Options of photometric refinement. Lengths are in pixels of the views at the
-// surface.
+// surface: of the photographs as they are held, reduced to what the target
+// level needs (View::scale), not as they were taken.
 #pragma once
 
 #include "core/refine/surface_patch.h"

@@ -23,6 +23,7 @@ struct Candidate {
   float weight;
   float pixel;
   Eigen::Vector3f direction;  // to the camera
+  float distance;
 };
 
 // Views before which the point faces up, is in the frame and on the object;
@@ -35,8 +36,8 @@ void FindCandidates(const ViewSet& views,
   candidates->clear();
   for (size_t i = 0; i < views.size(); ++i) {
     const ViewProjection& projection = views[i].projection;
-    const Eigen::Vector3f direction =
-        (projection.center - surface.center).normalized();
+    const Eigen::Vector3f to_camera = projection.center - surface.center;
+    const Eigen::Vector3f direction = to_camera.normalized();
     const float cosine = direction.dot(surface.normal);
     if (cosine < min_cosine) {
       continue;
@@ -46,8 +47,11 @@ void FindCandidates(const ViewSet& views,
     if (p && views[i].silhouette.Coverage(p->u, p->v) >= kObjectCoverage) {
       const float own_pixel = p->depth / projection.focal_length;
       const float sharpness = std::min(1.0f, pixel / own_pixel);
-      candidates->push_back(
-          {uint16_t(i), cosine * sharpness * sharpness, own_pixel, direction});
+      candidates->push_back({uint16_t(i),
+                             cosine * sharpness * sharpness,
+                             own_pixel,
+                             direction,
+                             to_camera.norm()});
     }
   }
   std::sort(candidates->begin(),
@@ -58,13 +62,14 @@ void FindCandidates(const ViewSet& views,
             });
 }
 
+// Surface behind the camera hides nothing.
 bool IsHidden(const RayScene& rays,
               const Eigen::Vector3f& point,
-              const Eigen::Vector3f& direction) {
+              const Candidate& candidate) {
   return rays.IsOccluded(point.cast<double>(),
-                         direction.cast<double>(),
+                         candidate.direction.cast<double>(),
                          0,
-                         std::numeric_limits<double>::infinity());
+                         candidate.distance);
 }
 
 // Whether the view sees the place and what faces it of the ring around.
@@ -74,7 +79,7 @@ bool SeesPiece(const RayScene& rays,
                const LinesOfSight& lines) {
   if (IsHidden(rays,
                surface.center + float(lines.clearance) * surface.normal,
-               candidate.direction)) {
+               candidate)) {
     return false;
   }
   const float radius = float(lines.ring_radius) * candidate.pixel;
@@ -88,7 +93,7 @@ bool SeesPiece(const RayScene& rays,
     const Eigen::Vector3f point =
         surface.center + x * surface.tangent_u + y * surface.TangentV() +
         (surface.Height(x, y) + float(lines.ring_clearance)) * surface.normal;
-    if (IsHidden(rays, point, candidate.direction)) {
+    if (IsHidden(rays, point, candidate)) {
       return false;
     }
   }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/base/check_option.h"
 #include "core/base/error.h"
@@ -190,6 +191,23 @@ Region EstimateRegion(const std::vector<View>& views,
       BoxOfSilhouettes(views, options.hull_level, context);
   return hull.sure ? MakeTolerantRegion(views, hull.box, options)
                    : FallBack(views, points, hull, options, context);
+}
+
+void CheckFloatsResolve(const BoundingCube& cube, int level) {
+  constexpr double kMaxShareOfVoxel = 0.05;
+  const double farthest = cube.min_corner.cwiseAbs().maxCoeff() + cube.edge;
+  const double spacing =
+      farthest * double(std::numeric_limits<float>::epsilon());
+  if (spacing > kMaxShareOfVoxel * cube.VoxelSize(level)) {
+    throw InputError(fmt::format(
+        "the object has a size of {:.3g} and coordinates up to {:.3g}: single "
+        "precision cannot hold voxels of 2^-{} of that size there; move the "
+        "model to the origin (colmap model_transformer), or choose a coarser "
+        "level",
+        cube.edge,
+        farthest,
+        level));
+  }
 }
 
 std::vector<size_t> PointsInsideMasks(

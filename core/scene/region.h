@@ -65,6 +65,11 @@ Region EstimateRegion(const std::vector<View>& views,
                       const RegionOptions& options,
                       const Context& context);
 
+// Meshes are kept in floats, as files have them. Throws InputError where the
+// object is so far from the origin that those are coarser than a twentieth of a
+// voxel of `level`.
+void CheckFloatsResolve(const BoundingCube& cube, int level);
+
 // Numbers of those `points` (ascending) that at least two views show inside
 // their silhouette, and that are inside in at least nine of ten views. Views
 // that have the point out of sight do not count, unless the object is clear of

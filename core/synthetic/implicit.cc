@@ -166,40 +166,4 @@ ImplicitShape MakeTube(const std::vector<Eigen::Vector4d>& points, int steps) {
           lipschitz};
 }
 
-ImplicitShape MakeLathe(const std::vector<Eigen::Vector2d>& profile,
-                        double rounding) {
-  double radius = 0;
-  Eigen::AlignedBox1d heights;
-  for (const Eigen::Vector2d& point : profile) {
-    radius = std::max(radius, point.x());
-    heights.extend(Eigen::Matrix<double, 1, 1>(point.y()));
-  }
-  radius += rounding;
-  const Eigen::Vector3d low(-radius, -radius, heights.min()(0) - rounding);
-  const Eigen::Vector3d high(radius, radius, heights.max()(0) + rounding);
-  return {[=](const Eigen::Vector3d& p) {
-            // Signed distance to a polygon: nearest edge, and the parity of
-            // the edges that a ray to the right crosses.
-            const Eigen::Vector2d q(std::hypot(p.x(), p.y()), p.z());
-            double squared = std::numeric_limits<double>::infinity();
-            bool inside = false;
-            Eigen::Vector2d a = profile.back();
-            for (const Eigen::Vector2d& b : profile) {
-              const Eigen::Vector2d ab = b - a;
-              const Eigen::Vector2d aq = q - a;
-              const double t =
-                  std::clamp(ab.dot(aq) / ab.squaredNorm(), 0.0, 1.0);
-              squared = std::min(squared, (aq - t * ab).squaredNorm());
-              if ((a.y() > q.y()) != (b.y() > q.y()) &&
-                  aq.x() < ab.x() * aq.y() / ab.y()) {
-                inside = !inside;
-              }
-              a = b;
-            }
-            const double distance = std::sqrt(squared);
-            return (inside ? -distance : distance) - rounding;
-          },
-          {low, high}};
-}
-
 }  // namespace octacut

@@ -46,9 +46,6 @@ ImplicitShape MakeBar(const Eigen::Vector3d& begin,
 // two points.
 ImplicitShape MakeTube(const std::vector<Eigen::Vector4d>& points,
                        int steps = 8);
-// A closed polygon in (distance from the z axis, z), turned about the z axis.
-ImplicitShape MakeLathe(const std::vector<Eigen::Vector2d>& profile,
-                        double rounding);
 
 // Combinations. `blend` is the size of the rounded transition (0: none).
 ImplicitShape Union(std::vector<ImplicitShape> shapes, double blend = 0);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/raycast/sampling.h"
+#include "core/base/hash.h"
 
 namespace octacut {
 

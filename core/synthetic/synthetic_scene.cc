@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/base/check_option.h"
+#include "core/base/hash.h"
 #include "core/base/parallel.h"
-#include "core/raycast/sampling.h"
 #include "core/raycast/tone_curve.h"
 #include "core/synthetic/sparse_points.h"
 

@@ -21,6 +21,8 @@ struct ProjectedPoint {
 };
 
 struct ViewProjection {
+  static constexpr float kNearestCenter = 0.25f;  // unit coordinates
+
   // (u * depth, v * depth, depth) = linear * x + offset; u, v in pixels.
   Eigen::Matrix3f linear;
   Eigen::Vector3f offset;
@@ -45,11 +47,11 @@ struct ViewProjection {
   float Footprint(float length, float depth) const {
     return focal_length * length / depth;
   }
-  // The same at the centre of the root cube, or at the length itself where
-  // that centre is nearer or behind.
+  // The same at the centre of the root cube. Close-ups have that nearer than
+  // what they show, or behind them: they count as if it were at kNearestCenter.
   float CenterFootprint(float length) const {
     const float depth = Homogeneous(Eigen::Vector3f::Constant(0.5f)).z();
-    return Footprint(length, std::max(depth, length));
+    return Footprint(length, std::max(depth, kNearestCenter));
   }
   bool InFrame(float u, float v) const {
     return u >= 0 && v >= 0 && u <= float(width) && v <= float(height);

@@ -25,12 +25,11 @@ class DepthMap {
   // Depth at pixel coordinates of the view; kEmpty where nothing was drawn or
   // out of the frame.
   float At(float u, float v) const {
-    const int x = int(u * scale_);
-    const int y = int(v * scale_);
-    if (!(u >= 0 && v >= 0) || x >= width_ || y >= height_) {
-      return kEmpty;
-    }
-    return depths_[size_t(y) * width_ + x];
+    const float x = u * scale_;
+    const float y = v * scale_;
+    return x >= 0 && y >= 0 && x < float(width_) && y < float(height_)
+               ? depths_[size_t(y) * width_ + size_t(x)]
+               : kEmpty;
   }
 
  private:

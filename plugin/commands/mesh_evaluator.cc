@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/compare/evaluate_mesh.h"
+#include "core/base/check_option.h"
+#include "core/evaluate/evaluate_mesh.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/report.h"
@@ -89,6 +90,10 @@ std::vector<std::string> TableRow(const std::string& name,
 void MeshEvaluator::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   evaluate_.Check();
+  CheckOption(image_level_ >= 1 && image_level_ <= 20,
+              "image_level",
+              image_level_,
+              "must be in 1 .. 20");
   CheckReportPath(output_path_, mesh_paths_);
   loading_.load_images = evaluate_.photometric;
   const LoadedScene loaded =

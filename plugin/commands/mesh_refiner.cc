@@ -6,7 +6,9 @@
 #include "core/base/error.h"
 #include "core/hull/false_gaps.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/untangle.h"
 #include "core/pipeline/options.h"
+#include "core/scene/region.h"
 #include "plugin/mesh_json.h"
 #include "plugin/refinement_options.h"
 #include "plugin/report.h"
@@ -40,12 +42,18 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
               &target_level_,
               "Images are held as fine as voxels of 2^-level of the region "
               "need");
+  // The windows of the images, which these decide, are to be the mesher's.
+  workspace_.loading.region.mask_tolerance =
+      ReconstructionOptions().mask_tolerance;
+  DeclareMaskTolerance(options, &workspace_.loading.region.mask_tolerance);
   DeclareFillFalseGaps(options, &fill_false_gaps_);
   DeclareRefinementOptions(options, &refinement_);
 }
 
 IndexedMesh MeshRefiner::ReadClosedMesh(const Context& context) const {
   IndexedMesh mesh = ReadMesh(mesh_path_).mesh;
+  // What is audited is what refinement keeps and files hold.
+  RoundToFloats(&mesh.positions);
   const std::string failure = AuditMesh(mesh, context).DescribeFailure();
   if (!failure.empty()) {
     throw InputError(fmt::format("{}: {}", mesh_path_.string(), failure));
@@ -60,12 +68,11 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   if (mesh_path_.empty()) {
     mesh_path_ = workspace_.workspace_path / "meshed-octahedral.ply";
   }
+  workspace_.CheckReportIsNot(mesh_path_, "the mesh to refine");
   IndexedMesh mesh = ReadClosedMesh(context);
-  // The windows of the images are to be those of octahedral_mesher's defaults.
-  workspace_.loading.region.mask_tolerance =
-      ReconstructionOptions().mask_tolerance;
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
+  CheckFloatsResolve(loaded.region.cube, target_level_);
   const FilledScene believed =
       BelievedScene(loaded.scene,
                     loaded.region.cube,

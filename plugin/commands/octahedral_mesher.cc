@@ -66,6 +66,11 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   meshing_.Check();
   workspace_.Complete("meshed-octahedral.ply");
+  if (picture_) {
+    const std::filesystem::path picture_path = workspace_.Beside(".png");
+    workspace_.CheckReportIsNot(picture_path, "the picture");
+    CheckFilePath(picture_path);
+  }
   workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
   const LevelObserver observer = LevelWriter();
   const LoadedScene loaded = LoadScene(workspace_.workspace_path,

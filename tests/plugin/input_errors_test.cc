@@ -198,6 +198,14 @@ TEST_F(InputErrors, PathsThatCannotBeWritten) {
   const std::string mesh = (Workspace() / "meshed-octahedral.ply").string();
   ExpectError("--report_path = " + mesh + ": must be another file",
               {"--report_path", mesh});
+  const fs::path beside = Workspace() / "." / "meshed-octahedral.";
+  ExpectError("must be another file than the mesh",
+              {"--report_path", beside.string() + "ply"});
+  ExpectError("must be another file than the picture",
+              {"--report_path", beside.string() + "png"});
+  fs::create_directories(beside.string() + "png");
+  ExpectError("meshed-octahedral.png");
+  fs::remove(beside.string() + "png");
   WriteBytes(folder_ / "gone", "a file");
   ExpectError("save_levels " + gone, {"--save_levels", gone});
 }

@@ -66,6 +66,8 @@ TEST_F(MeshEvaluatorTest, MistakesAreNamed) {
   EXPECT_THAT(
       Evaluate({"--mesh_path", Truth(), "--Reprojection.min_angle", "0"}).err,
       HasSubstr("--Reprojection.min_angle = 0: must be"));
+  EXPECT_THAT(Evaluate({"--mesh_path", Truth(), "--image_level", "0"}).err,
+              HasSubstr("--image_level = 0: must be in 1 .. 20"));
 }
 
 }  // namespace

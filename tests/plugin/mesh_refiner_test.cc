@@ -157,6 +157,9 @@ TEST_F(MeshRefiner, MistakesAreNamed) {
     EXPECT_EQ(mesher.exit_code, 1);
     EXPECT_THAT(mesher.err, HasSubstr(option + " = " + value + ": must"));
   }
+  ExpectError(
+      "mask_tolerance = -1: must be in",
+      {"--mesh_path", closed, "--OctahedralMeshing.mask_tolerance", "-1"});
   ExpectError("cannot be written",
               {"--mesh_path",
                closed,

@@ -182,8 +182,8 @@ TEST_F(LoadSceneTest, TakesMasksOfPhotographsInADenseFolder) {
 
 TEST_F(LoadSceneTest, NeedsNoImagesForMasksAlone) {
   fs::remove_all(folder_ / "images");
-  fs::create_directories(folder_ / "images");
   LoadSceneOptions options;
+  EXPECT_THAT(ErrorOf(options), HasSubstr("no folder of images"));
   options.load_images = false;
   const LoadedScene loaded = Load(options);
   ExpectSphere(loaded);

@@ -162,6 +162,16 @@ TEST_F(WorkspaceTest, MaskCamerasOfAProject) {
   WriteSparseModelBinary(RingModel(given, 4),
                          folder_ / "dense" / "0" / "sparse");
   EXPECT_EQ(find(MaskGeometry::kAuto, {500, 400}).params, given.params);
+  // Images of several dense folders have a camera in each.
+  SparseCamera second = {1, camera_model::kPinhole, 501, 401, {8, 8, 8, 8}};
+  WriteSparseModelBinary(RingModel(second, 4),
+                         folder_ / "dense" / "1" / "sparse");
+  EXPECT_EQ(find(MaskGeometry::kAuto, {500, 400}).params, given.params);
+  EXPECT_EQ(find(MaskGeometry::kAuto, {501, 401}).params, second.params);
+  EXPECT_THAT(InputErrorOf([&] {
+                MaskCameras(workspace, MaskGeometry::kAuto, folder_ / "sparse");
+              }),
+              HasSubstr("is no dense folder"));
 
   EXPECT_THAT(InputErrorOf([&] {
                 find(MaskGeometry::kAuto, {333, 222});
@@ -205,6 +215,26 @@ TEST_F(WorkspaceTest, MaskCamerasOfADenseFolder) {
                 find(MaskGeometry::kOriginal, {64, 48});
               }),
               HasSubstr("64x48"));
+  EXPECT_THAT(InputErrorOf([&] {
+                find(MaskGeometry::kAuto, {640, 480}, folder_ / "mistyped");
+              }),
+              HasSubstr("mistyped: holds no sparse model"));
+}
+
+// dense/1 is made of sparse/1, whatever lens sparse/0 has for its images.
+TEST_F(WorkspaceTest, MaskCamerasOfTheModelOfTheSameNumber) {
+  const fs::path dense = folder_ / "dense" / "1";
+  MakeFolders(dense);
+  WriteSparseModelBinary(RingModel(kPinhole, 4), dense / "sparse");
+  SparseCamera own = kRadial;
+  own.params[3] += 0.01;
+  WriteSparseModelBinary(RingModel(kRadial, 4), folder_ / "sparse" / "0");
+  WriteSparseModelBinary(RingModel(own, 4), folder_ / "sparse" / "1");
+  const Workspace workspace = OpenWorkspace(dense, {}, Context(1));
+  EXPECT_EQ(MaskCameras(workspace, MaskGeometry::kAuto, {})
+                .Find(workspace.model.images[0], kPinhole, {640, 480}, "")
+                .params,
+            own.params);
 }
 
 }  // namespace

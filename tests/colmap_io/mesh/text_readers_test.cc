@@ -56,6 +56,15 @@ TEST(ObjReader, ColorsOfBothScales) {
   EXPECT_THAT(partly.notes, ElementsAre(HasSubstr("colours")));
 }
 
+TEST(ObjReader, CoordinatesThatNoFloatHolds) {
+  try {
+    ReadText("v 0 0 0\nv 0 -1e39 0\nv 1 0 0\nf 1 2 3\n", MeshFormat::kObj);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("vertex 1: a coordinate of 1e+39"));
+  }
+}
+
 TEST(ObjReader, ErrorsNameTheLine) {
   const auto error = [](const std::string& text) {
     return ReadError("v 0 0 0\nv 1 0 0\nv 0 1 0\n" + text, MeshFormat::kObj);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/error.h"
 #include "core/hull/visual_hull.h"
@@ -73,6 +74,9 @@ TEST_P(SweptDepthsOf, LieOnTheSurface) {
     }
     EXPECT_EQ(map.DepthAt(-1, 5), 0);
     EXPECT_EQ(map.DepthAt(5, 1e6f), 0);
+    // Where points just before the camera are; no int holds these.
+    EXPECT_EQ(map.DepthAt(3e9f, 3e9f), 0);
+    EXPECT_EQ(map.DepthAt(5, std::numeric_limits<float>::infinity()), 0);
   }
   ASSERT_GT(errors.size(), num_rays / 5);
   std::nth_element(

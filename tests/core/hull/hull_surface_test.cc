@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/extract/extract_surface.h"
+#include "core/extract/place_vertices.h"
 #include "core/mesh/audit.h"
-#include "core/mesh/extract_surface.h"
 #include "core/mesh/keep_components.h"
-#include "core/mesh/place_vertices.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {

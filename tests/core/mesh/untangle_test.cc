@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "tests/core/mesh/label_crust.h"
+#include "tests/core/extract/label_crust.h"
 #include "tests/core/mesh/test_shapes.h"
 
 namespace octacut {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/core/mesh/label_crust.h"
+#include "tests/core/extract/label_crust.h"
 
 namespace octacut {
 namespace {

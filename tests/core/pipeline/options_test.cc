@@ -53,10 +53,10 @@ TEST(ReconstructionOptions, AreRejectedWithFieldValueAndConstraint) {
   EXPECT_THAT(Refusal([](auto* o) { o->energy.smoothness = 0; }),
               AllOf(StartsWith("smoothness = 0"), HasSubstr("positive")));
   EXPECT_THAT(Refusal([](auto* o) { o->energy.area_weight = 0; }),
-              AllOf(StartsWith("area_weight = 0"), HasSubstr("positive")));
+              AllOf(StartsWith("area_weight = 0"), HasSubstr("1e-12")));
   EXPECT_THAT(
       Refusal([](auto* o) { o->energy.silhouette_weight = -1; }),
-      AllOf(StartsWith("silhouette_weight = -1"), HasSubstr("negative")));
+      AllOf(StartsWith("silhouette_weight = -1"), HasSubstr("0 .. 100")));
   EXPECT_THAT(Refusal([](auto* o) { o->hull.hull_level = 1; }),
               StartsWith("hull_level = 1"));
   EXPECT_THAT(Refusal([](auto* o) { o->crust.crust_dilation = 0; }),
@@ -67,6 +67,11 @@ TEST(ReconstructionOptions, AreRejectedWithFieldValueAndConstraint) {
               StartsWith("patch_radius = 9"));
   EXPECT_THAT(Refusal([](auto* o) { o->evidence.ballooning = -1; }),
               StartsWith("ballooning = -1"));
+  EXPECT_THAT(Refusal([](auto* o) { o->evidence.cover_weight = 1000; }),
+              AllOf(StartsWith("cover_weight = 1000"), HasSubstr("100")));
+  EXPECT_THAT(Refusal([](auto* o) { o->evidence.min_agreeing_views = 5; }),
+              AllOf(StartsWith("min_agreeing_views = 5"),
+                    HasSubstr("num_neighbors = 4")));
   EXPECT_THAT(Refusal([](auto* o) { o->evidence.sweep.num_neighbors = 1; }),
               StartsWith("depth_sweep.num_neighbors = 1"));
   EXPECT_NE(Refusal([](auto* o) { o->smoothing.lambda = 2; }), "accepted");

@@ -45,7 +45,7 @@ TEST(KeepValid, TakesBackWhatIntersects) {
   ASSERT_GT(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
   EXPECT_GT(Keep({}, start.positions, start.positions, 1, kPixel, &mesh), 0u);
   EXPECT_EQ(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
-  EXPECT_TRUE(AuditMesh(mesh).IsPrintable());
+  EXPECT_EQ(AuditMesh(mesh).DescribeFailure(), "");
 }
 
 TEST(KeepValid, LeavesIntersectionsThatWereThere) {

@@ -49,7 +49,7 @@ TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
             RefineScene::MeanError(before) / 5);
   EXPECT_EQ(refined.mesh.triangles, before.triangles);
   EXPECT_EQ(refined.mesh.normals.size(), before.positions.size());
-  EXPECT_TRUE(AuditMesh(refined.mesh).IsPrintable());
+  EXPECT_EQ(AuditMesh(refined.mesh).DescribeFailure(), "");
   EXPECT_EQ(FindSelfIntersections(refined.mesh, Context(2)).num_pairs, 0u);
   const RefineSummary& summary = refined.summary;
   EXPECT_EQ(summary.num_vertices, before.positions.size());

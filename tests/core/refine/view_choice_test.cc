@@ -152,6 +152,23 @@ TEST_F(ViewChoice, LeavesOutViewsBehindAnObstacle) {
   }
 }
 
+TEST_F(ViewChoice, SurfaceBehindTheCamerasHidesNothing) {
+  const IndexedMesh mesh =
+      scene_->ToUnitMesh(RefineScene::Mesh(8, [](const auto&) { return 0; }));
+  const IndexedMesh dome =
+      scene_->ToUnitMesh(RefineScene::Mesh(8, [](const auto&) { return 100; }));
+  const std::vector<ChosenViews> alone =
+      Choose(mesh, Fit(mesh), ViewChoiceOptions());
+  const std::vector<ChosenViews> below =
+      Choose(Joined(mesh, dome), Fit(mesh), ViewChoiceOptions());
+  int num_views = 0;
+  for (size_t v = 0; v < alone.size(); ++v) {
+    EXPECT_EQ(below[v].count, alone[v].count);
+    num_views += alone[v].count;
+  }
+  EXPECT_GT(num_views, alone.size());
+}
+
 TEST_F(ViewChoice, LeavesOutViewsFromWhichAPieceIsHiddenInPart) {
   // A wall 0.1 high stands around the north pole, 0.1 away; the rest is smooth.
   const auto away_from_pole = [](const Eigen::Vector3d& direction) {

@@ -238,5 +238,23 @@ TEST(RegionOptions, BoundingBoxFromNumbers) {
   EXPECT_THROW(BoundingBoxFromNumbers({1, 2, nan, 4, 5, 6}), OptionError);
 }
 
+TEST(Region, FloatsMustResolveTheVoxels) {
+  BoundingCube cube;
+  cube.edge = 10;
+  cube.min_corner = {-5, -5, 0};
+  CheckFloatsResolve(cube, 12);
+  cube.min_corner = {4e3, 0, 0};
+  CheckFloatsResolve(cube, 9);
+  EXPECT_THROW(CheckFloatsResolve(cube, 12), InputError);
+  cube.min_corner = {4.5e5, -5.4e6, 100};  // as of a map's grid
+  try {
+    CheckFloatsResolve(cube, 7);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("size of 10"));
+    EXPECT_THAT(error.what(), HasSubstr("coordinates up to 5.4e+06"));
+  }
+}
+
 }  // namespace
 }  // namespace octacut

@@ -32,9 +32,6 @@ std::vector<std::pair<const char*, ImplicitShape>> Shapes() {
       {"bar", bar},
       {"tube",
        MakeTube({{0, 0, 0, 0.2}, {0.5, 0.3, 0, 0.1}, {0.6, 0.9, 0.4, 0.15}})},
-      {"lathe",
-       MakeLathe({{0, -0.5}, {0.5, -0.3}, {0.3, 0.2}, {0.4, 0.6}, {0, 0.5}},
-                 0.02)},
       {"union", Union({box, bar, Move(MakeSphere(0.3), {-0.6, 0, 0})}, 0.1)},
       {"intersect", Intersect(box, MakeSphere(0.5), 0.05)},
       {"subtract", Subtract(box, MakeSphere(0.35), 0.05)},
@@ -88,19 +85,6 @@ TEST(ImplicitShape, PrimitivesAreDistances) {
   EXPECT_DOUBLE_EQ(MakeCylinder(1, 2, 0.1)({3, 0, 0}), 2);
   EXPECT_DOUBLE_EQ(MakeCylinder(1, 2, 0.1)({0, 0, 2.5}), 0.5);
   EXPECT_DOUBLE_EQ(MakeBar({0, 0, 0}, {1, 0, 0}, 0.1, 0.1)({0.5, 1, 0}), 0.9);
-  // A lathed rectangle is a cylinder.
-  const ImplicitShape lathe =
-      MakeLathe({{0, -1}, {0.5, -1}, {0.5, 1}, {0, 1}}, 0);
-  const ImplicitShape cylinder = MakeCylinder(0.5, 1, 1e-9);
-  std::mt19937 rng(3);
-  for (int trial = 0; trial < 500; ++trial) {
-    const Eigen::Vector3d point = RandomIn(rng, 2);
-    if (cylinder(point) > 0) {
-      EXPECT_NEAR(lathe(point), cylinder(point), 1e-7);
-    } else {
-      EXPECT_LE(lathe(point), 1e-12);
-    }
-  }
 }
 
 TEST(ImplicitShape, TubeIsTheUnionOfItsBars) {

@@ -129,5 +129,22 @@ TEST(VoxelCenter, IsTheMiddleOfTheVoxel) {
   EXPECT_EQ(VoxelCenter({0, 0, 0}, 0), Eigen::Vector3f::Constant(0.5f));
 }
 
+TEST(ViewProjection, CloseUpsCountAsIfTheCentreWereBeforeThem) {
+  Random random(4);
+  ViewOfCube v = RandomViewOfCube(random, 5);
+  const auto footprint_at = [&](double depth) {
+    // The cube's centre at that depth.
+    v.view.cam_from_world.translation +=
+        (depth * v.cube.edge - (v.view.cam_from_world * v.cube.Center()).z()) *
+        Eigen::Vector3d::UnitZ();
+    return MakeViewProjection(v.view, v.cube).CenterFootprint(0.01f);
+  };
+  const float focal_length = MakeViewProjection(v.view, v.cube).focal_length;
+  EXPECT_NEAR(footprint_at(2), 0.01f * focal_length / 2, 1e-3);
+  for (const double depth : {0.1, 0.0, -3.0}) {
+    EXPECT_NEAR(footprint_at(depth), 0.01f * focal_length / 0.25f, 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace octacut

@@ -1,0 +1,167 @@
+#include "core/handles/remove_handles.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/handles/half_edges.h"
+#include "core/handles/handle_cutter.h"
+#include "core/handles/handle_loops.h"
+#include "core/handles/surface_homology.h"
+#include "core/mesh/disjoint_sets.h"
+
+namespace octacut {
+namespace {
+
+// How often other loops are tried where all that were chosen have failed.
+constexpr int kMaxAttempts = 16;
+
+using Vertices = std::vector<uint32_t>;
+
+// Ascending: the same for a loop from wherever it is begun.
+Vertices VerticesOf(const HalfEdges& half_edges, const HandleLoop& loop) {
+  Vertices vertices;
+  for (const uint32_t h : loop.half_edges) {
+    vertices.push_back(half_edges.Origin(h));
+  }
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
+// Of loops, ascending by length, those that no triangle touches two of.
+std::vector<HandleLoop> ChooseDisjoint(const std::vector<HandleLoop>& loops,
+                                       const HalfEdges& half_edges,
+                                       const std::set<Vertices>& refused) {
+  std::vector<uint8_t> is_near(half_edges.NumVertices());
+  std::vector<HandleLoop> chosen;
+  for (const HandleLoop& loop : loops) {
+    const Vertices vertices = VerticesOf(half_edges, loop);
+    if (std::any_of(vertices.begin(),
+                    vertices.end(),
+                    [&](uint32_t v) { return is_near[v] != 0; }) ||
+        refused.contains(vertices)) {
+      continue;
+    }
+    chosen.push_back(loop);
+    for (const uint32_t v : vertices) {
+      for (const uint32_t h : half_edges.Leaving(v)) {
+        is_near[half_edges.End(h)] = 1;
+      }
+    }
+  }
+  return chosen;
+}
+
+// Takes out loops, the longest first, until the others together do not
+// separate: those that join what all of them would leave.
+void KeepConnected(const HalfEdges& half_edges,
+                   std::vector<HandleLoop>& loops) {
+  std::vector<uint8_t> is_cut(half_edges.Size());
+  for (const HandleLoop& loop : loops) {
+    for (const uint32_t h : loop.half_edges) {
+      is_cut[h] = is_cut[half_edges.Opposite(h)] = 1;
+    }
+  }
+  DisjointSets pieces(half_edges.Size() / 3);
+  for (uint32_t h = 0; h < half_edges.Size(); ++h) {
+    if (!is_cut[h]) {
+      pieces.Unite(h / 3, half_edges.Opposite(h) / 3);
+    }
+  }
+  for (size_t i = loops.size(); i-- > 0;) {
+    const uint32_t h = loops[i].half_edges[0];
+    if (pieces.Unite(h / 3, half_edges.Opposite(h) / 3)) {
+      loops.erase(loops.begin() + ptrdiff_t(i));
+    }
+  }
+}
+
+// Cuts those of `loops` that can be; the others are refused. Returns how many
+// were cut; `cut` is set if there are any.
+size_t CutLoops(const IndexedMesh& mesh,
+                const HalfEdges& half_edges,
+                std::vector<HandleLoop> loops,
+                double min_height,
+                const Context& context,
+                std::set<Vertices>* refused,
+                IndexedMesh* cut) {
+  while (!loops.empty()) {
+    HandleCutter cutter(mesh, half_edges);
+    for (const HandleLoop& loop : loops) {
+      cutter.Cut(loop);
+    }
+    const std::set<size_t> failed = cutter.FindFailed(min_height, context);
+    if (failed.empty()) {
+      *cut = cutter.TakeMesh();
+      break;
+    }
+    for (auto i = failed.rbegin(); i != failed.rend(); ++i) {
+      refused->insert(VerticesOf(half_edges, loops[*i]));
+      loops.erase(loops.begin() + ptrdiff_t(*i));
+    }
+  }
+  return loops.size();
+}
+
+// One round: what can be told from the handles as they are.
+size_t RemoveSome(double max_length,
+                  double min_height,
+                  const Context& context,
+                  std::set<Vertices>* refused,
+                  IndexedMesh* mesh) {
+  const HalfEdges half_edges(mesh->positions.size(), mesh->triangles, context);
+  const std::vector<HandleLoop> loops =
+      FindHandleLoops(*mesh,
+                      half_edges,
+                      SurfaceHomology(half_edges, context),
+                      max_length,
+                      context);
+  for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
+    std::vector<HandleLoop> chosen =
+        ChooseDisjoint(loops, half_edges, *refused);
+    if (chosen.empty()) {
+      break;
+    }
+    KeepConnected(half_edges, chosen);
+    IndexedMesh cut;
+    const size_t num_cut = CutLoops(*mesh,
+                                    half_edges,
+                                    std::move(chosen),
+                                    min_height,
+                                    context,
+                                    refused,
+                                    &cut);
+    if (num_cut > 0) {
+      *mesh = std::move(cut);
+      return num_cut;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+RemovedHandles RemoveHandles(IndexedMesh mesh,
+                             double max_length,
+                             double min_height,
+                             const Context& context) {
+  RemovedHandles result;
+  result.mesh = std::move(mesh);
+  if (max_length <= 0) {
+    return result;
+  }
+  const Phase phase(context, "small handles");
+  std::set<Vertices> refused;
+  size_t num_removed;
+  do {
+    num_removed =
+        RemoveSome(max_length, min_height, context, &refused, &result.mesh);
+    result.summary.num_removed += num_removed;
+  } while (num_removed > 0);
+  result.summary.num_refused = refused.size();
+  return result;
+}
+
+}  // namespace octacut

@@ -1,0 +1,187 @@
+#include "core/handles/remove_handles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <random>
+
+#include "core/base/error.h"
+#include "tests/core/extract/label_crust.h"
+
+namespace octacut {
+namespace {
+
+constexpr int kLevel = 6;
+constexpr double kVoxel = 1.0 / (1 << kLevel);
+constexpr double kMinHeight = 0.02;  // voxels
+
+double DistanceToSegment(const Eigen::Vector3d& point,
+                         const Eigen::Vector3d& a,
+                         const Eigen::Vector3d& b) {
+  const double t =
+      std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (point - a - t * (b - a)).norm();
+}
+
+IndexedMesh MeshOf(
+    const std::function<double(const Eigen::Vector3d&)>& distance) {
+  return Place(LabelShape(kLevel, distance), UnitCube()).mesh;
+}
+
+// Two balls, joined by two bars of the given radii.
+IndexedMesh JoinedBalls(double first_radius, double second_radius) {
+  const Eigen::Vector3d low(0.28, 0.5, 0.5);
+  const Eigen::Vector3d high(0.72, 0.5, 0.5);
+  return MeshOf([&](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d side(0, 0.1, 0);
+    return std::min(
+        {(p - low).norm() - 0.17,
+         (p - high).norm() - 0.17,
+         DistanceToSegment(p, low - side, high - side) - first_radius,
+         DistanceToSegment(p, low + side, high + side) - second_radius});
+  });
+}
+
+// Closed, no triangles intersect, and as many handles fewer as the summary
+// says.
+void ExpectValidWithoutHandles(const RemovedHandles& removed,
+                               const MeshAudit& before) {
+  const MeshAudit audit = AuditMesh(removed.mesh);
+  ExpectClosedManifold(audit);
+  EXPECT_EQ(audit.num_components, before.num_components);
+  EXPECT_EQ(audit.genus, before.genus - int64_t(removed.summary.num_removed));
+  EXPECT_EQ(NumIntersections(removed.mesh), 0u);
+}
+
+TEST(RemoveHandles, CutsTheThinnerOfTwoBars) {
+  const IndexedMesh mesh = JoinedBalls(1.1 * kVoxel, 3 * kVoxel);
+  const MeshAudit before = AuditMesh(mesh);
+  ASSERT_EQ(before.genus, 1);
+  const RemovedHandles cut =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(2));
+  EXPECT_EQ(cut.summary.num_removed, 1u);
+  ExpectValidWithoutHandles(cut, before);
+  // Vertices have moved at the thin bar alone.
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (mesh.positions[v] != cut.mesh.positions[v]) {
+      EXPECT_LT(mesh.positions[v].y(), 0.45);
+    }
+  }
+}
+
+TEST(RemoveHandles, FillsAPinholeThroughAPlate) {
+  const IndexedMesh mesh = MeshOf([](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d q = p - Eigen::Vector3d(0.5, 0.5, 0.5);
+    const double plate =
+        std::max(std::hypot(q.x(), q.y()) - 0.35, std::abs(q.z()) - 4 * kVoxel);
+    return std::max(plate, 1.2 * kVoxel - std::hypot(q.x(), q.y()));
+  });
+  const MeshAudit before = AuditMesh(mesh);
+  ASSERT_EQ(before.genus, 1);
+  const RemovedHandles filled =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(2));
+  EXPECT_EQ(filled.summary.num_removed, 1u);
+  ExpectValidWithoutHandles(filled, before);
+  const double volume = AuditMesh(filled.mesh).volume;
+  EXPECT_GT(volume, before.volume);
+  EXPECT_NEAR(volume, before.volume, 0.01 * before.volume);
+}
+
+TEST(RemoveHandles, LeavesThickHandles) {
+  const IndexedMesh mesh = MeshOf(TorusDistance);
+  const RemovedHandles same =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(2));
+  EXPECT_EQ(same.summary.num_removed, 0u);
+  EXPECT_EQ(same.mesh.positions, mesh.positions);
+  EXPECT_EQ(same.mesh.triangles, mesh.triangles);
+}
+
+// Noise: many handles, also next to each other and around each other.
+TEST(RemoveHandles, KeepsRandomBlocksValid) {
+  std::mt19937 random(11);
+  size_t num_removed = 0;
+  for (int round = 0; round < 100; ++round) {
+    const LabelledCrust block = LabelRandomBlock(3 + round % 4, false, random);
+    const PlacedSurface placed = Place(block, UnitVoxels(4));
+    IndexedMesh mesh = placed.mesh;
+    mesh.positions = placed.corners;
+    if (mesh.triangles.empty()) {
+      continue;
+    }
+    const MeshAudit before = AuditMesh(mesh);
+    const RemovedHandles cut = RemoveHandles(mesh, 12, kMinHeight, Context(1));
+    ExpectValidWithoutHandles(cut, before);
+    ASSERT_FALSE(HasFailure()) << "round " << round;
+    num_removed += cut.summary.num_removed;
+    EXPECT_TRUE(int64_t(cut.summary.num_removed) == before.genus ||
+                cut.summary.num_refused > 0);
+  }
+  EXPECT_GT(num_removed, 100u);
+}
+
+TEST(RemoveHandles, FillsAHundredPinholesTheSameWithAnyNumberOfThreads) {
+  const IndexedMesh mesh = MeshOf([](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d q = p - Eigen::Vector3d(0.5, 0.5, 0.5);
+    const double plate = std::max({std::abs(q.x()) - 0.45,
+                                   std::abs(q.y()) - 0.45,
+                                   std::abs(q.z()) - 4 * kVoxel});
+    const auto from_hole = [](double x) {
+      return std::abs(x / 0.08 - std::floor(x / 0.08) - 0.5) * 0.08;
+    };
+    const bool has_hole = std::max(std::abs(q.x()), std::abs(q.y())) < 0.4;
+    return has_hole ? std::max(plate,
+                               1.2 * kVoxel - std::hypot(from_hole(q.x()),
+                                                         from_hole(q.y())))
+                    : plate;
+  });
+  const MeshAudit before = AuditMesh(mesh);
+  ASSERT_EQ(before.genus, 100);
+  const RemovedHandles filled =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(1));
+  EXPECT_EQ(filled.summary.num_removed, 100u);
+  ExpectValidWithoutHandles(filled, before);
+  const RemovedHandles threaded =
+      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(3));
+  EXPECT_EQ(threaded.mesh.positions, filled.mesh.positions);
+  EXPECT_EQ(threaded.mesh.triangles, filled.mesh.triangles);
+}
+
+// A rod through the pinhole leaves no place for what would fill it.
+TEST(RemoveHandles, RefusesWhatWouldIntersect) {
+  const IndexedMesh mesh = MeshOf([](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d q = p - Eigen::Vector3d(0.5, 0.5, 0.5);
+    const double radius = std::hypot(q.x(), q.y());
+    const double plate = std::max(radius - 0.35, std::abs(q.z()) - 2 * kVoxel);
+    const double rod = std::max(radius - 1.5 * kVoxel, std::abs(q.z()) - 0.4);
+    return std::min(std::max(plate, 4 * kVoxel - radius), rod);
+  });
+  const MeshAudit before = AuditMesh(mesh);
+  ASSERT_EQ(before.genus, 1);
+  ASSERT_EQ(before.num_components, 2);
+  const RemovedHandles kept =
+      RemoveHandles(mesh, 36 * kVoxel, kMinHeight * kVoxel, Context(2));
+  EXPECT_EQ(kept.summary.num_removed, 0u);
+  EXPECT_GT(kept.summary.num_refused, 0u);
+  EXPECT_EQ(kept.mesh.positions, mesh.positions);
+  EXPECT_EQ(kept.mesh.triangles, mesh.triangles);
+}
+
+TEST(RemoveHandles, LeavesAllWhereTheLengthIsNone) {
+  const IndexedMesh mesh = JoinedBalls(1.1 * kVoxel, 3 * kVoxel);
+  EXPECT_EQ(
+      RemoveHandles(mesh, 0, kMinHeight * kVoxel, Context(1)).mesh.triangles,
+      mesh.triangles);
+}
+
+TEST(RemoveHandles, CanBeCancelled) {
+  const IndexedMesh mesh = MeshOf(TorusDistance);
+  std::atomic<bool> cancelled = true;
+  const Context context(1, nullptr, &cancelled);
+  EXPECT_THROW(RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, context),
+               CancelledError);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -25,9 +25,6 @@ class MaskTrust : public ::testing::Test {
       cv::Mat& mask = moved.scene.views[i].mask;
       mask = MoveMaskBorder(mask, pixels);
     }
-    return Estimate(std::move(moved));
-  }
-  static std::vector<float> Estimate(TestScene moved) {
     moved.views =
         PrepareViews(moved.scene, moved.region.cube, Context(2), kMaskError);
     VisualHullOptions options;
@@ -62,19 +59,6 @@ TEST_F(MaskTrust, IsFullForMasksThatAreRightOrWide) {
 
 TEST_F(MaskTrust, IsNoneForMasksThatAreTooSmall) {
   const std::vector<float> trust = Estimate(-kMaskError, 1);
-  EXPECT_LT(*std::max_element(trust.begin(), trust.end()), 0.1f);
-}
-
-// Where the frame cuts the object off there is no border to be right about.
-TEST_F(MaskTrust, IsNoneForThemAlsoWhereTheFrameCutsTheObject) {
-  TestScene moved = *test_;
-  for (View& view : moved.scene.views) {
-    view.camera.width /= 2;
-    const cv::Rect left(0, 0, view.camera.width, view.camera.height);
-    view.mask = MoveMaskBorder(view.mask, -kMaskError)(left).clone();
-    view.image = view.image(left).clone();
-  }
-  const std::vector<float> trust = Estimate(std::move(moved));
   EXPECT_LT(*std::max_element(trust.begin(), trust.end()), 0.1f);
 }
 

@@ -203,9 +203,8 @@ TEST_F(InputErrors, PathsThatCannotBeWritten) {
               {"--report_path", beside.string() + "ply"});
   ExpectError("must be another file than the picture",
               {"--report_path", beside.string() + "png"});
-  fs::create_directories(beside.string() + "png");
-  ExpectError("meshed-octahedral.png");
-  fs::remove(beside.string() + "png");
+  fs::create_directories(folder_ / "other.png");
+  ExpectError("other.png", {"--output_path", (folder_ / "other.ply").string()});
   WriteBytes(folder_ / "gone", "a file");
   ExpectError("save_levels " + gone, {"--save_levels", gone});
 }

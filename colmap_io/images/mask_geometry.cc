@@ -119,41 +119,35 @@ const MaskCameras::CamerasByName& MaskCameras::OtherCameras() const {
 }
 
 std::vector<fs::path> MaskCameras::OtherModels() const {
+  if (!original_path_.empty()) {
+    return FindModels(original_path_);
+  }
   const fs::path here = fs::absolute(workspace_.path / "").parent_path();
+  const bool is_dense = workspace_.is_dense_folder;
+  std::vector<fs::path> folders;
+  if (is_dense) {
+    folders = {here.parent_path() / "sparse",
+               here.parent_path().parent_path() / "sparse"};
+  } else {
+    std::error_code ignored;
+    for (const auto& entry : fs::directory_iterator(here / "dense", ignored)) {
+      folders.push_back(entry.path() / "sparse");
+    }
+    std::sort(folders.begin(), folders.end());
+    folders.insert(folders.begin(), here / "dense" / "sparse");
+  }
   std::vector<fs::path> models;
-  const auto add = [&](const fs::path& folder) {
+  for (const fs::path& folder : folders) {
     const std::vector<fs::path> found = FindModels(folder);
     models.insert(models.end(), found.begin(), found.end());
-  };
-  if (workspace_.is_dense_folder) {
-    if (!original_path_.empty()) {
-      return FindModels(original_path_);
-    }
-    add(here.parent_path() / "sparse");
-    add(here.parent_path().parent_path() / "sparse");
-    std::stable_partition(
-        models.begin(), models.end(), [&](const fs::path& model) {
-          return model.filename() == here.filename();
-        });
-    return models;
   }
-  add(here / "dense" / "sparse");
-  std::vector<fs::path> numbered;
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(here / "dense", ignored)) {
-    numbered.push_back(entry.path());
-  }
-  const fs::path own = workspace_.model_path.filename();
-  std::sort(numbered.begin(),
-            numbered.end(),
-            [&](const fs::path& a, const fs::path& b) {
-              const bool a_is_own = a.filename() == own;
-              const bool b_is_own = b.filename() == own;
-              return a_is_own != b_is_own ? a_is_own : a < b;
-            });
-  for (const fs::path& folder : numbered) {
-    add(folder / "sparse");
-  }
+  // sparse/1 and dense/1/sparse belong together.
+  const fs::path number =
+      is_dense ? here.filename() : workspace_.model_path.filename();
+  std::stable_partition(
+      models.begin(), models.end(), [&](const fs::path& model) {
+        return (is_dense ? model : model.parent_path()).filename() == number;
+      });
   return models;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/base/check_option.h"
 #include "core/evidence/confirmed_depths.h"
@@ -132,6 +131,13 @@ void WarnOfNoDepths(const std::vector<std::vector<int>>& neighbors,
 
 }  // namespace
 
+void CheckEvidenceWeight(std::string_view field, double weight) {
+  CheckOption(weight >= 0 && weight <= kMaxEvidenceWeight,
+              field,
+              weight,
+              fmt::format("must be in 0 .. {}", kMaxEvidenceWeight));
+}
+
 void InsideEvidenceOptions::Check() const {
   sweep.Check();
   CheckOption(
@@ -143,15 +149,9 @@ void InsideEvidenceOptions::Check() const {
               "min_like_samples",
               min_like_samples,
               "must be in 0 .. 9");
-  for (const auto& [name, weight] :
-       {std::pair("ballooning", ballooning),
-        std::pair("matter_weight", matter_weight),
-        std::pair("free_space_weight", free_space_weight)}) {
-    CheckOption(weight >= 0 && weight <= kMaxEvidenceWeight,
-                name,
-                weight,
-                fmt::format("must be in 0 .. {}", kMaxEvidenceWeight));
-  }
+  CheckEvidenceWeight("ballooning", ballooning);
+  CheckEvidenceWeight("matter_weight", matter_weight);
+  CheckEvidenceWeight("free_space_weight", free_space_weight);
   CheckOption(
       cover_weight > 0 && cover_weight <= kMaxEvidenceWeight,
       "cover_weight",

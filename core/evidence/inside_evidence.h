@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 #include "core/base/context.h"
@@ -15,6 +16,9 @@ namespace octacut {
 
 // Of all weights of evidence, which graphs hold to some thousands.
 inline constexpr double kMaxEvidenceWeight = 100;
+
+// Throws OptionError unless `weight` is in 0 .. kMaxEvidenceWeight.
+void CheckEvidenceWeight(std::string_view field, double weight);
 
 struct InsideEvidenceOptions {
   DepthSweepOptions sweep;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "core/base/check_option.h"
 #include "core/scene/scene.h"
 
@@ -18,15 +16,9 @@ void EnergyOptions::Check() const {
               "area_weight",
               area_weight,
               "must be in 1e-12 .. 1");
-  for (const auto& [name, weight] :
-       {std::pair("silhouette_weight", silhouette_weight),
-        std::pair("mask_border_weight", mask_border_weight),
-        std::pair("unseen_weight", unseen_weight)}) {
-    CheckOption(weight >= 0 && weight <= kMaxEvidenceWeight,
-                name,
-                weight,
-                fmt::format("must be in 0 .. {}", kMaxEvidenceWeight));
-  }
+  CheckEvidenceWeight("silhouette_weight", silhouette_weight);
+  CheckEvidenceWeight("mask_border_weight", mask_border_weight);
+  CheckEvidenceWeight("unseen_weight", unseen_weight);
 }
 
 void ReconstructionOptions::Check() const {

@@ -1,12 +1,44 @@
 #include "core/views/silhouette.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <opencv2/imgproc.hpp>
 
 namespace octacut {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kDistanceScale = 32;
+
+// From the centres of pixels to the object's border. Where a pixel is covered
+// in part, the border is in it; elsewhere it lies half-way to the nearest pixel
+// of the other kind.
+std::vector<int16_t> SignedDistances(const cv::Mat& mask) {
+  const cv::Mat object = mask >= kObjectThreshold;
+  cv::Mat inside, outside;
+  cv::distanceTransform(object, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  cv::distanceTransform(~object, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  std::vector<int16_t> distances;
+  distances.reserve(mask.total());
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      const uint8_t coverage = mask.at<uint8_t>(y, x);
+      const float to_background = inside.at<float>(y, x);
+      const float to_object = outside.at<float>(y, x);
+      float distance =
+          to_background > 0 ? to_background - 0.5f : 0.5f - to_object;
+      if (std::abs(distance) < 1 && coverage > 0 && coverage < 255) {
+        distance = (float(coverage) - kObjectCoverage) / 255;
+      }
+      distances.push_back(int16_t(
+          std::lround(kDistanceScale * std::clamp(distance,
+                                                  -Silhouette::kFarInside,
+                                                  Silhouette::kFarInside))));
+    }
+  }
+  return distances;
+}
 
 }  // namespace
 
@@ -14,7 +46,8 @@ Silhouette::Silhouette(const cv::Mat& mask)
     : width_(mask.cols),
       height_(mask.rows),
       sums_(size_t(width_ + 1) * (height_ + 1), 0),
-      mask_(mask) {
+      mask_(mask),
+      distances_(SignedDistances(mask)) {
   const size_t stride = size_t(width_) + 1;
   for (int y = 0; y < height_; ++y) {
     const uint8_t* row = mask.ptr<uint8_t>(y);
@@ -100,6 +133,25 @@ bool Silhouette::IsBackgroundCube(const ViewProjection& projection,
   }
   return TestCube(projection, center, half_edge, margin) ==
          Footprint::kBackground;
+}
+
+float Silhouette::SignedDistance(float u, float v) const {
+  if (!(u >= 0 && v >= 0 && u <= float(width_) && v <= float(height_))) {
+    return kFarInside;
+  }
+  const float x = std::clamp(u - 0.5f, 0.0f, float(width_ - 1));
+  const float y = std::clamp(v - 0.5f, 0.0f, float(height_ - 1));
+  const int x0 = int(x);
+  const int y0 = int(y);
+  const int x1 = std::min(x0 + 1, width_ - 1);
+  const float fx = x - float(x0);
+  const float fy = y - float(y0);
+  const int16_t* top = distances_.data() + size_t(y0) * width_;
+  const int16_t* bottom =
+      distances_.data() + size_t(std::min(y0 + 1, height_ - 1)) * width_;
+  const float upper = float(top[x0]) * (1 - fx) + float(top[x1]) * fx;
+  const float lower = float(bottom[x0]) * (1 - fx) + float(bottom[x1]) * fx;
+  return (upper * (1 - fy) + lower * fy) * (1 / kDistanceScale);
 }
 
 float Silhouette::Coverage(float u, float v) const {

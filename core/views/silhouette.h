@@ -45,6 +45,12 @@ class Silhouette {
                         float half_edge,
                         float margin = 0) const;
 
+  // Distance (pixels) from the border of the object, positive inside, to some
+  // quarter of a pixel; bilinear. kFarInside out of the frame, where the view
+  // does not tell.
+  static constexpr float kFarInside = 1000;
+  float SignedDistance(float u, float v) const;
+
   // Coverage (0 .. 255) at pixel coordinates, bilinear; 255 out of the frame.
   float Coverage(float u, float v) const;
 
@@ -57,6 +63,8 @@ class Silhouette {
   int height_ = 0;
   std::vector<uint32_t> sums_;  // summed-area table, (width + 1) x (height + 1)
   cv::Mat mask_;
+  // Signed distances of pixel centres, in units of 1 / kDistanceScale pixels.
+  std::vector<int16_t> distances_;
 };
 
 }  // namespace octacut

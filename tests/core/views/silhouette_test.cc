@@ -131,6 +131,41 @@ TEST(Silhouette, CoverageIsBilinear) {
   EXPECT_EQ(silhouette.Coverage(std::nanf(""), 3), 255);
 }
 
+TEST(Silhouette, SignedDistanceIsThatOfADiscToAQuarterOfAPixel) {
+  constexpr double kRadius = 20.3;
+  const Eigen::Vector2d center(40.6, 30.2);
+  cv::Mat mask(60, 80, CV_8UC1);
+  for (int y = 0; y < mask.rows; ++y) {
+    for (int x = 0; x < mask.cols; ++x) {
+      const double distance =
+          kRadius - (Eigen::Vector2d(x + 0.5, y + 0.5) - center).norm();
+      mask.at<uint8_t>(y, x) =
+          uint8_t(std::lround(255 * std::clamp(distance + 0.5, 0.0, 1.0)));
+    }
+  }
+  const Silhouette silhouette(mask);
+  Random random(5);
+  for (int i = 0; i < 500; ++i) {
+    const Eigen::Vector2d p(random.Uniform(2, 78), random.Uniform(2, 58));
+    const double expected = kRadius - (p - center).norm();
+    const double found = silhouette.SignedDistance(float(p.x()), float(p.y()));
+    ASSERT_NEAR(found, expected, 0.6) << p.transpose();
+    if (std::abs(expected) < 0.4) {
+      ASSERT_NEAR(found, expected, 0.25) << p.transpose();
+    }
+  }
+}
+
+TEST(Silhouette, SignedDistanceIsFarWithoutABorderOrOutOfTheFrame) {
+  cv::Mat mask(12, 16, CV_8UC1, cv::Scalar::all(255));
+  EXPECT_EQ(Silhouette(mask).SignedDistance(5, 5), Silhouette::kFarInside);
+  EXPECT_EQ(Silhouette(mask).SignedDistance(-0.1f, 5), Silhouette::kFarInside);
+  EXPECT_EQ(Silhouette(mask).SignedDistance(std::nanf(""), 5),
+            Silhouette::kFarInside);
+  mask.setTo(0);
+  EXPECT_EQ(Silhouette(mask).SignedDistance(5, 5), -Silhouette::kFarInside);
+}
+
 struct PreparedRandomView {
   cv::Mat mask;
   Silhouette silhouette;

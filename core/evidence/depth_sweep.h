@@ -39,12 +39,14 @@ struct SweptDepthMap {
     return {(float(x) + 0.5f) / scale, (float(y) + 0.5f) / scale, 1};
   }
   // Depth at pixel coordinates of the view; 0 for none.
-  float DepthAt(float u, float v) const {
+  float DepthAt(float u, float v) const { return ValueAt(depths, u, v); }
+  // The same of other values, one a sample.
+  float ValueAt(const std::vector<float>& values, float u, float v) const {
     // Points just before the camera are at pixels that no int holds.
     const float x = u * scale;
     const float y = v * scale;
     return x >= 0 && y >= 0 && x < float(width) && y < float(height)
-               ? depths[size_t(y) * width + size_t(x)]
+               ? values[size_t(y) * width + size_t(x)]
                : 0;
   }
 };

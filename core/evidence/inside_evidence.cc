@@ -7,6 +7,7 @@
 
 #include "core/base/check_option.h"
 #include "core/evidence/confirmed_depths.h"
+#include "core/evidence/depth_trust.h"
 #include "core/evidence/mask_trust.h"
 #include "core/grid/parallel_voxels.h"
 
@@ -36,34 +37,39 @@ size_t CountDepths(const std::vector<SweptDepthMap>& maps) {
   return count;
 }
 
+// Depths that are wrong lie behind the surface, nearly all of them: what a
+// doubtful depth says of matter is right or does no harm, what it says of free
+// space and of surfaces counts as far as it can be relied upon.
 float EvidenceAt(const ViewSet& views,
-                 const std::vector<SweptDepthMap>& maps,
+                 const TrustedDepths& depths,
                  const Eigen::Vector3f& point,
                  float voxel,
                  const InsideEvidenceOptions& options) {
   float matter = 0;
   float free_space = 0;
-  bool near_surface = false;
+  float near_surface = 0;
   for (size_t i = 0; i < views.size(); ++i) {
     const std::optional<ProjectedPoint> p = views[i].projection.Project(point);
     if (!p) {
       continue;
     }
-    const float depth = maps[i].DepthAt(p->u, p->v);
+    const SweptDepthMap& map = depths.maps[i];
+    const float depth = map.DepthAt(p->u, p->v);
     if (depth == 0) {
       continue;
     }
+    const float trust = map.ValueAt(depths.trust[i], p->u, p->v);
     const float behind = (p->depth - depth) / voxel;
     if (behind < -kFreeBefore) {
-      free_space += 1;
+      free_space += trust;
     } else if (behind > kMatterFrom && behind < kMatterTo) {
       matter += 1;
     } else if (behind <= kMatterFrom) {
-      near_surface = true;
+      near_surface = std::max(near_surface, trust);
     }
   }
   // Beside a surface that some view has found, photo-consistency decides.
-  return (near_surface ? 0 : float(options.ballooning)) +
+  return (1 - near_surface) * float(options.ballooning) +
          float(options.matter_weight) * std::min(matter, kMaxVotes) -
          float(options.free_space_weight) *
              std::clamp(free_space - kSingleView, 0.0f, 2 * kMaxVotes);
@@ -71,7 +77,7 @@ float EvidenceAt(const ViewSet& views,
 
 std::vector<float> EvidenceOf(const ViewSet& views,
                               const VoxelGrid& hull,
-                              const std::vector<SweptDepthMap>& maps,
+                              const TrustedDepths& depths,
                               const InsideEvidenceOptions& options,
                               const Context& context) {
   std::vector<float> values(hull.Size());
@@ -79,7 +85,7 @@ std::vector<float> EvidenceOf(const ViewSet& views,
       context, hull, [&](VoxelGrid::Index index, MortonCode code) {
         values[index] =
             EvidenceAt(views,
-                       maps,
+                       depths,
                        VoxelCenter(DecodeMorton(code), hull.Level()),
                        1.0f / float(hull.Resolution()),
                        options);
@@ -129,6 +135,22 @@ void WarnOfNoDepths(const std::vector<std::vector<int>>& neighbors,
       options.sweep.max_angle));
 }
 
+// From this share of contradicted depths on, half of all depths are wrong.
+constexpr double kManyContradictions = 0.3;
+
+void WarnOfContradictions(double share, const Context& context) {
+  if (share < kManyContradictions) {
+    return;
+  }
+  context.Warn(fmt::format(
+      "the photographs contradict each other: {:.0f} % of the depths found in "
+      "them lie behind surfaces that other views have found. Where they do, "
+      "the silhouettes decide, and hollows may stay filled. The usual cause is "
+      "gloss, or a light that moves with the camera; diffuse light or a matt "
+      "coating helps",
+      100 * share));
+}
+
 }  // namespace
 
 void CheckEvidenceWeight(std::string_view field, double weight) {
@@ -174,16 +196,20 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
       SweepDepths(views, hull, options.sweep, context, &neighbors);
   const std::vector<std::vector<uint8_t>> counts =
       CountAgreeing(views, swept, neighbors, voxel, context);
-  std::vector<SweptDepthMap> agreeing =
+  const std::vector<SweptDepthMap> agreeing =
       KeepAgreeing(swept, counts, options.min_agreeing_views);
+  TrustedDepths depths = EstimateDepthTrust(views, hull, agreeing, context);
   InsideEvidence evidence;
-  evidence.mask_trust = EstimateMaskTrust(views, agreeing, context);
-  evidence.values = EvidenceOf(views, hull, agreeing, options, context);
+  evidence.mask_trust = EstimateMaskTrust(views, depths.maps, context);
+  evidence.values = EvidenceOf(views, hull, depths, options, context);
   evidence.summary.num_depths = CountDepths(swept);
   evidence.summary.num_agreeing = CountDepths(agreeing);
+  evidence.summary.contradicted_share = depths.contradicted_share;
   if (evidence.summary.num_agreeing == 0) {
     WarnOfNoDepths(neighbors, options, context);
   }
+  WarnOfContradictions(depths.contradicted_share, context);
+  const size_t num_kept = CountDepths(depths.maps);
   if (options.min_agreeing_views > 1 && options.min_like_samples <= 8) {
     AddPlausible(views,
                  hull,
@@ -191,11 +217,12 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                  evidence.values,
                  options,
                  context,
-                 &agreeing);
-    evidence.values = EvidenceOf(views, hull, agreeing, options, context);
+                 &depths.maps);
+    evidence.values = EvidenceOf(views, hull, depths, options, context);
   }
-  evidence.summary.num_plausible =
-      CountDepths(agreeing) - evidence.summary.num_agreeing;
+  evidence.depth_trust =
+      TrustInSpace(views, hull, depths.maps, depths.trust, context);
+  evidence.summary.num_plausible = CountDepths(depths.maps) - num_kept;
   evidence.summary.num_free_voxels = size_t(std::count_if(
       evidence.values.begin(), evidence.values.end(), [](float value) {
         return value < 0;

@@ -10,6 +10,7 @@
 #include "core/base/context.h"
 #include "core/evidence/depth_sweep.h"
 #include "core/grid/voxel_grid.h"
+#include "core/grid/voxel_values.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
@@ -34,7 +35,8 @@ struct InsideEvidenceOptions {
   // unseen parts keep the hull), and what one view's word is worth.
   double ballooning = 0.01;
   double matter_weight = 0.5;  // a view with its surface just before the voxel
-  // A view that sees through the voxel; the first one counts half.
+  // A view that sees through the voxel, as far as its depth can be relied upon;
+  // the first one counts half.
   double free_space_weight = 0.5;
   // Where a labelling leaves the ray of an object's pixel empty: what that
   // pixel's word is worth to all hull voxels of its ray together. It doubles
@@ -50,10 +52,14 @@ struct InsideEvidenceSummary {
   size_t num_agreeing = 0;     // of them, confirmed by other views
   size_t num_plausible = 0;    // confirmed by too few, yet taken
   size_t num_free_voxels = 0;  // with evidence for outside
+  // Of the confirmed depths: those with surfaces before them that other views
+  // have found.
+  double contradicted_share = 0;
 };
 
 struct InsideEvidence {
   std::vector<float> values;      // one a hull voxel; > 0 speaks for inside
+  VoxelValues depth_trust;        // as TrustInSpace has it, of the hull
   std::vector<float> mask_trust;  // one a view, as EstimateMaskTrust has it
   InsideEvidenceSummary summary;
 };

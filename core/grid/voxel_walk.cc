@@ -53,4 +53,18 @@ void VoxelWalk::LinkBricks(const VoxelGrid& grid, size_t begin, size_t end) {
   }
 }
 
+std::vector<float> VoxelWalk::SumOverBrickNeighbors(
+    const std::vector<float>& values) const {
+  std::vector<float> sums = values;
+  for (size_t b = 0; b < NumBricks(); ++b) {
+    for (int face = 0; face < kNumFaces; ++face) {
+      const size_t beside = BrickBeside(b, face);
+      if (beside < NumBricks()) {
+        sums[b] += values[beside];
+      }
+    }
+  }
+  return sums;
+}
+
 }  // namespace octacut

@@ -65,6 +65,10 @@ class VoxelWalk {
     return rank == kEmpty ? VoxelGrid::kNone : links_[brick].first + rank;
   }
 
+  // For each brick the sum of its value and those of the bricks beside it.
+  std::vector<float> SumOverBrickNeighbors(
+      const std::vector<float>& values) const;
+
   // Calls body(place, neighbors) in order for the voxels of bricks
   // [begin, end); neighbors[f] is the index across face f or kNone.
   template <typename Body>

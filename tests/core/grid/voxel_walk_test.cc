@@ -53,5 +53,17 @@ TEST(CountBits, CountsAsTheStandardLibraryDoes) {
   }
 }
 
+TEST(VoxelWalk, SumsOverNeighboringBricks) {
+  // Bricks in a row along x, of which the third is missing.
+  std::vector<MortonCode> codes;
+  for (const int x : {0, 4, 12, 16}) {
+    codes.push_back(EncodeMorton(Eigen::Vector3i(x, 0, 0)));
+  }
+  const VoxelGrid grid = VoxelGrid::FromCodes(5, codes);
+  const VoxelWalk walk(grid);
+  EXPECT_EQ(walk.SumOverBrickNeighbors({1, 2, 4, 8}),
+            (std::vector<float>{3, 3, 12, 12}));
+}
+
 }  // namespace
 }  // namespace octacut

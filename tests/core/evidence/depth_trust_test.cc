@@ -1,0 +1,149 @@
+#include "core/evidence/depth_trust.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/hull/visual_hull.h"
+#include "core/raycast/ray_scene.h"
+#include "tests/core/views/test_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::TestScene;
+
+constexpr int kLevel = 6;
+constexpr float kVoxel = 1.0f / (1 << kLevel);
+
+// A sphere's views, its hull, and the true depths of every fourth pixel.
+struct Setting {
+  TestScene test =
+      testing::MakeTestScene(testing::TestSpec("sphere", 160, 120, 16));
+  VoxelGrid hull;
+  std::vector<SweptDepthMap> maps;
+
+  Setting() {
+    VisualHullOptions options;
+    options.hull_level = kLevel;
+    hull =
+        ComputeVisualHull(test.views, TestScene::UnitBox(), options, Context(2))
+            .voxels;
+    IndexedMesh truth = test.synthetic.reference;
+    for (Eigen::Vector3d& position : truth.positions) {
+      position =
+          (position - test.region.cube.min_corner) / test.region.cube.edge;
+    }
+    const RayScene rays(truth);
+    for (const PreparedView& view : test.views) {
+      SweptDepthMap& map = maps.emplace_back();
+      map.scale = 0.5f;
+      map.width = view.projection.width / 2;
+      map.height = view.projection.height / 2;
+      map.depths.assign(size_t(map.width) * map.height, 1);
+      std::vector<float> depths(map.depths.size());
+      ForEachDepth(
+          map,
+          view.projection,
+          [&](int x, int y, float, const Eigen::Vector3f& ray) {
+            const auto hit = rays.FirstHit(
+                view.projection.center.cast<double>(), ray.cast<double>());
+            depths[size_t(y) * map.width + x] = hit ? float(hit->distance) : 0;
+          });
+      map.depths = depths;
+    }
+  }
+
+  TrustedDepths Trust() const {
+    return EstimateDepthTrust(test.views, hull, maps, Context(2));
+  }
+
+  // The depths of a view lie so many voxels behind the truth.
+  void PushBack(size_t view, float voxels) {
+    for (float& depth : maps[view].depths) {
+      depth = depth > 0 ? depth + voxels * kVoxel : 0;
+    }
+  }
+};
+
+size_t CountDepths(const SweptDepthMap& map) {
+  return size_t(std::count_if(map.depths.begin(),
+                              map.depths.end(),
+                              [](float depth) { return depth > 0; }));
+}
+
+float MeanTrust(const SweptDepthMap& map, const std::vector<float>& trust) {
+  float sum = 0;
+  for (size_t k = 0; k < trust.size(); ++k) {
+    sum += map.depths[k] > 0 ? trust[k] : 0;
+  }
+  return sum / float(std::max<size_t>(CountDepths(map), 1));
+}
+
+TEST(DepthTrust, IsFullWhereDepthsAreRight) {
+  const Setting setting;
+  const TrustedDepths trusted = setting.Trust();
+  EXPECT_LT(trusted.contradicted_share, 0.02);
+  for (size_t i = 0; i < setting.maps.size(); ++i) {
+    EXPECT_EQ(CountDepths(trusted.maps[i]), CountDepths(setting.maps[i])) << i;
+    EXPECT_GT(MeanTrust(setting.maps[i], trusted.trust[i]), 0.98f) << i;
+  }
+  const VoxelValues in_space = TrustInSpace(setting.test.views,
+                                            setting.hull,
+                                            trusted.maps,
+                                            trusted.trust,
+                                            Context(2));
+  ASSERT_EQ(in_space.values.size(), setting.hull.Size());
+  EXPECT_GT(*std::min_element(in_space.values.begin(), in_space.values.end()),
+            0.9f);
+}
+
+TEST(DepthTrust, OfAViewThatLooksThroughSurfacesOfOthersIsNone) {
+  Setting setting;
+  setting.PushBack(3, 9);
+  const TrustedDepths trusted = setting.Trust();
+  EXPECT_LT(MeanTrust(setting.maps[3], trusted.trust[3]), 0.1f);
+  // What it finds behind the surfaces of many others is outvoted.
+  EXPECT_LT(CountDepths(trusted.maps[3]), CountDepths(setting.maps[3]) / 4);
+  for (const size_t i : {size_t{0}, size_t{7}, size_t{12}}) {
+    EXPECT_GT(MeanTrust(setting.maps[i], trusted.trust[i]), 0.9f) << i;
+  }
+}
+
+// What polished metal does: most depths are reflections behind the surface.
+TEST(DepthTrust, IsNoneWhereMostDepthsContradictEachOther) {
+  Setting setting;
+  for (size_t i = 0; i < setting.maps.size(); ++i) {
+    if (i % 3 != 0) {
+      setting.PushBack(i, 6 + 3 * float(i % 4));
+    }
+  }
+  const TrustedDepths trusted = setting.Trust();
+  EXPECT_GT(trusted.contradicted_share, 0.4);
+  const VoxelValues in_space = TrustInSpace(setting.test.views,
+                                            setting.hull,
+                                            trusted.maps,
+                                            trusted.trust,
+                                            Context(2));
+  double sum = 0;
+  for (const float value : in_space.values) {
+    ASSERT_GE(value, 0);
+    ASSERT_LE(value, 1);
+    sum += value;
+  }
+  EXPECT_LT(sum / double(in_space.values.size()), 0.75);
+}
+
+TEST(DepthTrust, IsTheSameForAnyNumberOfThreads) {
+  Setting setting;
+  setting.PushBack(2, 7);
+  const TrustedDepths one = EstimateDepthTrust(
+      setting.test.views, setting.hull, setting.maps, Context(1));
+  const TrustedDepths three = EstimateDepthTrust(
+      setting.test.views, setting.hull, setting.maps, Context(3));
+  EXPECT_EQ(one.trust, three.trust);
+  EXPECT_EQ(one.contradicted_share, three.contradicted_share);
+}
+
+}  // namespace
+}  // namespace octacut

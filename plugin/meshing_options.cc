@@ -105,6 +105,7 @@ Json LevelToJson(const LevelSummary& level) {
           {"cut_cost", level.cut_cost},
           {"mean_consistency", level.consistency.mean},
           {"unseen_voxels", level.consistency.num_unseen},
+          {"decided_by_photographs", level.decided_share},
           {"grow_rounds", level.num_grow_rounds},
           {"cover_rounds", level.num_cover_rounds},
           {"silhouettes_missed_before", level.missed_before},
@@ -142,8 +143,8 @@ void DeclareMeshingOptions(OptionManager& options,
               "Evidence for outside of voxels that are background in a view");
   options.Add("OctahedralMeshing.mask_border_weight",
               &meshing->energy.mask_border_weight,
-              "The same of voxels within mask_tolerance of the object, at l0, "
-              "of masks that depths confirm; halved a level");
+              "The same of voxels within mask_tolerance of the object, of masks "
+              "that depths confirm");
   options.Add("OctahedralMeshing.unseen_weight",
               &meshing->energy.unseen_weight,
               "Evidence for inside of finer voxels that fewer than two views "
@@ -195,6 +196,7 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
             {"agreeing_depths", summary.evidence.num_agreeing},
             {"plausible_depths", summary.evidence.num_plausible},
             {"free_voxels", summary.evidence.num_free_voxels},
+            {"contradicted_depths", summary.evidence.contradicted_share},
             {"seconds", summary.evidence_seconds}}},
           {"levels", levels},
           {"meshing",

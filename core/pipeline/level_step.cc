@@ -7,6 +7,7 @@
 #include "core/crust/medial_voxels.h"
 #include "core/cut/fixed_point.h"
 #include "core/evidence/uncovered_silhouettes.h"
+#include "core/pipeline/undecided_surface.h"
 #include "core/pipeline/voxel_terms.h"
 
 namespace octacut {
@@ -31,14 +32,13 @@ Visibility EstimateVisibility(const ViewSet& views,
 }
 
 OctahedralCut CutCrust(const Crust& crust,
-                       const std::vector<float>& phi,
+                       const std::vector<float>& weights,
                        const std::vector<float>& evidence,
                        const ReconstructionOptions& options,
                        const Context& context,
                        LevelSummary* summary,
                        OctahedralCutState* state = nullptr) {
   Stopwatch stopwatch;
-  const std::vector<float> weights = EdgeWeights(phi, options.energy);
   OctahedralCutProblem problem;
   problem.crust = &crust.voxels;
   problem.weights = weights;
@@ -63,12 +63,14 @@ OctahedralCut CutCoveringSilhouettes(const ViewSet& views,
                                      const Context& context,
                                      std::vector<float>* evidence,
                                      LevelSummary* summary) {
-  const std::vector<float> neutral(crust.voxels.Size(),
-                                   float(options.consistency.neutral));
+  const std::vector<float> weights =
+      EdgeWeights(std::vector<float>(crust.voxels.Size(),
+                                     float(options.consistency.neutral)),
+                  options.energy);
   double weight = options.evidence.cover_weight;
   for (int round = 0;; ++round, weight *= 2) {
     OctahedralCut cut =
-        CutCrust(crust, neutral, *evidence, options, context, summary);
+        CutCrust(crust, weights, *evidence, options, context, summary);
     const UncoveredSilhouettes missed =
         FindUncoveredSilhouettes(views, crust.voxels, cut.labels, context);
     summary->missed_after = double(missed.num_uncovered) /
@@ -86,6 +88,20 @@ OctahedralCut CutCoveringSilhouettes(const ViewSet& views,
           (*evidence)[i] + float(weight) * missed.shares[i], kMaxEvidence);
     }
   }
+}
+
+// Of the cut voxels, how much of them the photographs decide.
+double DecidedShare(const std::vector<FaceLabels>& labels,
+                    const Decision& decision) {
+  double sum = 0;
+  size_t count = 0;
+  for (size_t i = 0; i < labels.size(); ++i) {
+    if (IsCut(labels[i])) {
+      sum += decision.here[i];
+      ++count;
+    }
+  }
+  return sum / double(std::max<size_t>(count, 1));
 }
 
 void BeginLevel(int level, LevelSummary* summary) {
@@ -106,7 +122,9 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
   Crust crust = InitialCrust(hull, context);
   summary->crust_seconds += stopwatch.Lap();
   std::vector<float> prior =
-      SilhouetteEvidence(views, evidence.mask_trust, hull, options, context);
+      EstimateSilhouetteTerms(
+          views, evidence.mask_trust, hull, options.energy, context)
+          .evidence;
   for (size_t i = 0; i < prior.size(); ++i) {
     prior[i] += evidence.values[i];
   }
@@ -131,12 +149,17 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
               context,
               &terms,
               summary);
-  cut = CutCrust(crust, terms.phi, prior, options, context, summary);
+  const Decision decision =
+      DecideByPhotographs(crust, terms.phi, evidence.depth_trust, context);
+  std::vector<float> weights = EdgeWeights(terms.phi, options.energy);
+  FlattenUndecidedWeights(decision, options, &weights);
+  cut = CutCrust(crust, weights, prior, options, context, summary);
+  summary->decided_share = DecidedShare(cut.labels, decision);
   return {std::move(crust.voxels), std::move(cut.labels)};
 }
 
 LabeledVoxels SolveFinerLevel(const ViewSet& views,
-                              const std::vector<float>& mask_trust,
+                              const InsideEvidence& evidence,
                               const LabelHierarchy& hierarchy,
                               const ReconstructionOptions& options,
                               const Context& context,
@@ -157,17 +180,24 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
   OctahedralCutState state;
   for (int round = 0;; ++round) {
     ExtendTerms(views,
-                mask_trust,
+                evidence.mask_trust,
                 visibility,
                 crust,
                 options,
                 context,
                 &terms,
                 summary);
+    const Decision decision =
+        DecideByPhotographs(crust, terms.phi, evidence.depth_trust, context);
+    std::vector<float> weights = EdgeWeights(terms.phi, options.energy);
+    FlattenUndecidedWeights(decision, options, &weights);
+    std::vector<float> held = terms.evidence;
+    HoldUndecidedSurface(crust, decision, terms.hull_depth, context, &held);
+    summary->crust_seconds += stopwatch.Lap();
     OctahedralCut cut =
         CutCrust(crust,
-                 terms.phi,
-                 terms.evidence,
+                 weights,
+                 held,
                  options,
                  context,
                  summary,
@@ -176,6 +206,7 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
     const std::vector<uint8_t> at_border =
         CutAtBorder(crust, cut.labels, context, &summary->num_border_voxels);
     summary->num_grow_rounds = round;
+    summary->decided_share = DecidedShare(cut.labels, decision);
     if (round >= options.max_grow_rounds || summary->num_border_voxels == 0) {
       summary->crust_seconds += stopwatch.Lap();
       return {std::move(crust.voxels), std::move(cut.labels)};

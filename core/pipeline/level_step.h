@@ -22,9 +22,9 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
                                 LevelSummary* summary);
 
 // The labelling of the level after hierarchy.Finest(); its crust is grown
-// where the cut touches its border. `mask_trust` is that of InsideEvidence.
+// where the cut touches its border. `evidence` is that of l0.
 LabeledVoxels SolveFinerLevel(const ViewSet& views,
-                              const std::vector<float>& mask_trust,
+                              const InsideEvidence& evidence,
                               const LabelHierarchy& hierarchy,
                               const ReconstructionOptions& options,
                               const Context& context,

@@ -112,12 +112,8 @@ Reconstruction Reconstruct(const Scene& scene,
         hierarchy.Empty()
             ? SolveInitialLevel(
                   views, hull.voxels, evidence, options, context, &step)
-            : SolveFinerLevel(views,
-                              evidence.mask_trust,
-                              hierarchy,
-                              options,
-                              context,
-                              &step));
+            : SolveFinerLevel(
+                  views, evidence, hierarchy, options, context, &step));
     ReportLevel(step, context);
     if (observer) {
       observer(level, PlacedMesh(hierarchy.Finest(), region.cube, context));
@@ -213,8 +209,8 @@ size_t EstimateReconstructionBytes(const Scene& scene,
                      : 0;
   size_t view_bytes = 0;
   for (const View& view : scene.views) {
-    // Pyramid (4 bytes a pixel and a third) and summed areas.
-    view_bytes += view.mask.total() * 10;
+    // Pyramid (4 bytes a pixel and a third), summed areas and distances.
+    view_bytes += view.mask.total() * 12;
   }
   return view_bytes +
          std::max({level_bytes,

@@ -29,6 +29,8 @@ struct LevelSummary {
   size_t num_cut_voxels = 0;
   double cut_cost = 0;
   ConsistencySummary consistency;
+  // Of the cut voxels, the share where photographs decided.
+  double decided_share = 0;
   int num_grow_rounds = 0;
   // Of the first level: rounds that asked back what silhouettes miss, the
   // share of their samples missed before and after.

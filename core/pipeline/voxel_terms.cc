@@ -18,21 +18,8 @@ float AtLevel(double weight, int level, const ReconstructionOptions& options) {
   return float(std::ldexp(weight, options.hull.hull_level - level));
 }
 
-enum class Outsideness { kNo, kNearObject, kSure };
-
-// Whether a cube is background in a view, or would not be if the mask's object
-// were larger by the tolerance.
-Outsideness Outside(const PreparedView& view,
-                    const Eigen::Vector3f& center,
-                    float half_edge) {
-  if (!view.silhouette.IsBackgroundCube(view.projection, center, half_edge)) {
-    return Outsideness::kNo;
-  }
-  return view.silhouette.IsBackgroundCube(
-             view.projection, center, half_edge, view.mask_tolerance)
-             ? Outsideness::kSure
-             : Outsideness::kNearObject;
-}
+// Masks that are half in doubt do not bound the hull.
+constexpr float kTrusted = 0.5f;
 
 }  // namespace
 
@@ -47,6 +34,7 @@ void ExtendTerms(const ViewSet& views,
   Stopwatch stopwatch;
   VoxelTerms extended{crust.voxels,
                       std::vector<float>(crust.voxels.Size()),
+                      std::vector<float>(crust.voxels.Size()),
                       std::vector<float>(crust.voxels.Size())};
   std::vector<uint8_t> is_new(crust.voxels.Size());
   bool all_new = true;
@@ -57,6 +45,7 @@ void ExtendTerms(const ViewSet& views,
       all_new = false;
       extended.phi[index] = terms->phi[before];
       extended.evidence[index] = terms->evidence[before];
+      extended.hull_depth[index] = terms->hull_depth[before];
     }
   });
   summary->crust_seconds += stopwatch.Lap();
@@ -73,17 +62,19 @@ void ExtendTerms(const ViewSet& views,
       views, added, normals, visibility, options.consistency, context);
   summary->consistency_seconds += stopwatch.Lap();
   summary->consistency.Add(consistency.summary);
-  const std::vector<float> silhouette =
-      SilhouetteEvidence(views, mask_trust, added, options, context);
+  const SilhouetteTerms silhouettes = EstimateSilhouetteTerms(
+      views, mask_trust, added, options.energy, context);
   const float unseen =
       AtLevel(options.energy.unseen_weight, crust.voxels.Level(), options);
   size_t next = 0;
   for (size_t i = 0; i < is_new.size(); ++i) {
     if (is_new[i]) {
       extended.phi[i] = consistency.phi[next];
-      extended.evidence[i] = silhouette[next] < 0        ? silhouette[next]
+      const float outside = silhouettes.evidence[next];
+      extended.evidence[i] = outside < 0                 ? outside
                              : consistency.is_seen[next] ? 0.0f
                                                          : unseen;
+      extended.hull_depth[i] = silhouettes.hull_depth[next];
       ++next;
     }
   }
@@ -101,34 +92,43 @@ std::vector<float> EdgeWeights(const std::vector<float>& phi,
   return weights;
 }
 
-std::vector<float> SilhouetteEvidence(const ViewSet& views,
-                                      const std::vector<float>& mask_trust,
-                                      const VoxelGrid& voxels,
-                                      const ReconstructionOptions& options,
-                                      const Context& context) {
-  std::vector<float> evidence(voxels.Size());
-  const float half_edge = 0.5f / float(voxels.Resolution());
-  const float near_weight =
-      AtLevel(options.energy.mask_border_weight, voxels.Level(), options);
+SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
+                                        const std::vector<float>& mask_trust,
+                                        const VoxelGrid& voxels,
+                                        const EnergyOptions& options,
+                                        const Context& context) {
+  SilhouetteTerms terms{std::vector<float>(voxels.Size()),
+                        std::vector<float>(voxels.Size())};
+  const float voxel = 1.0f / float(voxels.Resolution());
   ParallelForVoxels(
       context, voxels, [&](VoxelGrid::Index index, MortonCode code) {
         const Eigen::Vector3f center =
             VoxelCenter(DecodeMorton(code), voxels.Level());
+        float least_depth = Silhouette::kFarInside;
+        float evidence = 0;
         for (size_t i = 0; i < views.size(); ++i) {
-          switch (Outside(views[i], center, half_edge)) {
-            case Outsideness::kNo:
-              break;
-            case Outsideness::kNearObject:
-              evidence[index] =
-                  std::min(evidence[index], -near_weight * mask_trust[i]);
-              break;
-            case Outsideness::kSure:
-              evidence[index] = -float(options.energy.silhouette_weight);
-              return;
+          const ViewProjection& projection = views[i].projection;
+          const std::optional<ProjectedPoint> p =
+              projection.ProjectIntoFrame(center);
+          if (!p) {
+            continue;
           }
+          const float pixels = views[i].silhouette.SignedDistance(p->u, p->v);
+          const float depth = pixels / projection.Footprint(voxel, p->depth);
+          const bool is_sure = pixels <= -views[i].mask_tolerance;
+          if (is_sure || mask_trust[i] > kTrusted) {
+            least_depth = std::min(least_depth, depth);
+          }
+          const double weight =
+              is_sure ? options.silhouette_weight
+                      : options.mask_border_weight * mask_trust[i];
+          evidence = std::min(
+              evidence, -float(weight) * std::clamp(-2 * depth, 0.0f, 1.0f));
         }
+        terms.evidence[index] = evidence;
+        terms.hull_depth[index] = least_depth;
       });
-  return evidence;
+  return terms;
 }
 
 }  // namespace octacut

@@ -19,6 +19,7 @@ struct VoxelTerms {
   // Evidence for inside (> 0: what fewer than two views see keeps the hull) or
   // outside (< 0: a view shows background), in units of the weights.
   std::vector<float> evidence;
+  std::vector<float> hull_depth;  // as SilhouetteTerms has it
 };
 
 // Brings `terms` up to `crust`, which is at least as large: voxels that have
@@ -37,13 +38,22 @@ void ExtendTerms(const ViewSet& views,
 std::vector<float> EdgeWeights(const std::vector<float>& phi,
                                const EnergyOptions& options);
 
-// Evidence for outside of the voxels whose footprint is background in some
-// view: much where that is beyond doubt, less near the object, where the mask
-// may be wrong. The others have none.
-std::vector<float> SilhouetteEvidence(const ViewSet& views,
-                                      const std::vector<float>& mask_trust,
-                                      const VoxelGrid& voxels,
-                                      const ReconstructionOptions& options,
-                                      const Context& context);
+struct SilhouetteTerms {
+  // Evidence for outside (< 0) of voxels outside the border of some view's
+  // object: all of the weight from half a voxel on. It is less within
+  // mask_tolerance of the border, where the mask may be wrong. 0 for others.
+  std::vector<float> evidence;
+  // How deep each voxel's centre lies within the silhouettes, voxels: the least
+  // distance to a border; negative outside. Borders of masks that may be too
+  // small count where they leave out more than mask_tolerance.
+  std::vector<float> hull_depth;
+};
+
+// One element a voxel each. `mask_trust` is that of InsideEvidence.
+SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
+                                        const std::vector<float>& mask_trust,
+                                        const VoxelGrid& voxels,
+                                        const EnergyOptions& options,
+                                        const Context& context);
 
 }  // namespace octacut

@@ -130,4 +130,28 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
   return normals;
 }
 
+std::vector<float> SmoothPrior(const VoxelGrid& voxels,
+                               const std::vector<FaceTies>& ties,
+                               const std::vector<float>& prior,
+                               int blur_steps,
+                               const Context& context) {
+  std::vector<float> values = prior;
+  std::vector<float> blurred(values.size());
+  const VoxelWalk walk(voxels, context);
+  for (int step = 0; step < blur_steps; ++step) {
+    ParallelFor(
+        context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+          walk.ForEach(begin, end, [&](const VoxelPlace& place) {
+            float sum = values[place.index];
+            for (const float value : ValuesAcross(values, ties, walk, place)) {
+              sum += value;
+            }
+            blurred[place.index] = sum / 7;
+          });
+        });
+    values.swap(blurred);
+  }
+  return values;
+}
+
 }  // namespace octacut

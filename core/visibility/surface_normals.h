@@ -27,4 +27,13 @@ std::vector<Eigen::Vector3f> EstimateNormals(
     const Context& context,
     std::span<const uint8_t> wanted = {});
 
+// `prior` after `blur_steps` averagings with the six neighbours, where
+// interfaces of the crust count as they are tied: 0 (outside) .. 1, and a half
+// at the surface that it stands for.
+std::vector<float> SmoothPrior(const VoxelGrid& voxels,
+                               const std::vector<FaceTies>& ties,
+                               const std::vector<float>& prior,
+                               int blur_steps,
+                               const Context& context);
+
 }  // namespace octacut

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "tests/core/views/test_scene.h"
 
@@ -29,82 +28,96 @@ TEST(EdgeWeights, AreEquationThree) {
   EXPECT_TRUE(EdgeWeights({}, options).empty());
 }
 
-TEST(SilhouetteEvidence, SpeaksWhereAWholeVoxelIsBackgroundInAView) {
-  const TestScene test = MakeTestScene("torus", 120, 90, 12);
-  constexpr int kLevel = 5;
+// Every third voxel of a level.
+VoxelGrid SomeVoxels(int level) {
   std::vector<MortonCode> codes;
-  for (MortonCode code = 0; code < 32u * 32 * 32; code += 3) {
+  for (MortonCode code = 0; code < MortonCode{1} << (3 * level); code += 3) {
     codes.push_back(code);
   }
-  const VoxelGrid voxels = VoxelGrid::FromCodes(kLevel, codes);
-  ReconstructionOptions options;
-  options.energy.silhouette_weight = 0.75;
-  const std::vector<float> evidence =
-      SilhouetteEvidence(test.views,
-                         std::vector<float>(test.views.size(), 1.0f),
-                         voxels,
-                         options,
-                         Context(2));
-  ASSERT_EQ(evidence.size(), voxels.Size());
-  size_t num_background = 0;
-  voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    bool background = false;
-    for (const PreparedView& view : test.views) {
-      background |= view.silhouette.TestCube(
-                        view.projection,
-                        VoxelCenter(DecodeMorton(code), kLevel),
-                        0.5f / (1 << kLevel)) == Footprint::kBackground;
-    }
-    num_background += background;
-    ASSERT_EQ(evidence[index], background ? -0.75f : 0) << index;
-  });
-  EXPECT_GT(num_background, voxels.Size() / 4);
-  EXPECT_LT(num_background, voxels.Size());
+  return VoxelGrid::FromCodes(level, codes);
 }
 
-TEST(SilhouetteEvidence, IsWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
+// Depth of a voxel's centre in a view's silhouette, voxels.
+float DepthIn(const PreparedView& view, MortonCode code, int level) {
+  const auto p =
+      view.projection.ProjectIntoFrame(VoxelCenter(DecodeMorton(code), level));
+  return p ? view.silhouette.SignedDistance(p->u, p->v) /
+                 view.projection.Footprint(1.0f / float(1 << level), p->depth)
+           : Silhouette::kFarInside;
+}
+
+TEST(SilhouetteTerms, SpeakFromTheBorderOfTheSmallestSilhouette) {
+  const TestScene test = MakeTestScene("torus", 120, 90, 12);
+  constexpr int kLevel = 5;
+  const VoxelGrid voxels = SomeVoxels(kLevel);
+  EnergyOptions options;
+  options.silhouette_weight = 0.75;
+  const SilhouetteTerms terms =
+      EstimateSilhouetteTerms(test.views,
+                              std::vector<float>(test.views.size(), 1.0f),
+                              voxels,
+                              options,
+                              Context(2));
+  ASSERT_EQ(terms.evidence.size(), voxels.Size());
+  size_t num_outside = 0;
+  voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    float depth = Silhouette::kFarInside;
+    for (const PreparedView& view : test.views) {
+      depth = std::min(depth, DepthIn(view, code, kLevel));
+    }
+    num_outside += depth <= -0.5f;
+    ASSERT_NEAR(terms.hull_depth[index], depth, 1e-3f) << index;
+    ASSERT_NEAR(terms.evidence[index],
+                -0.75f * std::clamp(-2 * depth, 0.0f, 1.0f),
+                1e-3f)
+        << index;
+  });
+  EXPECT_GT(num_outside, voxels.Size() / 4);
+  EXPECT_LT(num_outside, voxels.Size());
+}
+
+TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
   TestScene test = MakeTestScene("torus", 120, 90, 2);
   constexpr double kTolerance = 4;
   test.views =
       PrepareViews(test.scene, test.region.cube, Context(2), kTolerance);
   constexpr int kLevel = 6;
-  std::vector<MortonCode> codes;
-  for (MortonCode code = 0; code < 64u * 64 * 64; code += 5) {
-    codes.push_back(code);
-  }
-  const VoxelGrid voxels = VoxelGrid::FromCodes(kLevel, codes);
-  ReconstructionOptions options;
-  options.hull.hull_level = kLevel - 1;
-  options.energy.silhouette_weight = 2;
-  options.energy.mask_border_weight = 0.5;
-  const std::vector<float> evidence =
-      SilhouetteEvidence(test.views, {1, 0.25f}, voxels, options, Context(2));
-  std::map<float, int> counts;
+  const VoxelGrid voxels = SomeVoxels(kLevel);
+  EnergyOptions options;
+  options.silhouette_weight = 2;
+  options.mask_border_weight = 0.5;
+  const std::vector<float> trust = {1, 0.25f};
+  const SilhouetteTerms terms =
+      EstimateSilhouetteTerms(test.views, trust, voxels, options, Context(2));
+  size_t num_sure = 0;
+  size_t num_weak = 0;
+  size_t num_beyond_doubtful = 0;
   voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    bool is_sure = false;
-    float expected = 0;
+    float evidence = 0;
     for (size_t i = 0; i < 2; ++i) {
-      const auto is_background = [&](float margin) {
-        return test.views[i].silhouette.TestCube(
-                   test.views[i].projection,
-                   VoxelCenter(DecodeMorton(code), kLevel),
-                   0.5f / (1 << kLevel),
-                   margin) == Footprint::kBackground;
-      };
-      is_sure = is_sure || is_background(kTolerance);
-      if (is_background(0)) {
-        // Half of the weight: a level finer than l0.
-        expected = std::min(expected, i == 0 ? -0.25f : -0.0625f);
+      const float depth = DepthIn(test.views[i], code, kLevel);
+      const auto p = test.views[i].projection.ProjectIntoFrame(
+          VoxelCenter(DecodeMorton(code), kLevel));
+      const bool is_sure = p && test.views[i].silhouette.SignedDistance(
+                                    p->u, p->v) <= -kTolerance;
+      const float weight = is_sure ? 2 : 0.5f * trust[i];
+      evidence =
+          std::min(evidence, -weight * std::clamp(-2 * depth, 0.0f, 1.0f));
+      // The border of a doubtful mask does not bound the hull within its
+      // tolerance.
+      if (i == 1 && depth < 0 && !is_sure &&
+          DepthIn(test.views[0], code, kLevel) > 0) {
+        ++num_beyond_doubtful;
+        ASSERT_GT(terms.hull_depth[index], 0) << index;
       }
     }
-    expected = is_sure ? -2 : expected;
-    ++counts[expected];
-    ASSERT_EQ(evidence[index], expected) << index;
+    num_sure += evidence == -2;
+    num_weak += evidence < 0 && evidence >= -0.5f;
+    ASSERT_NEAR(terms.evidence[index], evidence, 1e-3f) << index;
   });
-  EXPECT_EQ(counts.size(), 4u);
-  for (const auto& [value, count] : counts) {
-    EXPECT_GT(count, 100) << value;
-  }
+  EXPECT_GT(num_sure, 100u);
+  EXPECT_GT(num_weak, 100u);
+  EXPECT_GT(num_beyond_doubtful, 20u);
 }
 
 }  // namespace

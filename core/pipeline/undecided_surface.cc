@@ -1,0 +1,84 @@
+#include "core/pipeline/undecided_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/consistency/local_agreement.h"
+#include "core/grid/parallel_voxels.h"
+#include "core/visibility/surface_normals.h"
+
+namespace octacut {
+namespace {
+
+// Evidence that holds an undecided surface, units of the weights. A surface of
+// unseen voxels that is bent with a radius of R voxels pulls with 8 / R * 0.06
+// of these units: this holds it down to R = 2.5.
+constexpr float kHoldingWeight = 0.2f;
+// Averagings that take the steps of the coarser voxels from the surface that
+// holds.
+constexpr int kBlurSteps = 4;
+// Depth in the hull, voxels, within which an undecided surface is let out to
+// the hull's border: what a coarser level cannot tell from it.
+constexpr float kNearHull = 2.5f;
+// What is decided around a voxel: up to the first the hull is the better guess,
+// from the second on the surface of the coarser level.
+constexpr float kUndecidedAround = 0.5f;
+constexpr float kDecidedAround = 0.9f;
+
+float Ramp(float value, float from, float to) {
+  return std::clamp((value - from) / (to - from), 0.0f, 1.0f);
+}
+
+}  // namespace
+
+Decision DecideByPhotographs(const Crust& crust,
+                             const std::vector<float>& phi,
+                             const VoxelValues& depth_trust,
+                             const Context& context) {
+  LocalAgreement agreement = EstimateLocalAgreement(crust.voxels, phi, context);
+  Decision decision{std::move(agreement.near_voxel),
+                    std::move(agreement.in_region)};
+  ParallelForVoxels(
+      context, crust.voxels, [&](VoxelGrid::Index index, MortonCode code) {
+        // Where depths contradict each other, agreement here and there is
+        // chance; not so where it is the rule.
+        float& around = decision.around[index];
+        around = std::max(around,
+                          depth_trust.At(code, crust.voxels.Level(), around));
+        decision.here[index] *= around;
+      });
+  return decision;
+}
+
+void FlattenUndecidedWeights(const Decision& decision,
+                             const ReconstructionOptions& options,
+                             std::vector<float>* weights) {
+  const float unseen =
+      EdgeWeights({float(options.consistency.neutral)}, options.energy)[0];
+  for (size_t i = 0; i < weights->size(); ++i) {
+    float& weight = (*weights)[i];
+    weight = unseen + decision.here[i] * (weight - unseen);
+  }
+}
+
+void HoldUndecidedSurface(const Crust& crust,
+                          const Decision& decision,
+                          const std::vector<float>& hull_depth,
+                          const Context& context,
+                          std::vector<float>* evidence) {
+  const std::vector<float> inside =
+      SmoothPrior(crust.voxels, crust.ties, crust.prior, kBlurSteps, context);
+  for (size_t i = 0; i < evidence->size(); ++i) {
+    float side = 2 * inside[i] - 1;  // of the coarser surface, -1 .. 1
+    if (hull_depth[i] < 0) {
+      side = std::min(side, 0.0f);
+    } else if (hull_depth[i] < kNearHull) {
+      const float decided =
+          Ramp(decision.around[i], kUndecidedAround, kDecidedAround);
+      side += (1 - decided) * (1 - side);
+    }
+    (*evidence)[i] += kHoldingWeight * (1 - decision.here[i]) * side;
+  }
+}
+
+}  // namespace octacut

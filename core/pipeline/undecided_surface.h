@@ -1,0 +1,49 @@
+// What becomes of the surface where the photographs do not decide.
+//
+// A minimum cut through voxels that all cost the same shrinks the object by as
+// much as each crust allows, level by level, and one through voxels of random
+// cost follows the noise. Where photo-consistency says nothing, the surface of
+// the coarser level is therefore the best guess, or the visual hull, where that
+// is near and the photographs have not decided the coarser levels either.
+#pragma once
+
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/crust/crust.h"
+#include "core/grid/voxel_values.h"
+#include "core/pipeline/options.h"
+#include "core/pipeline/voxel_terms.h"
+
+namespace octacut {
+
+// How far the photographs decide on the surface near each voxel of a crust,
+// 0 .. 1.
+struct Decision {
+  // By their agreement near the voxel, as far as that can be believed.
+  std::vector<float> here;
+  // By their agreement around it, or the trust in depths.
+  std::vector<float> around;
+};
+
+// `depth_trust` is that of InsideEvidence.
+Decision DecideByPhotographs(const Crust& crust,
+                             const std::vector<float>& phi,
+                             const VoxelValues& depth_trust,
+                             const Context& context);
+
+// `weights`, as EdgeWeights makes them of photo-consistency, approach those of
+// voxels that nobody sees where nothing is decided.
+void FlattenUndecidedWeights(const Decision& decision,
+                             const ReconstructionOptions& options,
+                             std::vector<float>* weights);
+
+// Adds to `evidence` what holds the undecided surface where that of the coarser
+// level is, by crust.prior, and lets it out to the border of the hull.
+void HoldUndecidedSurface(const Crust& crust,
+                          const Decision& decision,
+                          const std::vector<float>& hull_depth,
+                          const Context& context,
+                          std::vector<float>* evidence);
+
+}  // namespace octacut

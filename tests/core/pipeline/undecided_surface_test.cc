@@ -1,0 +1,120 @@
+#include "core/pipeline/undecided_surface.h"
+
+#include <gtest/gtest.h>
+
+#include "core/pipeline/voxel_terms.h"
+
+namespace octacut {
+namespace {
+
+constexpr int kLevel = 5;
+
+// A crust of 10 voxels across z; below z = 15 is inside.
+Crust FlatCrust() {
+  std::vector<MortonCode> codes;
+  for (int z = 10; z < 20; ++z) {
+    for (int y = 0; y < 32; ++y) {
+      for (int x = 0; x < 32; ++x) {
+        codes.push_back(EncodeMorton(Eigen::Vector3i(x, y, z)));
+      }
+    }
+  }
+  Crust crust;
+  crust.voxels = VoxelGrid::FromCodes(kLevel, codes);
+  crust.prior.resize(crust.voxels.Size());
+  crust.ties.resize(crust.voxels.Size());
+  crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    const int z = DecodeMorton(code).z();
+    crust.prior[index] = z < 15 ? 1 : 0;
+    crust.ties[index] = z == 10   ? InsideTie(4)
+                        : z == 19 ? OutsideTie(5)
+                                  : FaceTies(0);
+  });
+  return crust;
+}
+
+Decision Decided(const Crust& crust, float here, float around) {
+  return {std::vector<float>(crust.voxels.Size(), here),
+          std::vector<float>(crust.voxels.Size(), around)};
+}
+
+// Evidence by z, far from the sides, for a hull whose border is at z = top.
+std::vector<float> Held(const Decision& decision, float top) {
+  const Crust crust = FlatCrust();
+  std::vector<float> depth(crust.voxels.Size());
+  crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    depth[index] = top - (float(DecodeMorton(code).z()) + 0.5f);
+  });
+  std::vector<float> evidence(crust.voxels.Size());
+  HoldUndecidedSurface(crust, decision, depth, Context(2), &evidence);
+  std::vector<float> by_z;
+  for (int z = 10; z < 20; ++z) {
+    by_z.push_back(evidence[crust.voxels.Find(Eigen::Vector3i(16, 16, z))]);
+  }
+  return by_z;
+}
+
+TEST(UndecidedSurface, StaysWhereTheCoarserOneIs) {
+  const std::vector<float> held = Held(Decided(FlatCrust(), 0, 1), 40);
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_GT(held[size_t(k)], 0) << k;
+    EXPECT_NEAR(held[size_t(k)], -held[size_t(9 - k)], 1e-5f) << k;
+  }
+  EXPECT_GT(held[2], held[4]);
+}
+
+TEST(UndecidedSurface, IsFreeWherePhotographsDecide) {
+  for (const float value : Held(Decided(FlatCrust(), 1, 1), 16)) {
+    EXPECT_EQ(value, 0);
+  }
+}
+
+TEST(UndecidedSurface, GoesToTheBorderOfAHullThatIsNear) {
+  // The border is two voxels outside the coarser surface.
+  const std::vector<float> let_out = Held(Decided(FlatCrust(), 0, 0), 17);
+  EXPECT_GT(let_out[5], 0.1f);
+  EXPECT_GT(let_out[6], 0.1f);
+  EXPECT_LT(let_out[7], -0.1f);
+  // Not where what is around is decided,
+  EXPECT_LT(Held(Decided(FlatCrust(), 0, 1), 17)[6], 0);
+  // nor where the hull is far.
+  EXPECT_LT(Held(Decided(FlatCrust(), 0, 0), 22)[6], 0);
+}
+
+TEST(UndecidedSurface, CostsWhatNobodySees) {
+  const ReconstructionOptions options;
+  std::vector<float> weights = {0.9f, 0.001f, 0.9f, 0.001f};
+  const Decision decision{{1, 1, 0, 0}, {1, 1, 0, 0}};
+  FlattenUndecidedWeights(decision, options, &weights);
+  const float unseen = EdgeWeights({0.5f}, options.energy)[0];
+  EXPECT_EQ(weights[0], 0.9f);
+  EXPECT_EQ(weights[1], 0.001f);
+  EXPECT_EQ(weights[2], unseen);
+  EXPECT_EQ(weights[3], unseen);
+}
+
+TEST(UndecidedSurface, AgreementIsBelievedAsFarAsDepthsAre) {
+  const Crust crust = FlatCrust();
+  // Some agreement: less than most of the region.
+  std::vector<float> phi(crust.voxels.Size(), 0.6f);
+  crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    const Eigen::Vector3i voxel = DecodeMorton(code);
+    if (voxel.x() < 5 && voxel.z() == 15) {
+      phi[index] = 0;
+    }
+  });
+  const auto mean_with_trust = [&](float trust) {
+    const VoxelValues depth_trust{VoxelGrid::FromCodes(0, {0}), {trust}};
+    double sum = 0;
+    for (const float here :
+         DecideByPhotographs(crust, phi, depth_trust, Context(2)).here) {
+      sum += here;
+    }
+    return sum;
+  };
+  EXPECT_GT(mean_with_trust(1), 0);
+  EXPECT_NEAR(mean_with_trust(0.9f), 0.9 * mean_with_trust(1), 1e-2);
+}
+
+}  // namespace
+}  // namespace octacut

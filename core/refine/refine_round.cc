@@ -107,6 +107,13 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
   return problem;
 }
 
+// Pixels to which what the rims say can be known: no better than they agree
+// with one another.
+double NoiseOf(const BorderExcess& excess, double border_noise) {
+  const double share = std::min(1.0, excess.deviation / kUsualDeviation);
+  return std::max(share * border_noise, excess.deviation);
+}
+
 // Of the masks' borders, pixels, in all: the plan's and what the rims tell of
 // the rest.
 double FindBorderShift(const std::vector<RimTarget>& rims,
@@ -119,15 +126,14 @@ double FindBorderShift(const std::vector<RimTarget>& rims,
   }
   if (const std::optional<BorderExcess> excess = MedianExcess(
           rims, surfaces, measurements, kMinBorderRadius * plan.scale, 0)) {
-    const double share = std::min(1.0, excess->deviation / kUsualDeviation);
     return ShrinkShift(plan.border_shift + excess->median,
-                       share * border_noise);
+                       NoiseOf(*excess, border_noise));
   }
   // Only limbs are there to tell.
   if (const std::optional<BorderExcess> excess = MedianExcess(
           rims, surfaces, measurements, 0, kLimbBias * plan.scale)) {
     return ShrinkShift(plan.border_shift + excess->median,
-                       kLimbNoise * border_noise);
+                       kLimbNoise * std::max(border_noise, excess->deviation));
   }
   return plan.border_shift;
 }

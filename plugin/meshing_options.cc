@@ -143,8 +143,8 @@ void DeclareMeshingOptions(OptionManager& options,
               "Evidence for outside of voxels that are background in a view");
   options.Add("OctahedralMeshing.mask_border_weight",
               &meshing->energy.mask_border_weight,
-              "The same of voxels within mask_tolerance of the object, of masks "
-              "that depths confirm");
+              "The same of voxels within mask_tolerance of the object, at l0, "
+              "of masks that depths confirm; halved a level");
   options.Add("OctahedralMeshing.unseen_weight",
               &meshing->energy.unseen_weight,
               "Evidence for inside of finer voxels that fewer than two views "

@@ -118,6 +118,20 @@ void AddPlausible(const ViewSet& views,
   }
 }
 
+// The depths that are rather right than wrong.
+std::vector<SweptDepthMap> KeepTrusted(const TrustedDepths& depths) {
+  constexpr float kRatherRight = 0.5f;
+  std::vector<SweptDepthMap> kept = depths.maps;
+  for (size_t i = 0; i < kept.size(); ++i) {
+    for (size_t k = 0; k < kept[i].depths.size(); ++k) {
+      if (depths.trust[i][k] < kRatherRight) {
+        kept[i].depths[k] = 0;
+      }
+    }
+  }
+  return kept;
+}
+
 void WarnOfNoDepths(const std::vector<std::vector<int>>& neighbors,
                     const InsideEvidenceOptions& options,
                     const Context& context) {
@@ -200,7 +214,7 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
       KeepAgreeing(swept, counts, options.min_agreeing_views);
   TrustedDepths depths = EstimateDepthTrust(views, hull, agreeing, context);
   InsideEvidence evidence;
-  evidence.mask_trust = EstimateMaskTrust(views, depths.maps, context);
+  evidence.mask_trust = EstimateMaskTrust(views, KeepTrusted(depths), context);
   evidence.values = EvidenceOf(views, hull, depths, options, context);
   evidence.summary.num_depths = CountDepths(swept);
   evidence.summary.num_agreeing = CountDepths(agreeing);

@@ -123,7 +123,7 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
   summary->crust_seconds += stopwatch.Lap();
   std::vector<float> prior =
       EstimateSilhouetteTerms(
-          views, evidence.mask_trust, hull, options.energy, context)
+          views, evidence.mask_trust, hull, options, context)
           .evidence;
   for (size_t i = 0; i < prior.size(); ++i) {
     prior[i] += evidence.values[i];

@@ -14,6 +14,8 @@ namespace {
 // unseen voxels that is bent with a radius of R voxels pulls with 8 / R * 0.06
 // of these units: this holds it down to R = 2.5.
 constexpr float kHoldingWeight = 0.2f;
+// The same outside the border of the hull.
+constexpr float kBorderWeight = 0.5f;
 // Averagings that take the steps of the coarser voxels from the surface that
 // holds.
 constexpr int kBlurSteps = 4;
@@ -69,15 +71,19 @@ void HoldUndecidedSurface(const Crust& crust,
   const std::vector<float> inside =
       SmoothPrior(crust.voxels, crust.ties, crust.prior, kBlurSteps, context);
   for (size_t i = 0; i < evidence->size(); ++i) {
-    float side = 2 * inside[i] - 1;  // of the coarser surface, -1 .. 1
+    const float undecided = 1 - decision.here[i];
     if (hull_depth[i] < 0) {
-      side = std::min(side, 0.0f);
-    } else if (hull_depth[i] < kNearHull) {
+      (*evidence)[i] -=
+          kBorderWeight * undecided * std::min(-2 * hull_depth[i], 1.0f);
+      continue;
+    }
+    float side = 2 * inside[i] - 1;  // of the coarser surface, -1 .. 1
+    if (hull_depth[i] < kNearHull) {
       const float decided =
           Ramp(decision.around[i], kUndecidedAround, kDecidedAround);
       side += (1 - decided) * (1 - side);
     }
-    (*evidence)[i] += kHoldingWeight * (1 - decision.here[i]) * side;
+    (*evidence)[i] += kHoldingWeight * undecided * side;
   }
 }
 

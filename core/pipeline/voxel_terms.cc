@@ -18,6 +18,8 @@ float AtLevel(double weight, int level, const ReconstructionOptions& options) {
   return float(std::ldexp(weight, options.hull.hull_level - level));
 }
 
+// Of a voxel, in voxels: all of one whose centre is that far outside is.
+constexpr float kHalfDiagonal = 0.87f;
 // Masks that are half in doubt do not bound the hull.
 constexpr float kTrusted = 0.5f;
 
@@ -62,8 +64,8 @@ void ExtendTerms(const ViewSet& views,
       views, added, normals, visibility, options.consistency, context);
   summary->consistency_seconds += stopwatch.Lap();
   summary->consistency.Add(consistency.summary);
-  const SilhouetteTerms silhouettes = EstimateSilhouetteTerms(
-      views, mask_trust, added, options.energy, context);
+  const SilhouetteTerms silhouettes =
+      EstimateSilhouetteTerms(views, mask_trust, added, options, context);
   const float unseen =
       AtLevel(options.energy.unseen_weight, crust.voxels.Level(), options);
   size_t next = 0;
@@ -95,8 +97,11 @@ std::vector<float> EdgeWeights(const std::vector<float>& phi,
 SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
                                         const std::vector<float>& mask_trust,
                                         const VoxelGrid& voxels,
-                                        const EnergyOptions& options,
+                                        const ReconstructionOptions& options,
                                         const Context& context) {
+  const double near_weight = voxels.Level() == options.hull.hull_level
+                                 ? options.energy.mask_border_weight
+                                 : 0;
   SilhouetteTerms terms{std::vector<float>(voxels.Size()),
                         std::vector<float>(voxels.Size())};
   const float voxel = 1.0f / float(voxels.Resolution());
@@ -114,14 +119,15 @@ SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
             continue;
           }
           const float pixels = views[i].silhouette.SignedDistance(p->u, p->v);
-          const float depth = pixels / projection.Footprint(voxel, p->depth);
-          const bool is_sure = pixels <= -views[i].mask_tolerance;
+          const float footprint = projection.Footprint(voxel, p->depth);
+          const float depth = pixels / footprint;
+          const bool is_sure =
+              pixels <= -(views[i].mask_tolerance + kHalfDiagonal * footprint);
           if (is_sure || mask_trust[i] > kTrusted) {
             least_depth = std::min(least_depth, depth);
           }
-          const double weight =
-              is_sure ? options.silhouette_weight
-                      : options.mask_border_weight * mask_trust[i];
+          const double weight = is_sure ? options.energy.silhouette_weight
+                                        : near_weight * mask_trust[i];
           evidence = std::min(
               evidence, -float(weight) * std::clamp(-2 * depth, 0.0f, 1.0f));
         }

@@ -40,8 +40,9 @@ std::vector<float> EdgeWeights(const std::vector<float>& phi,
 
 struct SilhouetteTerms {
   // Evidence for outside (< 0) of voxels outside the border of some view's
-  // object: all of the weight from half a voxel on. It is less within
-  // mask_tolerance of the border, where the mask may be wrong. 0 for others.
+  // object: all of the weight from half a voxel on. It is less where not all of
+  // the voxel is farther than mask_tolerance from the border, since the mask
+  // may be wrong there. 0 for others.
   std::vector<float> evidence;
   // How deep each voxel's centre lies within the silhouettes, voxels: the least
   // distance to a border; negative outside. Borders of masks that may be too
@@ -53,7 +54,7 @@ struct SilhouetteTerms {
 SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
                                         const std::vector<float>& mask_trust,
                                         const VoxelGrid& voxels,
-                                        const EnergyOptions& options,
+                                        const ReconstructionOptions& options,
                                         const Context& context);
 
 }  // namespace octacut

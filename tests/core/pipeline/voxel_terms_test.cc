@@ -50,8 +50,10 @@ TEST(SilhouetteTerms, SpeakFromTheBorderOfTheSmallestSilhouette) {
   const TestScene test = MakeTestScene("torus", 120, 90, 12);
   constexpr int kLevel = 5;
   const VoxelGrid voxels = SomeVoxels(kLevel);
-  EnergyOptions options;
-  options.silhouette_weight = 0.75;
+  ReconstructionOptions options;
+  options.hull.hull_level = kLevel;
+  options.energy.silhouette_weight = 0.75;
+  options.energy.mask_border_weight = 0.3;
   const SilhouetteTerms terms =
       EstimateSilhouetteTerms(test.views,
                               std::vector<float>(test.views.size(), 1.0f),
@@ -67,9 +69,10 @@ TEST(SilhouetteTerms, SpeakFromTheBorderOfTheSmallestSilhouette) {
     }
     num_outside += depth <= -0.5f;
     ASSERT_NEAR(terms.hull_depth[index], depth, 1e-3f) << index;
-    ASSERT_NEAR(terms.evidence[index],
-                -0.75f * std::clamp(-2 * depth, 0.0f, 1.0f),
-                1e-3f)
+    ASSERT_NEAR(
+        terms.evidence[index],
+        (depth <= -0.87f ? -0.75f : -0.3f) * std::clamp(-2 * depth, 0.0f, 1.0f),
+        1e-3f)
         << index;
   });
   EXPECT_GT(num_outside, voxels.Size() / 4);
@@ -83,9 +86,10 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
       PrepareViews(test.scene, test.region.cube, Context(2), kTolerance);
   constexpr int kLevel = 6;
   const VoxelGrid voxels = SomeVoxels(kLevel);
-  EnergyOptions options;
-  options.silhouette_weight = 2;
-  options.mask_border_weight = 0.5;
+  ReconstructionOptions options;
+  options.hull.hull_level = kLevel - 1;
+  options.energy.silhouette_weight = 2;
+  options.energy.mask_border_weight = 1;  // a half, one level finer than l0
   const std::vector<float> trust = {1, 0.25f};
   const SilhouetteTerms terms =
       EstimateSilhouetteTerms(test.views, trust, voxels, options, Context(2));

@@ -144,7 +144,7 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.mask_border_weight",
               &meshing->energy.mask_border_weight,
               "The same of voxels within mask_tolerance of the object, at l0, "
-              "of masks that depths confirm; halved a level");
+              "of masks that depths confirm");
   options.Add("OctahedralMeshing.unseen_weight",
               &meshing->energy.unseen_weight,
               "Evidence for inside of finer voxels that fewer than two views "

@@ -18,8 +18,9 @@ struct EnergyOptions {
   double smoothness = 4;      // s: psi(x) = x^s
   double area_weight = 1e-5;  // a
   // Evidence for outside of a voxel that is background in a view, in units of
-  // the weights; and at l0, halved with every level, of one that is no farther
-  // from the object than mask_tolerance, as far as the mask is trusted.
+  // the weights; and at l0 of one that is no farther from the object than
+  // mask_tolerance, as far as the mask is trusted. Finer levels are held at the
+  // masks' borders where photographs do not decide.
   double silhouette_weight = 1;
   double mask_border_weight = 0.3;
   // Evidence for inside of a voxel of a finer level that fewer than two views

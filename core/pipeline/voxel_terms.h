@@ -42,7 +42,7 @@ struct SilhouetteTerms {
   // Evidence for outside (< 0) of voxels outside the border of some view's
   // object: all of the weight from half a voxel on. It is less where not all of
   // the voxel is farther than mask_tolerance from the border, since the mask
-  // may be wrong there. 0 for others.
+  // may be wrong there, and none on levels finer than l0. 0 for others.
   std::vector<float> evidence;
   // How deep each voxel's centre lies within the silhouettes, voxels: the least
   // distance to a border; negative outside. Borders of masks that may be too

@@ -88,7 +88,9 @@ TEST(Reconstruct, ToleratesLargeHolesInMasks) {
     return MeanDistance(scene.mesh, scene.synthetic.reference) /
            scene.VoxelSize();
   };
-  EXPECT_LT(error(filled), 2 * error(clean));
+  // Bites that stay take up to two and a half times what little error there is.
+  EXPECT_LT(error(filled), 2.5 * error(clean));
+  EXPECT_LT(error(filled), 0.45);
   EXPECT_GT(error(believed), 2 * error(filled));
 }
 

@@ -87,9 +87,9 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
   constexpr int kLevel = 6;
   const VoxelGrid voxels = SomeVoxels(kLevel);
   ReconstructionOptions options;
-  options.hull.hull_level = kLevel - 1;
+  options.hull.hull_level = kLevel;
   options.energy.silhouette_weight = 2;
-  options.energy.mask_border_weight = 1;  // a half, one level finer than l0
+  options.energy.mask_border_weight = 0.5;
   const std::vector<float> trust = {1, 0.25f};
   const SilhouetteTerms terms =
       EstimateSilhouetteTerms(test.views, trust, voxels, options, Context(2));
@@ -102,8 +102,11 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
       const float depth = DepthIn(test.views[i], code, kLevel);
       const auto p = test.views[i].projection.ProjectIntoFrame(
           VoxelCenter(DecodeMorton(code), kLevel));
-      const bool is_sure = p && test.views[i].silhouette.SignedDistance(
-                                    p->u, p->v) <= -kTolerance;
+      const bool is_sure =
+          p && test.views[i].silhouette.SignedDistance(p->u, p->v) +
+                       0.87f * test.views[i].projection.Footprint(
+                                   1.0f / (1 << kLevel), p->depth) <=
+                   -kTolerance;
       const float weight = is_sure ? 2 : 0.5f * trust[i];
       evidence =
           std::min(evidence, -weight * std::clamp(-2 * depth, 0.0f, 1.0f));
@@ -122,6 +125,14 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
   EXPECT_GT(num_sure, 100u);
   EXPECT_GT(num_weak, 100u);
   EXPECT_GT(num_beyond_doubtful, 20u);
+
+  // On finer levels only what is sure speaks.
+  options.hull.hull_level = kLevel - 1;
+  for (const float evidence :
+       EstimateSilhouetteTerms(test.views, trust, voxels, options, Context(2))
+           .evidence) {
+    ASSERT_TRUE(evidence == 0 || evidence == -2) << evidence;
+  }
 }
 
 }  // namespace

@@ -155,8 +155,11 @@ void AddRims(const ViewSet& views,
                                                      plan.border_shift,
                                                      context);
   summary->num_rim_targets = rims.size();
-  summary->border_shift = FindBorderShift(
-      rims, seen.surfaces, measurements, plan, options.border_noise);
+  // Where most places have no offset, those of the others are chance.
+  if (2 * summary->num_measured > summary->num_seen) {
+    summary->border_shift = FindBorderShift(
+        rims, seen.surfaces, measurements, plan, options.border_noise);
+  }
   for (const RimTarget& rim : rims) {
     EdgeTarget& target = problem->edge_targets.emplace_back(rim.edge);
     target.target = float(target.target / pixel);

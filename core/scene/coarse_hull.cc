@@ -8,21 +8,24 @@ namespace octacut {
 namespace {
 
 // Depth-first refinement of one cell. `undecided` holds the silhouettes whose
-// verdict on the parent was kMixed.
+// verdict on the parent was kMixed, `denials` is how many called it background.
 class Carver {
  public:
-  Carver(const std::vector<SilhouettePyramid>& silhouettes, CoarseHull* hull)
-      : silhouettes_(silhouettes), hull_(*hull) {}
+  Carver(const std::vector<SilhouettePyramid>& silhouettes,
+         size_t max_denials,
+         CoarseHull* hull)
+      : silhouettes_(silhouettes), max_denials_(max_denials), hull_(*hull) {}
 
   void Refine(const Eigen::Vector3i& first,
               int size,
-              const std::vector<uint32_t>& undecided) {
+              const std::vector<uint32_t>& undecided,
+              size_t denials) {
     const Eigen::AlignedBox3d box =
         hull_.CellBox(first).merged(hull_.CellBox(first.array() + (size - 1)));
     std::vector<uint32_t> mixed;
     for (uint32_t s : undecided) {
       const BoxVerdict verdict = silhouettes_[s].Classify(box);
-      if (verdict == BoxVerdict::kBackground) {
+      if (verdict == BoxVerdict::kBackground && ++denials > max_denials_) {
         return;
       }
       if (verdict == BoxVerdict::kMixed) {
@@ -38,7 +41,8 @@ class Carver {
       Refine(first + half * Eigen::Vector3i(
                                 child & 1, (child >> 1) & 1, child >> 2),
              half,
-             mixed);
+             mixed,
+             denials);
     }
   }
 
@@ -53,6 +57,7 @@ class Carver {
   }
 
   const std::vector<SilhouettePyramid>& silhouettes_;
+  const size_t max_denials_;
   CoarseHull& hull_;
 };
 
@@ -98,7 +103,8 @@ Eigen::AlignedBox3d CoarseHull::CellBox(const Eigen::Vector3i& cell) const {
 CoarseHull CarveBox(const std::vector<SilhouettePyramid>& silhouettes,
                     const Eigen::AlignedBox3d& box,
                     int level,
-                    const Context& context) {
+                    const Context& context,
+                    size_t max_denials) {
   CoarseHull hull;
   hull.box = box;
   hull.resolution = 1 << level;
@@ -114,13 +120,13 @@ CoarseHull CarveBox(const std::vector<SilhouettePyramid>& silhouettes,
               size_t(blocks) * blocks * blocks,
               1,
               [&](size_t begin, size_t end) {
-                Carver carver(silhouettes, &hull);
+                Carver carver(silhouettes, max_denials, &hull);
                 for (size_t b = begin; b < end; ++b) {
                   const int block = int(b);
                   const Eigen::Vector3i first(block % blocks,
                                               block / blocks % blocks,
                                               block / (blocks * blocks));
-                  carver.Refine(first * block_size, block_size, all);
+                  carver.Refine(first * block_size, block_size, all, 0);
                 }
               });
   return hull;

@@ -37,11 +37,12 @@ std::vector<SilhouettePyramid> MakeSilhouettes(const std::vector<View>& views,
 Eigen::AlignedBox3d Shrink(const std::vector<SilhouettePyramid>& silhouettes,
                            Eigen::AlignedBox3d box,
                            int level,
-                           const Context& context) {
+                           const Context& context,
+                           size_t max_denials = 0) {
   // Pieces are told apart only once cells are small against the object.
   double min_fraction = 0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    const CoarseHull hull = CarveBox(silhouettes, box, level, context);
+    const CoarseHull hull = CarveBox(silhouettes, box, level, context, max_denials);
     const Eigen::AlignedBox3d next = BoundingBoxOfPieces(hull, min_fraction);
     if (next.isEmpty()) {
       return next;
@@ -71,6 +72,13 @@ Eigen::AlignedBox3d SearchBox(const std::vector<View>& views) {
   const Eigen::Vector3d half =
       Eigen::Vector3d::Constant(kSearchExtent * spread);
   return {mean - half, mean + half};
+}
+
+// What a box of bounded silhouettes stays within.
+Eigen::AlignedBox3d Interior(const Eigen::AlignedBox3d& search) {
+  const Eigen::Vector3d slack =
+      Eigen::Vector3d::Constant(1e-6 * search.sizes().x());
+  return {search.min() + slack, search.max() - slack};
 }
 
 bool AllOnOneSide(const std::vector<View>& views,
@@ -121,10 +129,7 @@ SilhouetteBox BoxOfSilhouettes(const std::vector<View>& views,
   if (!(search.sizes().x() > 0)) {
     return {{}, false, "all cameras are at one place"};
   }
-  const Eigen::Vector3d slack =
-      Eigen::Vector3d::Constant(1e-6 * search.sizes().x());
-  const Eigen::AlignedBox3d interior(search.min() + slack,
-                                     search.max() - slack);
+  const Eigen::AlignedBox3d interior = Interior(search);
   // Views that cut the object off bound it only if the others do not: their
   // untouched sides need the object not to turn back outside of the frame.
   for (const bool trust_sides : {false, true}) {
@@ -141,6 +146,27 @@ SilhouetteBox BoxOfSilhouettes(const std::vector<View>& views,
     }
   }
   return {{}, false, "it leaves the frame or the views are too much alike"};
+}
+
+Eigen::AlignedBox3d BoxOfMostSilhouettes(const std::vector<View>& views,
+                                         size_t max_denials,
+                                         int level,
+                                         const Context& context) {
+  const Eigen::AlignedBox3d search = SearchBox(views);
+  if (!(search.sizes().x() > 0)) {
+    return {};
+  }
+  for (const bool trust_sides : {false, true}) {
+    const Eigen::AlignedBox3d box = Shrink(MakeSilhouettes(views, trust_sides),
+                                           search,
+                                           level,
+                                           context,
+                                           max_denials);
+    if (!box.isEmpty() && Interior(search).contains(box)) {
+      return box;
+    }
+  }
+  return {};
 }
 
 Eigen::AlignedBox3d ShrinkToHull(const std::vector<View>& views,

@@ -27,6 +27,14 @@ SilhouetteBox BoxOfSilhouettes(const std::vector<View>& views,
                                int level,
                                const Context& context);
 
+// The box of what at most `max_denials` silhouettes call background: it holds
+// the object where no more masks than that are wrong. Empty when the others
+// leave it unbounded, or leave nothing.
+Eigen::AlignedBox3d BoxOfMostSilhouettes(const std::vector<View>& views,
+                                         size_t max_denials,
+                                         int level,
+                                         const Context& context);
+
 // The part of `box` that holds what all silhouettes show as object; empty when
 // that is nothing. `trust_sides` as in SilhouettePyramid.
 Eigen::AlignedBox3d ShrinkToHull(const std::vector<View>& views,

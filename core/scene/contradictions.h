@@ -1,0 +1,63 @@
+// Views whose mask or pose contradicts the others'.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/scene/scene.h"
+#include "core/scene/sight_lines.h"
+
+namespace octacut {
+
+struct ContradictionOptions {
+  SightLinesOptions lines;
+  // Shares from which on a view contradicts the others, see ViewFit.
+  double max_unexplained = 0.05;
+  double max_taken = 0.005;
+};
+
+// How one view fits the others. A mask that is shifted, mirrored, another
+// view's or another object's shows object where none can be, and denies it
+// where the others show it.
+struct ViewFit {
+  // Of the object in this view: the share of pixels that no place explains,
+  // since on all of the line of sight the object is denied by more of the other
+  // views than may be wrong.
+  double unexplained = 0;
+  // Of the object in the other views: the share of pixels that nothing explains
+  // because of this view. Mean over the other views but for those that lose
+  // most: one view alone is no witness.
+  double taken = 0;
+};
+
+// The fit of each view to those of the others that are `active`, of which at
+// most `max_wrong` are wrong where they deny a place.
+std::vector<ViewFit> FitOfViews(const SightLines& lines,
+                                const std::vector<bool>& active,
+                                size_t max_wrong);
+
+struct ContradictingView {
+  size_t view = 0;
+  ViewFit fit;  // to the views that do not contradict each other
+
+  // Whether it costs the others any of the object.
+  bool takes = false;
+};
+
+struct Contradictions {
+  // False: the views do not bound the object, and nothing can be said.
+  bool is_judged = false;
+  std::vector<ContradictingView> views;  // by number
+  // The largest figures of those that are left, not of one view in general.
+  ViewFit largest_left;
+};
+
+// Finds the views that contradict the others, up to a third of all. Needs only
+// their masks, of low resolution will do, and cameras. The same for any number
+// of threads.
+Contradictions FindContradictions(const std::vector<View>& views,
+                                  const ContradictionOptions& options,
+                                  const Context& context);
+
+}  // namespace octacut

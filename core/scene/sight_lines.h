@@ -1,0 +1,51 @@
+// Lines of sight through the pixels of the masks' objects, and which other
+// views deny that there is any of the object on them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/scene/scene.h"
+
+namespace octacut {
+
+// Views as bits: view v is bit v % 64 of word v / 64.
+using ViewBits = std::vector<uint64_t>;
+
+// The line of sight of a pixel of the object in one view. The object has to be
+// somewhere on it, so at one of its places at least as many views are wrong as
+// deny the place. Places that are denied by all those that deny another one
+// tell nothing and are left out.
+struct SightLine {
+  // Of each place the views that show background there, `num_words` words a
+  // place. None: the line does not meet the box.
+  std::vector<uint64_t> denials;
+};
+
+struct SightLines {
+  size_t num_words = 0;
+  std::vector<std::vector<SightLine>> of_views;
+};
+
+struct SightLinesOptions {
+  // Evenly over the object of each mask; fewer where there are hundreds of
+  // views.
+  size_t lines_per_view = 400;
+  // Pixels by which masks may be too small or poses off without being
+  // contradicted: one, and this share of the side of a square as large as the
+  // mask's object.
+  double mask_slack = 0.02;
+};
+
+// Of `views`, whose masks may be of low resolution, within `box` (world
+// coordinates), which is to hold the object. A view in which the object touches
+// the frame denies nothing beyond its frame.
+SightLines TraceSightLines(const std::vector<View>& views,
+                           const Eigen::AlignedBox3d& box,
+                           const SightLinesOptions& options,
+                           const Context& context);
+
+}  // namespace octacut

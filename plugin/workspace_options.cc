@@ -41,6 +41,10 @@ void DeclareLoadingOptions(OptionManager& options,
               &loading->original_path,
               "Model of the original photographs, for a dense folder whose "
               "masks are in their geometry");
+  options.Add("image_list_path",
+              &loading->workspace.image_list_path,
+              "Text file with the names of the images to use, one a line; "
+              "default: all of the model");
   options.Add("skip_missing_images",
               &loading->skip_missing_images,
               "1: go on without images whose file is missing");
@@ -67,6 +71,10 @@ void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps) {
 
 void WorkspaceArguments::Declare(OptionManager& options) {
   DeclareLoadingOptions(options, &workspace_path, &loading);
+  options.Add("keep_all_views",
+              &loading.keep_all_views,
+              "1: believes views whose mask or pose contradicts the others', "
+              "instead of leaving them out");
   options.Add("output_path",
               &output_path,
               "Mesh to write (.ply, .obj, .off, .stl); default: in the "
@@ -116,6 +124,26 @@ fs::path WorkspaceArguments::Beside(const std::string& ending) const {
   return path;
 }
 
+namespace {
+
+Json BadViewsToJson(const BadViewSummary& summary) {
+  Json views = Json::array();
+  for (const BadView& view : summary.views) {
+    views.push_back({{"name", view.name},
+                     {"mask", view.mask_file.string()},
+                     {"unexplained", view.fit.unexplained},
+                     {"taken", view.fit.taken},
+                     {"left_out", view.is_left_out}});
+  }
+  return {{"judged", summary.is_judged},
+          {"views", views},
+          {"largest_unexplained_of_others", summary.largest_left.unexplained},
+          {"largest_taken_by_others", summary.largest_left.taken},
+          {"seconds", summary.seconds}};
+}
+
+}  // namespace
+
 Json LoadSummaryToJson(const LoadSceneSummary& summary, const Region& region) {
   return {{"image_path", summary.image_path.string()},
           {"model_path", summary.model_path.string()},
@@ -125,6 +153,7 @@ Json LoadSummaryToJson(const LoadSceneSummary& summary, const Region& region) {
           {"missing_images", summary.num_missing_images},
           {"missing_masks", summary.num_missing_masks},
           {"masks_without_outline", summary.num_masks_without_outline},
+          {"contradicting_views", BadViewsToJson(summary.bad_views)},
           {"views_elsewhere", summary.num_views_elsewhere},
           {"sparse_points", summary.num_points},
           {"pixel_bytes", summary.scene_bytes},

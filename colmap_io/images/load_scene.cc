@@ -22,6 +22,7 @@
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
+#include "core/scene/contradictions.h"
 
 namespace octacut {
 namespace {
@@ -69,6 +70,11 @@ class Loader {
     ReadReducedMasks();
     summary.mask_seconds = stopwatch.Lap();
 
+    if (!options_.keep_all_views) {
+      LeaveOutBadViews();
+      summary.bad_views.seconds = stopwatch.Lap();
+    }
+
     FindRegion();
     summary.region_seconds = stopwatch.Lap();
 
@@ -82,7 +88,9 @@ class Loader {
   void FindCandidates();
   void ReadReducedMasks();
   void LeaveOutMasksWithoutOutline();
+  void LeaveOutBadViews();
   void FindRegion();
+  bool ShowsGivenRegion(const Candidate& candidate) const;
   void PlanWindows();
   void ReadViews();
   void ReadView(const Candidate& candidate, View* view) const;
@@ -183,6 +191,46 @@ void Loader::LeaveOutMasksWithoutOutline() {
   result_.summary.num_masks_without_outline = num_masks - num_outlines;
   std::erase_if(candidates_, std::not_fn(has_outline));
   RequireEnoughViews(workspace_, candidates_.size());
+}
+
+// Before the region is found, which one such view distorts.
+void Loader::LeaveOutBadViews() {
+  std::vector<View> views;
+  std::vector<JudgedView> judged;
+  for (const Candidate& candidate : candidates_) {
+    if (ShowsGivenRegion(candidate)) {
+      views.push_back(candidate.mask.view);
+      judged.push_back(
+          {candidate.files.image->name, candidate.files.mask_file});
+    }
+  }
+  BadViewSummary& bad_views = result_.summary.bad_views;
+  bad_views = DecideOnBadViews(
+      FindContradictions(views, {}, context_), judged, context_);
+  for (const BadView& bad : bad_views.views) {
+    if (bad.is_left_out) {
+      std::erase_if(candidates_, [&](const Candidate& candidate) {
+        return candidate.files.image->name == bad.name;
+      });
+    }
+  }
+  RequireEnoughViews(workspace_, candidates_.size());
+}
+
+// A given box may be that of one of several objects, and other images may show
+// other ones: those are no witnesses.
+bool Loader::ShowsGivenRegion(const Candidate& candidate) const {
+  if (!options_.region.bounding_box) {
+    return true;
+  }
+  const Region region = EstimateRegion({}, {}, options_.region, context_);
+  return PlanWindow(*candidate.files.camera,
+                    FrameOf(*candidate.files.camera),
+                    candidate.files.image->CamFromWorld(),
+                    region,
+                    target_level_,
+                    options_.window)
+      .has_value();
 }
 
 void Loader::FindRegion() {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 
+#include "colmap_io/images/bad_views.h"
 #include "colmap_io/images/mask_geometry.h"
 #include "colmap_io/images/view_window.h"
 #include "colmap_io/images/workspace.h"
@@ -23,6 +24,8 @@ struct LoadSceneOptions {
   // all background or all object; warnings count them.
   bool skip_missing_images = false;
   bool skip_missing_masks = false;
+  // False: views that contradict the others are left out.
+  bool keep_all_views = false;
   // False: the views get masks only, and images need not exist.
   bool load_images = true;
   RegionOptions region;
@@ -37,11 +40,12 @@ struct LoadSceneSummary {
   std::filesystem::path image_path;
   std::filesystem::path model_path;
   std::filesystem::path mask_path;
-  size_t num_images = 0;                 // registered in the model
+  size_t num_images = 0;                 // registered, of those listed
   size_t num_views = 0;                  // of the scene
   size_t num_missing_images = 0;         // skipped
   size_t num_missing_masks = 0;          // skipped
   size_t num_masks_without_outline = 0;  // skipped: all of one kind
+  BadViewSummary bad_views;              // contradict the others
   size_t num_views_elsewhere = 0;  // left out: they do not show the region
   size_t num_points = 0;           // of the scene
   size_t num_model_points = 0;
@@ -67,7 +71,8 @@ struct LoadedScene {
 //
 // Throws InputError for whatever section of the workspace cannot be used: an
 // image or mask that is missing, damaged, of another size than its camera, a
-// mask without object or without background, fewer than 3 usable views.
+// mask without object or without background, too many views that contradict
+// the others, fewer than 3 usable views.
 LoadedScene LoadScene(const std::filesystem::path& workspace_path,
                       const LoadSceneOptions& options,
                       int target_level,

@@ -6,6 +6,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "colmap_io/images/image_list.h"
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/read_sparse_model.h"
 #include "core/base/error.h"
@@ -156,6 +157,14 @@ Workspace OpenWorkspace(const fs::path& path,
         models.string()));
   }
   workspace.model = LargestModel(folders, &workspace.model_path, context);
+  if (!options.image_list_path.empty()) {
+    const size_t num_images = workspace.model.images.size();
+    KeepListedImages(options.image_list_path, &workspace.model);
+    context.Info(fmt::format("{}: {} of the model's {} images are used",
+                             options.image_list_path.string(),
+                             workspace.model.images.size(),
+                             num_images));
+  }
   workspace.is_dense_folder = HasModelFile(path / "sparse") &&
                               std::all_of(workspace.model.cameras.begin(),
                                           workspace.model.cameras.end(),

@@ -20,6 +20,8 @@ struct WorkspaceOptions {
   std::filesystem::path input_path;  // folder of the model, or of models
   std::filesystem::path mask_path;   // folder of masks; default W/masks, in a
                                      // dense folder also ../masks, ../../masks
+  // Text file with the names of the images to use; default: all.
+  std::filesystem::path image_list_path;
   bool needs_images = true;          // false: there may be no folder of images
 };
 

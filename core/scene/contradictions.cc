@@ -119,7 +119,11 @@ class Sorter {
     for (size_t v = 0; v < count; ++v) {
       if (!active_[v]) {
         const ViewFit fit = FitAmongActive(v);
-        result.views.push_back({v, fit, fit.taken > options_.max_taken});
+        result.views.push_back(
+            {v,
+             fit,
+             fit.taken > options_.max_taken ||
+                 fit.unexplained > options_.grave_unexplained});
       }
     }
     const std::vector<ViewFit> fits = FitOfViews(lines_, active_, 1);
@@ -137,8 +141,8 @@ class Sorter {
  private:
   // Above 1 it contradicts the others.
   double Score(const ViewFit& fit) const {
-    return std::max(fit.unexplained / options_.max_unexplained,
-                    fit.taken / options_.max_taken);
+    return fit.unexplained / options_.max_unexplained +
+           fit.taken / options_.max_taken;
   }
 
   bool LeaveOutWorst(size_t max_wrong) {

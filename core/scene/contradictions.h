@@ -12,9 +12,13 @@ namespace octacut {
 
 struct ContradictionOptions {
   SightLinesOptions lines;
-  // Shares from which on a view contradicts the others, see ViewFit.
+  // A view contradicts the others when its shares (ViewFit), over these, add up
+  // to more than 1.
   double max_unexplained = 0.05;
-  double max_taken = 0.005;
+  double max_taken = 0.0025;
+  // From here on a mask shows another object, or from elsewhere; below it may
+  // be that of the object and of what touches it.
+  double grave_unexplained = 0.2;
 };
 
 // How one view fits the others. A mask that is shifted, mirrored, another
@@ -40,9 +44,8 @@ std::vector<ViewFit> FitOfViews(const SightLines& lines,
 struct ContradictingView {
   size_t view = 0;
   ViewFit fit;  // to the views that do not contradict each other
-
-  // Whether it costs the others any of the object.
-  bool takes = false;
+  // Whether it takes from the others, or shows something else altogether.
+  bool is_grave = false;
 };
 
 struct Contradictions {

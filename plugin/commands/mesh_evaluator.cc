@@ -96,6 +96,8 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
               "must be in 1 .. 20");
   CheckReportPath(output_path_, mesh_paths_);
   loading_.load_images = evaluate_.photometric;
+  // A mesh is judged by what it is given.
+  loading_.keep_all_views = true;
   const LoadedScene loaded =
       LoadScene(workspace_path_, loading_, image_level_, context);
   std::vector<std::string> heading = {"mesh",

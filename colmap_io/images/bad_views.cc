@@ -1,0 +1,84 @@
+#include "colmap_io/images/bad_views.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace octacut {
+namespace {
+
+// Of all views at most one in so many is left out.
+constexpr size_t kMaxLeftOutDivisor = 10;
+
+std::string Figures(const ViewFit& fit) {
+  return fmt::format(
+      "{:.1f} % of its object is where the other masks leave no room for any, "
+      "and it denies {:.1f} % of the object in the other masks",
+      100 * fit.unexplained,
+      100 * fit.taken);
+}
+
+std::string ListOf(const std::vector<BadView>& views) {
+  std::string list;
+  for (const BadView& view : views) {
+    list += fmt::format("{}{} ({:.1f} %, {:.1f} %)",
+                        list.empty() ? "" : ", ",
+                        view.mask_file.string(),
+                        100 * view.fit.unexplained,
+                        100 * view.fit.taken);
+  }
+  return list;
+}
+
+void WarnOf(const BadView& view, const Context& context) {
+  context.Warn(fmt::format(
+      "{}: this mask or the pose of {} contradicts the other views: {}; the "
+      "view is {}",
+      view.mask_file.string(),
+      view.name,
+      Figures(view.fit),
+      view.is_left_out
+          ? "left out (--keep_all_views 1 believes it)"
+          : "used all the same, since too many show more than the object"));
+}
+
+}  // namespace
+
+BadViewSummary DecideOnBadViews(const Contradictions& contradictions,
+                                const std::vector<JudgedView>& judged,
+                                const Context& context) {
+  BadViewSummary summary;
+  summary.is_judged = contradictions.is_judged;
+  summary.largest_left = contradictions.largest_left;
+  const auto num_grave = size_t(std::count_if(
+      contradictions.views.begin(),
+      contradictions.views.end(),
+      [](const ContradictingView& view) { return view.is_grave; }));
+  const size_t num_bad = contradictions.views.size();
+  const bool are_all_left_out = num_bad * kMaxLeftOutDivisor <= judged.size();
+  for (const ContradictingView& bad : contradictions.views) {
+    const JudgedView& view = judged[bad.view];
+    summary.views.push_back(
+        {view.name, view.mask_file, bad.fit, are_all_left_out || bad.is_grave});
+  }
+  if (num_grave * kMaxLeftOutDivisor > judged.size()) {
+    throw InputError(fmt::format(
+        "{} of {} views contradict the others, more than a tenth: {}. In "
+        "brackets: how much of the mask's object is where the other masks "
+        "leave no room for any, and how much of the object in the other masks "
+        "it denies. Such a mask is wrong (shifted, mirrored, of another view "
+        "or object), or the image's pose is. --image_list_path names the "
+        "images to use, --keep_all_views 1 believes all",
+        num_bad,
+        judged.size(),
+        ListOf(summary.views)));
+  }
+  for (const BadView& view : summary.views) {
+    WarnOf(view, context);
+  }
+  return summary;
+}
+
+}  // namespace octacut

@@ -1,4 +1,5 @@
-// The images that a user wants to be used, as COLMAP's image_list_path has them.
+// The images that a user wants to be used, as COLMAP's image_list_path has
+// them.
 #pragma once
 
 #include <filesystem>

@@ -22,7 +22,7 @@ struct WorkspaceOptions {
                                      // dense folder also ../masks, ../../masks
   // Text file with the names of the images to use; default: all.
   std::filesystem::path image_list_path;
-  bool needs_images = true;          // false: there may be no folder of images
+  bool needs_images = true;  // false: there may be no folder of images
 };
 
 struct Workspace {

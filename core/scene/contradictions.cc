@@ -139,7 +139,6 @@ class Sorter {
   }
 
  private:
-  // Above 1 it contradicts the others.
   double Score(const ViewFit& fit) const {
     return fit.unexplained / options_.max_unexplained +
            fit.taken / options_.max_taken;
@@ -147,21 +146,25 @@ class Sorter {
 
   bool LeaveOutWorst(size_t max_wrong) {
     const std::vector<ViewFit> fits = FitOfViews(lines_, active_, max_wrong);
-    size_t worst = 0;
-    double worst_score = 1;
+    std::vector<std::pair<double, size_t>> scores;
     for (size_t v = 0; v < active_.size(); ++v) {
-      if (active_[v] && Score(fits[v]) > worst_score) {
-        worst_score = Score(fits[v]);
-        worst = v;
+      if (active_[v]) {
+        scores.emplace_back(Score(fits[v]), v);
       }
     }
-    // Too few are left to tell anything.
-    if (worst_score <= 1 ||
-        std::count(active_.begin(), active_.end(), true) <= 3) {
+    std::sort(scores.begin(), scores.end());
+    const auto [worst, view] = scores.back();
+    const double limit = Limit(scores[scores.size() / 2].first);
+    // Three are too few to tell anything.
+    if (worst <= limit || scores.size() <= 3) {
       return false;
     }
-    active_[worst] = false;
+    active_[view] = false;
     return true;
+  }
+
+  double Limit(double median_score) const {
+    return std::max(1.0, options_.over_median * median_score);
   }
 
   ViewFit FitAmongActive(size_t view) const {
@@ -237,8 +240,7 @@ Contradictions FindContradictions(const std::vector<View>& views,
   if (box.isEmpty()) {
     return {};
   }
-  const SightLines lines =
-      TraceSightLines(views, box, options.lines, context);
+  const SightLines lines = TraceSightLines(views, box, options.lines, context);
   return Sorter(lines, options).Run();
 }
 

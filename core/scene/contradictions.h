@@ -13,9 +13,11 @@ namespace octacut {
 struct ContradictionOptions {
   SightLinesOptions lines;
   // A view contradicts the others when its shares (ViewFit), over these, add up
-  // to more than 1.
+  // to more than 1, and to so many times as much as the median view's: where
+  // all masks are poor, none stands out.
   double max_unexplained = 0.05;
   double max_taken = 0.0025;
+  double over_median = 4;
   // From here on a mask shows another object, or from elsewhere; below it may
   // be that of the object and of what touches it.
   double grave_unexplained = 0.2;

@@ -24,7 +24,8 @@ class Denier {
  public:
   Denier(const View& view, double mask_slack) : view_(view) {
     const cv::Mat object = view.mask >= kObjectThreshold;
-    slack_ = 1 + mask_slack * std::sqrt(double(cv::countNonZero(object)));
+    const cv::Rect extent = cv::boundingRect(object);
+    slack_ = 1 + mask_slack * std::hypot(extent.width, extent.height);
     closed_ = !TouchesFrame(object);
     // Beyond the frame of a closed view all is background, so that its slack
     // may reach there.
@@ -201,10 +202,10 @@ SightLines TraceSightLines(const std::vector<View>& views,
   spacing = std::max(spacing, box.diagonal().norm() / kMaxPlaces);
   const double tests_per_line =
       double(views.size()) * box.diagonal().norm() / spacing;
-  const size_t count = std::clamp(
-      size_t(kMaxTests / (tests_per_line * double(views.size()))),
-      std::min(kMinLines, options.lines_per_view),
-      options.lines_per_view);
+  const size_t count =
+      std::clamp(size_t(kMaxTests / (tests_per_line * double(views.size()))),
+                 std::min(kMinLines, options.lines_per_view),
+                 options.lines_per_view);
 
   SightLines lines;
   lines.num_words = (views.size() + 63) / 64;

@@ -35,9 +35,9 @@ struct SightLinesOptions {
   // views.
   size_t lines_per_view = 400;
   // Pixels by which masks may be too small or poses off without being
-  // contradicted: one, and this share of the side of a square as large as the
-  // mask's object.
-  double mask_slack = 0.02;
+  // contradicted: one, and this share of the diagonal of the rectangle around
+  // the mask's object. Not of its area: thin limbs need as much.
+  double mask_slack = 0.015;
 };
 
 // Of `views`, whose masks may be of low resolution, within `box` (world

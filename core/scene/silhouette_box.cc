@@ -42,7 +42,8 @@ Eigen::AlignedBox3d Shrink(const std::vector<SilhouettePyramid>& silhouettes,
   // Pieces are told apart only once cells are small against the object.
   double min_fraction = 0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
-    const CoarseHull hull = CarveBox(silhouettes, box, level, context, max_denials);
+    const CoarseHull hull =
+        CarveBox(silhouettes, box, level, context, max_denials);
     const Eigen::AlignedBox3d next = BoundingBoxOfPieces(hull, min_fraction);
     if (next.isEmpty()) {
       return next;

@@ -269,6 +269,54 @@ TEST_F(LoadSceneTest, InvertedMasks) {
   EXPECT_THAT(recorder_.warnings[0], HasSubstr("inverted"));
 }
 
+// Beside the sphere by its radius.
+cv::Mat ShiftedMask(int i) {
+  const cv::Mat mask = SphereMask(kRadial, RingPose(i, kNumImages), 0.8);
+  cv::Mat shifted = cv::Mat::zeros(mask.size(), CV_8UC1);
+  mask.colRange(60, 320).copyTo(shifted.colRange(0, 260));
+  return shifted;
+}
+
+TEST_F(LoadSceneTest, LeavesOutAMaskThatContradictsTheOthers) {
+  const Region right = Load().region;
+  WritePicture(MaskPath(4), ShiftedMask(4));
+  const LoadedScene loaded = Load();
+  EXPECT_EQ(loaded.summary.num_views, 11u);
+  ASSERT_EQ(loaded.summary.bad_views.views.size(), 1u);
+  EXPECT_EQ(loaded.summary.bad_views.views[0].name, "4.png");
+  ASSERT_EQ(recorder_.warnings.size(), 1u);
+  EXPECT_THAT(recorder_.warnings[0], HasSubstr("4.png.png"));
+  EXPECT_NEAR(loaded.region.cube.edge / right.cube.edge, 1, 0.05);
+  for (const View& view : loaded.scene.views) {
+    EXPECT_NE(view.name, "4.png");
+  }
+  LoadSceneOptions options;
+  options.region.bounding_box = {Eigen::Vector3d(-0.9, -0.9, -0.9),
+                                 Eigen::Vector3d(0.9, 0.9, 0.9)};
+  EXPECT_EQ(Load(options).summary.num_views, 11u);
+  options.keep_all_views = true;
+  EXPECT_EQ(Load(options).summary.num_views, 12u);
+}
+
+TEST_F(LoadSceneTest, RefusesManyMasksThatContradictTheOthers) {
+  WritePicture(MaskPath(4), ShiftedMask(4));
+  WritePicture(MaskPath(9), ShiftedMask(9));
+  EXPECT_THAT(ErrorOf(), HasSubstr("2 of 12 views contradict the others"));
+  EXPECT_THAT(ErrorOf(), HasSubstr("9.png.png"));
+}
+
+TEST_F(LoadSceneTest, UsesTheListedImagesAlone) {
+  LoadSceneOptions options;
+  options.workspace.image_list_path = folder_ / "list.txt";
+  WriteText(options.workspace.image_list_path,
+            "0.png\n2.png\n4.png\n6.png\n8.png\n");
+  const LoadedScene loaded = Load(options);
+  ASSERT_EQ(loaded.scene.views.size(), 5u);
+  EXPECT_EQ(loaded.scene.views[1].name, "2.png");
+  WriteText(options.workspace.image_list_path, "0.png\nnone.png\n");
+  EXPECT_THAT(ErrorOf(options), HasSubstr("list.txt:2: none.png"));
+}
+
 TEST_F(LoadSceneTest, TooFewImages) {
   WriteSparseModelBinary(RingModel(kRadial, 2), folder_ / "sparse" / "0");
   EXPECT_THAT(ErrorOf(), HasSubstr("2 usable views of 2 images"));

@@ -10,7 +10,7 @@ packages=(
   libopencv-dev libopenmesh-dev libembree-dev libboost-dev
   libceres-dev
   libgtest-dev libgmock-dev
-  colmap jq shellcheck
+  colmap jq shellcheck imagemagick
 )
 
 is_installed() {

@@ -9,9 +9,12 @@
 #include "core/mesh/untangle.h"
 #include "core/pipeline/options.h"
 #include "core/scene/region.h"
+#include "core/verdict/judge_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/refinement_options.h"
 #include "plugin/report.h"
+#include "plugin/verdict_json.h"
+#include "plugin/verdict_text.h"
 #include "plugin/workspace_options.h"
 
 namespace octacut {
@@ -85,12 +88,21 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   const MeshAudit audit = AuditMesh(refined.mesh, context);
   CheckAudit(audit);
   WriteMesh(workspace_.output_path, refined.mesh);
+  const MeshVerdict verdict = JudgeMesh(
+      refined.mesh,
+      IndexedMesh(),
+      {loaded.scene.views, believed.scene.views, views, loaded.region.cube},
+      {.mask_tolerance = workspace_.loading.region.mask_tolerance,
+       .border_shift = refined.summary.border_shift},
+      context);
+  ReportVerdict(verdict, loaded.scene.views, context);
 
   Json report = MakeReport(environment);
   report["mesh_path"] = workspace_.output_path.string();
   report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
   report["refinement"] = RefinementToJson(refined.summary);
   report["audit"] = AuditToJson(audit);
+  report["verdict"] = VerdictToJson(verdict, loaded.scene.views);
   WriteReport(workspace_.report_path, report);
   environment.out << fmt::format(
       "{}: {} of {} vertices moved, by {:.2f} pixels in the mean; agreement of "

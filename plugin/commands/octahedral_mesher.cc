@@ -12,6 +12,8 @@
 #include "plugin/meshing_options.h"
 #include "plugin/report.h"
 #include "plugin/run_picture.h"
+#include "plugin/verdict_json.h"
+#include "plugin/verdict_text.h"
 #include "plugin/workspace_options.h"
 
 namespace octacut {
@@ -89,12 +91,14 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   if (picture_) {
     WriteRunPicture(workspace_.Beside(".png"), loaded.scene, mesh, context);
   }
+  ReportVerdict(result.verdict, loaded.scene.views, context);
 
   Json report = MakeReport(environment);
   report["mesh_path"] = workspace_.output_path.string();
   report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
   report["reconstruction"] = ReconstructionToJson(result.summary);
   report["audit"] = AuditToJson(result.audit);
+  report["verdict"] = VerdictToJson(result.verdict, loaded.scene.views);
   WriteReport(workspace_.report_path, report);
   environment.out << fmt::format(
       "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s), "

@@ -53,7 +53,8 @@ TEST_F(OctahedralMesher, LeavesMeshReportAndPicture) {
                             "input",
                             "warnings",
                             "reconstruction",
-                            "audit"}));
+                            "audit",
+                            "verdict"}));
   EXPECT_EQ(report["input"]["views"], testing::kSmallViews);
   const Json& levels = report["reconstruction"]["levels"];
   ASSERT_EQ(levels.size(), 2u);
@@ -79,6 +80,11 @@ TEST_F(OctahedralMesher, LeavesMeshReportAndPicture) {
                             "volume",
                             "bounding_box"}));
   EXPECT_EQ(report["audit"]["triangles"], mesh.triangles.size());
+  const Json& masks = report["verdict"]["masks_as_given"];
+  EXPECT_GT(masks["covered"], 0.9);
+  EXPECT_LT(masks["surely_exceeded"], 0.01);
+  EXPECT_EQ(masks["views"].size(), size_t{testing::kSmallViews});
+  EXPECT_THAT(result.err, HasSubstr("silhouettes: the mesh covers "));
   EXPECT_FALSE(cv::imread(Result(".png").string()).empty());
 }
 
@@ -204,6 +210,8 @@ TEST_F(OctahedralMesher, VisualHullAlone) {
   const Json report =
       Json::parse(ReadFile(Workspace() / "meshed-visual-hull.json"));
   EXPECT_EQ(report["audit"]["triangles"], audit.num_triangles);
+  EXPECT_GT(report["verdict"]["masks_as_repaired"]["covered"], 0.98);
+  EXPECT_THAT(result.err, HasSubstr("silhouettes: the mesh covers "));
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+// The verdict on a mesh as a member of a report.
+#pragma once
+
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "core/verdict/judge_mesh.h"
+#include "plugin/option_value.h"
+
+namespace octacut {
+
+// `views` are those of the verdict.
+Json VerdictToJson(const MeshVerdict& verdict, const std::vector<View>& views);
+
+}  // namespace octacut

@@ -1,6 +1,7 @@
 // The verdict on a mesh in words: what a run says at its end.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/base/context.h"
@@ -9,10 +10,18 @@
 
 namespace octacut {
 
-// Lines of information, and warnings where the mesh is poor, with what would
-// help. `views` are those of the verdict.
-void ReportVerdict(const MeshVerdict& verdict,
-                   const std::vector<View>& views,
-                   const Context& context);
+// Sentences without a full stop at their end.
+struct VerdictText {
+  std::vector<std::string> findings;
+  // Where the mesh is poor, each with what would help.
+  std::vector<std::string> warnings;
+};
+
+// `views` are those of the verdict.
+VerdictText DescribeVerdict(const MeshVerdict& verdict,
+                            const std::vector<View>& views);
+
+// To the log: findings as information, warnings as such.
+void ReportVerdict(const VerdictText& text, const Context& context);
 
 }  // namespace octacut

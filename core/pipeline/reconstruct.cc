@@ -147,7 +147,9 @@ Reconstruction Reconstruct(const Scene& scene,
                 {scene.views, believed.scene.views, views, region.cube},
                 {.mask_tolerance = options.mask_tolerance,
                  .border_shift =
-                     summary.refinement ? summary.refinement->border_shift : 0},
+                     summary.refinement ? summary.refinement->border_shift : 0,
+                 .hull_level = options.hull.hull_level,
+                 .refinement = options.refinement},
                 context);
   return result;
 }

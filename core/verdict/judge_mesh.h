@@ -1,14 +1,18 @@
 // What is known of a final mesh without ground truth: how it fills the
-// silhouettes.
+// silhouettes, what its surface rests on, and how far each vertex can be relied
+// upon.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/refine/refine_options.h"
 #include "core/scene/scene.h"
 #include "core/verdict/silhouette_check.h"
+#include "core/verdict/surface_support.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
@@ -27,6 +31,11 @@ struct JudgeOptions {
   double mask_tolerance = 0;
   // Pixels of the views by which they have been found to be too large.
   double border_shift = 0;
+  // Of the voxels in which the search began; 0 where there were none.
+  int hull_level = 0;
+  // How photographs are compared, as refinement does.
+  RefineOptions refinement = {};
+  bool confidence = false;  // of the vertices, wanted
 };
 
 struct MeshVerdict {
@@ -35,7 +44,18 @@ struct MeshVerdict {
   // One a view: pixels of the repaired masks that are missed for the sake of
   // components that were removed for being small.
   std::vector<size_t> removed_pixels;
+  // Of the missed pixels of the repaired masks those in parts that are thinner
+  // than three voxels of the hull, roughly.
+  size_t num_thin_pixels = 0;
+  // As given.
+  double border_shift = 0;
+  int hull_level = 0;
+  // None where views have no image.
+  std::optional<SurfaceSupport> surface;
+  // One a vertex, 0 .. 1; empty unless wanted and measured.
+  std::vector<float> confidence;
   double silhouette_seconds = 0;
+  double surface_seconds = 0;
 };
 
 // `mesh`, closed, and the components `removed` from it in world coordinates.

@@ -93,16 +93,18 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
       IndexedMesh(),
       {loaded.scene.views, believed.scene.views, views, loaded.region.cube},
       {.mask_tolerance = workspace_.loading.region.mask_tolerance,
-       .border_shift = refined.summary.border_shift},
+       .border_shift = refined.summary.border_shift,
+       .refinement = refinement_},
       context);
-  ReportVerdict(verdict, loaded.scene.views, context);
+  const VerdictText words = DescribeVerdict(verdict, loaded.scene.views);
+  ReportVerdict(words, context);
 
   Json report = MakeReport(environment);
   report["mesh_path"] = workspace_.output_path.string();
   report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
   report["refinement"] = RefinementToJson(refined.summary);
   report["audit"] = AuditToJson(audit);
-  report["verdict"] = VerdictToJson(verdict, loaded.scene.views);
+  report["verdict"] = VerdictToJson(verdict, words, loaded.scene.views);
   WriteReport(workspace_.report_path, report);
   environment.out << fmt::format(
       "{}: {} of {} vertices moved, by {:.2f} pixels in the mean; agreement of "

@@ -91,14 +91,15 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   if (picture_) {
     WriteRunPicture(workspace_.Beside(".png"), loaded.scene, mesh, context);
   }
-  ReportVerdict(result.verdict, loaded.scene.views, context);
+  const VerdictText words = DescribeVerdict(result.verdict, loaded.scene.views);
+  ReportVerdict(words, context);
 
   Json report = MakeReport(environment);
   report["mesh_path"] = workspace_.output_path.string();
   report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
   report["reconstruction"] = ReconstructionToJson(result.summary);
   report["audit"] = AuditToJson(result.audit);
-  report["verdict"] = VerdictToJson(result.verdict, loaded.scene.views);
+  report["verdict"] = VerdictToJson(result.verdict, words, loaded.scene.views);
   WriteReport(workspace_.report_path, report);
   environment.out << fmt::format(
       "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s), "

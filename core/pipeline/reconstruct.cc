@@ -149,7 +149,8 @@ Reconstruction Reconstruct(const Scene& scene,
                  .border_shift =
                      summary.refinement ? summary.refinement->border_shift : 0,
                  .hull_level = options.hull.hull_level,
-                 .refinement = options.refinement},
+                 .refinement = options.refinement,
+                 .confidence = options.confidence},
                 context);
   return result;
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/raycast/ray_scene.h"
+#include "core/verdict/confidence.h"
 #include "core/verdict/removed_parts.h"
 
 namespace octacut {
@@ -13,6 +14,8 @@ namespace {
 // Between the places where the photographs are compared, pixels: patches of
 // seven beside each other nearly touch.
 constexpr double kSpacing = 6;
+// The same where each vertex is asked about.
+constexpr double kFineSpacing = 4;
 
 IndexedMesh ToUnit(const IndexedMesh& mesh, const BoundingCube& cube) {
   IndexedMesh unit;
@@ -75,14 +78,18 @@ MeshVerdict JudgeMesh(const IndexedMesh& mesh,
   IndexedMesh unit = ToUnit(mesh, scene.cube);
   std::optional<RayScene> rays;
   if (HaveImages(scene.views)) {
-    SurfaceEvidence evidence =
-        MeasureSurfaceEvidence(scene.views,
-                               {.refinement = options.refinement,
-                                .spacing = kSpacing,
-                                .border_shift = options.border_shift},
-                               context,
-                               &unit);
+    SurfaceEvidence evidence = MeasureSurfaceEvidence(
+        scene.views,
+        {.refinement = options.refinement,
+         .spacing = options.confidence ? kFineSpacing : kSpacing,
+         .border_shift = options.border_shift},
+        context,
+        &unit);
     verdict.surface = SumUpSupport(evidence.values, scene.given, scene.views);
+    if (options.confidence) {
+      verdict.confidence =
+          VertexConfidence(unit, evidence, evidence.pixel, context);
+    }
     rays = std::move(evidence.rays);
   } else {
     rays.emplace(unit);

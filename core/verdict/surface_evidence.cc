@@ -134,7 +134,8 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
       MeasureHull(views, float(options.border_shift), &value);
     }
   });
-  return {std::move(seen.rays), std::move(seen.places), std::move(values)};
+  return {
+      std::move(seen.rays), std::move(seen.places), std::move(values), pixel};
 }
 
 }  // namespace octacut

@@ -40,6 +40,7 @@ struct SurfaceEvidence {
   RayScene rays;                      // of the mesh
   SurfacePlaces places;               // which vertices each place stands for
   std::vector<PlaceEvidence> values;  // one a place
+  double pixel = 0;                   // of the views, at the mesh
 };
 
 struct SurfaceEvidenceOptions {

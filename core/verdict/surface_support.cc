@@ -95,8 +95,11 @@ Support SupportOf(const PlaceEvidence& place) {
       std::abs(place.offset) <= kMaxOffset) {
     return Support::kPhotographs;
   }
-  return place.hull_distance <= kNearHull ? Support::kSilhouettes
-                                          : Support::kNothing;
+  return IsNearHull(place) ? Support::kSilhouettes : Support::kNothing;
+}
+
+bool IsNearHull(const PlaceEvidence& place) {
+  return place.hull_distance <= kNearHull;
 }
 
 SurfaceSupport SumUpSupport(const std::vector<PlaceEvidence>& places,

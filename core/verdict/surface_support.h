@@ -22,6 +22,7 @@ enum class Support {
   kNothing,
 };
 Support SupportOf(const PlaceEvidence& place);
+bool IsNearHull(const PlaceEvidence& place);
 
 // The part of a surface that fewer than two views see; shares of the whole
 // area. "Above" is where the tops of the images are, by more than 30 degrees.

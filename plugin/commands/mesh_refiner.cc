@@ -37,6 +37,7 @@ class MeshRefiner : public Command {
 
 void MeshRefiner::DeclareOptions(OptionManager& options) {
   workspace_.Declare(options);
+  workspace_.DeclareConfidence(options);
   options.Add("mesh_path",
               &mesh_path_,
               "Closed mesh to refine, in the frame of the sparse model; "
@@ -83,19 +84,21 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
                     fill_false_gaps_,
                     context);
   ViewSet views = PrepareViews(believed.scene, loaded.region.cube, context);
-  const RefinedSurface refined = RefineSurface(
+  RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
   const MeshAudit audit = AuditMesh(refined.mesh, context);
   CheckAudit(audit);
-  WriteMesh(workspace_.output_path, refined.mesh);
   const MeshVerdict verdict = JudgeMesh(
       refined.mesh,
       IndexedMesh(),
       {loaded.scene.views, believed.scene.views, views, loaded.region.cube},
       {.mask_tolerance = workspace_.loading.region.mask_tolerance,
        .border_shift = refined.summary.border_shift,
-       .refinement = refinement_},
+       .refinement = refinement_,
+       .confidence = workspace_.confidence},
       context);
+  refined.mesh.confidence = verdict.confidence;
+  WriteMesh(workspace_.output_path, refined.mesh);
   const VerdictText words = DescribeVerdict(verdict, loaded.scene.views);
   ReportVerdict(words, context);
 

@@ -35,6 +35,7 @@ class OctahedralMesher : public Command {
 
 void OctahedralMesher::DeclareOptions(OptionManager& options) {
   workspace_.Declare(options);
+  workspace_.DeclareConfidence(options);
   options.Add("save_levels",
               &levels_path_,
               "Folder for the hull's and every level's surface; empty: none");
@@ -66,6 +67,7 @@ LevelObserver OctahedralMesher::LevelWriter() const {
 
 void OctahedralMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
+  meshing_.confidence = workspace_.confidence;
   meshing_.Check();
   workspace_.Complete("meshed-octahedral.ply");
   if (picture_) {
@@ -86,7 +88,8 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
           1e9));
   const Reconstruction result =
       Reconstruct(loaded.scene, loaded.region, meshing_, context, observer);
-  const IndexedMesh mesh = ToIndexedMesh(result.mesh);
+  IndexedMesh mesh = ToIndexedMesh(result.mesh);
+  mesh.confidence = result.verdict.confidence;
   WriteMesh(workspace_.output_path, mesh);
   if (picture_) {
     WriteRunPicture(workspace_.Beside(".png"), loaded.scene, mesh, context);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
 #include "colmap_io/mesh/mesh_io.h"
@@ -128,6 +129,38 @@ TEST_F(OctahedralMesher, GivesTheSameBytesForAnyNumberOfThreads) {
   const std::vector<std::string> expected = run("1");
   EXPECT_EQ(run("2"), expected);
   EXPECT_EQ(run("4"), expected);
+}
+
+TEST_F(OctahedralMesher, ConfidenceIsInTheMeshAndComparedOnRequest) {
+  const fs::path path = folder_ / "mesh.ply";
+  const ProgramResult result = RunMesher(
+      {"--picture", "0", "--confidence", "1", "--output_path", path.string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const IndexedMesh mesh = ReadMesh(path).mesh;
+  ASSERT_EQ(mesh.confidence.size(), mesh.positions.size());
+  const auto [least, most] =
+      std::minmax_element(mesh.confidence.begin(), mesh.confidence.end());
+  EXPECT_GE(*least, 0);
+  EXPECT_LT(*least, *most);
+  EXPECT_LE(*most, 1);
+  const Json report = Json::parse(ReadFile(folder_ / "mesh.json"));
+  EXPECT_GT(report["verdict"]["surface"]["decided_by_photographs"], 0.3);
+  EXPECT_FALSE(report["verdict"]["findings"].empty());
+
+  const ProgramResult comparison = RunOctacut({"mesh_comparer",
+                                               "--input_path",
+                                               path.string(),
+                                               "--reference_path",
+                                               path.string(),
+                                               "--num_samples",
+                                               "1000"});
+  ASSERT_EQ(comparison.exit_code, 0) << comparison.err;
+  EXPECT_THAT(comparison.out, HasSubstr("least tenth"));
+
+  const ProgramResult refused = RunMesher(
+      {"--confidence", "1", "--output_path", (folder_ / "m.obj").string()});
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_THAT(refused.err, HasSubstr("--confidence"));
 }
 
 TEST_F(OctahedralMesher, WritesTheFormatOfTheExtension) {

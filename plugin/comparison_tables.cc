@@ -79,6 +79,23 @@ std::string DistanceTable(std::span<const ComparedMesh> meshes) {
   return table.ToString();
 }
 
+std::string ConfidenceTable(std::span<const ComparedMesh> meshes) {
+  TextTable table(
+      {"confidence", "least tenth: mean, %", "most tenth: mean, %", "ratio"});
+  bool any = false;
+  for (const ComparedMesh& mesh : meshes) {
+    if (const auto& confidence = mesh.comparison->confidence) {
+      any = true;
+      const double diagonal = mesh.comparison->reference_diagonal;
+      table.AddRow({mesh.name,
+                    Percent(confidence->least_confident / diagonal, 4),
+                    Percent(confidence->most_confident / diagonal, 4),
+                    fmt::format("{:.2f}", confidence->Ratio())});
+    }
+  }
+  return any ? table.ToString() : "";
+}
+
 std::string ScoreTable(std::span<const ComparedMesh> meshes,
                        const CompareMeshesOptions& options) {
   std::vector<std::string> heading = {"score, %"};

@@ -25,6 +25,10 @@ std::string TopologyTable(std::span<const ComparedMesh> meshes);
 // have a comparison here and below.
 std::string DistanceTable(std::span<const ComparedMesh> meshes);
 
+// Mean distances of the least and the most confident tenth of those meshes that
+// have a confidence, likewise; empty when none has.
+std::string ConfidenceTable(std::span<const ComparedMesh> meshes);
+
 // Precision, recall and F-score at each threshold, accuracy, completeness, in
 // per cent.
 std::string ScoreTable(std::span<const ComparedMesh> meshes,

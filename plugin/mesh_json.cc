@@ -104,6 +104,17 @@ Json ComparisonToJson(const MeshComparison& comparison) {
   }
   AddDistance("accuracy", comparison.accuracy, diagonal, &json);
   json["completeness"] = comparison.completeness;
+  if (comparison.confidence) {
+    AddDistance("least_confident_tenth",
+                comparison.confidence->least_confident,
+                diagonal,
+                &json["confidence"]);
+    AddDistance("most_confident_tenth",
+                comparison.confidence->most_confident,
+                diagonal,
+                &json["confidence"]);
+    json["confidence"]["ratio"] = comparison.confidence->Ratio();
+  }
   return json;
 }
 

@@ -87,6 +87,13 @@ void WorkspaceArguments::Declare(OptionManager& options) {
               "x0,y0,z0,x1,y1,z1 of the object; default: from the silhouettes");
 }
 
+void WorkspaceArguments::DeclareConfidence(OptionManager& options) {
+  options.Add("confidence",
+              &confidence,
+              "1: the mesh (.ply) has a float confidence for each vertex, 0 .. "
+              "1: 1 / (1 + pixels by which it may lie elsewhere)");
+}
+
 void WorkspaceArguments::Complete(const fs::path& default_output) {
   loading.Check();
   if (!bounding_box.empty()) {
@@ -102,6 +109,10 @@ void WorkspaceArguments::Complete(const fs::path& default_output) {
     report_path = Beside(".json");
   }
   CheckMeshPath(output_path);
+  CheckOption(!confidence || MeshFormatOf(output_path) == MeshFormat::kPly,
+              "confidence",
+              confidence,
+              "needs an output_path that ends in .ply");
   // The report is written last; that it cannot be must not be news then.
   CheckReportIsNot(output_path, "the mesh");
   CheckFilePath(report_path);

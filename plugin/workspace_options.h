@@ -25,8 +25,11 @@ struct WorkspaceArguments {
   std::filesystem::path report_path;  // empty: output_path with .json
   LoadSceneOptions loading;
   std::vector<double> bounding_box;  // empty, or x0,y0,z0,x1,y1,z1
+  bool confidence = false;           // of the vertices, in the mesh
 
   void Declare(OptionManager& options);
+  // For the commands that compare photographs.
+  void DeclareConfidence(OptionManager& options);
   // Fills in the defaults and checks that the mesh can be written; to be
   // asked before any long work.
   void Complete(const std::filesystem::path& default_output);

@@ -10,6 +10,7 @@ namespace octacut {
 void WritePly(const IndexedMesh& mesh, std::ostream& stream) {
   const bool has_normals = !mesh.normals.empty();
   const bool has_colors = !mesh.colors.empty();
+  const bool has_confidence = !mesh.confidence.empty();
   OutputBuffer out(&stream);
   out.Print("ply\nformat binary_little_endian 1.0\nelement vertex {}\n",
             mesh.positions.size());
@@ -20,6 +21,9 @@ void WritePly(const IndexedMesh& mesh, std::ostream& stream) {
   if (has_colors) {
     out.Print(
         "property uchar red\nproperty uchar green\nproperty uchar blue\n");
+  }
+  if (has_confidence) {
+    out.Print("property float confidence\n");
   }
   out.Print(
       "element face {}\nproperty list uchar int vertex_indices\nend_header\n",
@@ -33,6 +37,9 @@ void WritePly(const IndexedMesh& mesh, std::ostream& stream) {
     }
     for (int channel = 0; has_colors && channel < 3; ++channel) {
       out.Byte(mesh.colors[i][channel]);
+    }
+    if (has_confidence) {
+      out.Float(mesh.confidence[i]);
     }
   }
   for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {

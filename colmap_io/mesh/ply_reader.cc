@@ -13,20 +13,23 @@
 namespace octacut {
 namespace {
 
-// Where a vertex property goes: index into nine values, or nowhere.
+// Where a vertex property goes: index into ten values, or nowhere.
 constexpr int kNowhere = -1;
 constexpr int kNormal = 3;
 constexpr int kColor = 6;
+constexpr int kConfidence = 9;
+constexpr int kNumSlots = 10;
 
 int SlotOf(std::string_view name) {
-  constexpr std::array<std::string_view, 9> kNames = {
-      "x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
+  constexpr std::array<std::string_view, kNumSlots> kNames = {
+      "x", "y", "z", "nx", "ny", "nz", "red", "green", "blue", "confidence"};
   constexpr std::array<std::string_view, 3> kShort = {"r", "g", "b"};
   if (name.starts_with("diffuse_")) {
     name.remove_prefix(8);
   }
-  for (int i = 0; i < 9; ++i) {
-    if (name == kNames[i] || (i >= kColor && name == kShort[i - kColor])) {
+  for (int i = 0; i < kNumSlots; ++i) {
+    if (name == kNames[i] || (i >= kColor && i < kConfidence &&
+                              name == kShort[size_t(i - kColor)])) {
       return i;
     }
   }
@@ -48,7 +51,7 @@ float FullScale(PlyType type) {
 
 struct VertexLayout {
   std::vector<int> slots;  // of the element's properties
-  std::array<bool, 9> has = {};
+  std::array<bool, kNumSlots> has = {};
   float color_scale = 0;
 
   bool HasAll(int first) const {
@@ -66,7 +69,7 @@ VertexLayout LayoutOf(const PlyElement& element, const ByteSource& source) {
     layout.slots.push_back(slot);
     if (slot != kNowhere) {
       layout.has[slot] = true;
-      if (slot >= kColor) {
+      if (slot >= kColor && slot < kConfidence) {
         layout.color_scale = FullScale(property.type);
       }
     }
@@ -125,10 +128,11 @@ class PlyBody {
     const bool has_normals = layout.HasAll(kNormal);
     const bool has_colors = layout.HasAll(kColor);
     std::vector<Eigen::Vector3f> colors;
+    std::vector<float> confidence;
     mesh_.positions.reserve(count);
     mesh_.normals.reserve(has_normals ? count : 0);
     colors.reserve(has_colors ? count : 0);
-    std::array<double, 9> read = {};
+    std::array<double, kNumSlots> read = {};
     for (uint64_t i = 0; i < element.count; ++i) {
       values_.SetElement(&element, i);
       ReadVertex(element, layout, &read);
@@ -139,17 +143,21 @@ class PlyBody {
       if (has_normals) {
         AppendNormal(Eigen::Vector3d(read[3], read[4], read[5]).cast<float>());
       }
+      if (layout.has[kConfidence]) {
+        confidence.push_back(float(read[kConfidence]));
+      }
       if (has_colors) {
         colors.push_back(
             Eigen::Vector3d(read[6], read[7], read[8]).cast<float>());
       }
     }
+    mesh_.confidence = std::move(confidence);
     mesh_.colors = QuantizeColors(colors, layout.color_scale);
   }
 
   void ReadVertex(const PlyElement& element,
                   const VertexLayout& layout,
-                  std::array<double, 9>* read) {
+                  std::array<double, kNumSlots>* read) {
     for (size_t p = 0; p < layout.slots.size(); ++p) {
       if (layout.slots[p] == kNowhere) {
         values_.SkipProperty(element.properties[p]);

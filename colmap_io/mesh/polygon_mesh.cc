@@ -189,6 +189,7 @@ IndexedMesh Triangulate(PolygonMesh mesh,
   result.positions = std::move(mesh.positions);
   result.normals = std::move(mesh.normals);
   result.colors = std::move(mesh.colors);
+  result.confidence = std::move(mesh.confidence);
   return result;
 }
 

@@ -18,6 +18,7 @@ struct PolygonMesh {
   // Of vertices; both empty or of the size of `positions`.
   std::vector<Eigen::Vector3f> normals;
   std::vector<std::array<uint8_t, 3>> colors;
+  std::vector<float> confidence;  // likewise
   // Face i has the corners [face_begins[i], face_begins[i + 1]).
   std::vector<uint64_t> face_begins = {0};
   std::vector<uint32_t> corners;

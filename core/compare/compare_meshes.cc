@@ -20,6 +20,8 @@ constexpr uint32_t kNoTriangle = std::numeric_limits<uint32_t>::max();
 struct Distances {
   std::vector<double> samples;
   double max = 0;
+  // Of the first surface, where it has a confidence.
+  std::optional<ConfidenceErrors> confidence;
 };
 
 // A triangle of each vertex; none of those that no triangle uses.
@@ -85,6 +87,7 @@ class Measurement {
     std::vector<SurfaceSample> points = SampleSurface(
         mesh, static_cast<size_t>(options_.num_samples), seed, context_);
     const auto num_samples = static_cast<std::ptrdiff_t>(points.size());
+    const std::vector<SurfaceSample> samples = points;
     const std::vector<SurfaceSample> vertices = UsedVertices(mesh);
     points.insert(points.end(), vertices.begin(), vertices.end());
     const std::vector<double> distances = Measure(points, other, direction);
@@ -97,6 +100,9 @@ class Measurement {
                  distances.begin() + num_samples,
                  std::back_inserter(result.samples),
                  [](double distance) { return !std::isnan(distance); });
+    if (!mesh.confidence.empty()) {
+      result.confidence = MeasureConfidenceErrors(mesh, samples, distances);
+    }
     if (result.samples.empty()) {
       throw InputError("meshes to compare: no part of the reference counts");
     }
@@ -243,6 +249,7 @@ MeshComparison CompareMeshes(const IndexedMesh& mesh,
       reference, mesh_scene, Direction::kFromReference, context.Seed() + 1);
   result.to_reference = Summarize(&to_reference);
   result.from_reference = Summarize(&from_reference);
+  result.confidence = to_reference.confidence;
   Score(to_reference, from_reference, options, &result);
   return result;
 }

@@ -11,6 +11,7 @@
 
 #include "core/base/context.h"
 #include "core/compare/align_meshes.h"
+#include "core/compare/confidence_errors.h"
 #include "core/compare/reference_filter.h"
 #include "core/mesh/indexed_mesh.h"
 
@@ -64,6 +65,8 @@ struct MeshComparison {
   double accuracy = 0;      // a distance
   double completeness = 0;  // a fraction of the reference
   std::optional<MeshAlignment> alignment;
+  // Where the mesh has a confidence.
+  std::optional<ConfidenceErrors> confidence;
 
   double Hausdorff() const {
     return std::max(to_reference.max, from_reference.max);

@@ -15,6 +15,9 @@ struct IndexedMesh {
   // Of vertices; both empty or of the size of `positions`.
   std::vector<Eigen::Vector3f> normals;
   std::vector<std::array<uint8_t, 3>> colors;  // red, green, blue
+  // Of vertices, 0 .. 1: how far they can be relied upon; empty where nothing
+  // is known of that. Steps that change the mesh do not keep it.
+  std::vector<float> confidence;
 };
 
 }  // namespace octacut

@@ -87,11 +87,15 @@ KeptComponents KeepLargestComponents(IndexedMesh mesh, double min_fraction) {
   const size_t num_triangles = mesh.triangles.size();
   if (result.summary.num_removed > 0) {
     std::vector<uint8_t> keep_vertex(mesh.positions.size());
+    std::vector<uint8_t> is_removed(mesh.positions.size());
     for (size_t v = 0; v < keep_vertex.size(); ++v) {
       const uint32_t component = components.of_vertex[v];
       keep_vertex[v] =
           component == MeshComponents::kNone || keep[component] != 0;
+      is_removed[v] = !keep_vertex[v] && volumes[component] > 0;
     }
+    result.removed = mesh;
+    Compact(is_removed, result.removed);
     Compact(keep_vertex, mesh);
   }
   result.summary.num_removed_triangles = num_triangles - mesh.triangles.size();

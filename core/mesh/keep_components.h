@@ -15,6 +15,8 @@ struct KeepComponentsSummary {
 
 struct KeptComponents {
   IndexedMesh mesh;
+  // Those that were removed and are no cavities.
+  IndexedMesh removed;
   KeepComponentsSummary summary;
 };
 

@@ -62,12 +62,12 @@ IndexedMesh PlacedMesh(const LabeledVoxels& surface,
       .mesh;
 }
 
-IndexedMesh FinalMesh(const ViewSet& views,
-                      const LabeledVoxels& surface,
-                      const BoundingCube& cube,
-                      const ReconstructionOptions& options,
-                      const Context& context,
-                      ReconstructionSummary* summary) {
+FinishedMesh FinalMesh(const ViewSet& views,
+                       const LabeledVoxels& surface,
+                       const BoundingCube& cube,
+                       const ReconstructionOptions& options,
+                       const Context& context,
+                       ReconstructionSummary* summary) {
   ExtractedSurface extracted =
       ExtractSurface(surface.voxels, surface.labels, cube, context);
   summary->extraction = extracted.summary;
@@ -104,7 +104,7 @@ IndexedMesh FinalMesh(const ViewSet& views,
                  context,
                  &smoothed.mesh);
   smoothed.mesh.normals = ComputeVertexNormals(smoothed.mesh, context);
-  return std::move(smoothed.mesh);
+  return {std::move(smoothed.mesh), std::move(kept.removed)};
 }
 
 void ColorMesh(const ViewSet& views,

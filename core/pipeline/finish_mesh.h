@@ -17,16 +17,21 @@ IndexedMesh PlacedMesh(const LabeledVoxels& surface,
                        const BoundingCube& cube,
                        const Context& context);
 
+struct FinishedMesh {
+  IndexedMesh mesh;
+  IndexedMesh removed;  // components that were too small, before smoothing
+};
+
 // Extraction, placement and smoothing; components and handles smaller than the
 // options say are removed. No triangles intersect, once coordinates are rounded
 // to the floats of files either. With normals, without colours. Throws
 // InputError when there is no surface. `views` say how large pixels are.
-IndexedMesh FinalMesh(const ViewSet& views,
-                      const LabeledVoxels& surface,
-                      const BoundingCube& cube,
-                      const ReconstructionOptions& options,
-                      const Context& context,
-                      ReconstructionSummary* summary);
+FinishedMesh FinalMesh(const ViewSet& views,
+                       const LabeledVoxels& surface,
+                       const BoundingCube& cube,
+                       const ReconstructionOptions& options,
+                       const Context& context,
+                       ReconstructionSummary* summary);
 
 // Vertex colours: the mean over the views that see the vertex, weighted as
 // Visibility does; grey where none does. `surface` is

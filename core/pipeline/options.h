@@ -57,6 +57,7 @@ struct ReconstructionOptions {
   // Averagings of the inside over neighbouring voxels before its gradient is
   // taken for the normal; 1 .. 64.
   int normal_blur = 12;
+  bool confidence = false;  // of the mesh's vertices, wanted with the verdict
   void Check() const;
 };
 

@@ -121,7 +121,7 @@ Reconstruction Reconstruct(const Scene& scene,
   }
 
   stopwatch.Lap();
-  IndexedMesh mesh = FinalMesh(
+  auto [mesh, removed] = FinalMesh(
       views, hierarchy.Finest(), region.cube, options, context, &summary);
   summary.meshing_seconds = stopwatch.Lap();
   if (options.refine) {
@@ -141,6 +141,17 @@ Reconstruction Reconstruct(const Scene& scene,
   summary.coloring_seconds = stopwatch.Lap();
   result.audit = AuditMesh(ToIndexedMesh(result.mesh), context);
   CheckAudit(result.audit);
+  result.verdict =
+      JudgeMesh(ToIndexedMesh(result.mesh),
+                removed,
+                {scene.views, believed.scene.views, views, region.cube},
+                {.mask_tolerance = options.mask_tolerance,
+                 .border_shift =
+                     summary.refinement ? summary.refinement->border_shift : 0,
+                 .hull_level = options.hull.hull_level,
+                 .refinement = options.refinement,
+                 .confidence = options.confidence},
+                context);
   return result;
 }
 
@@ -159,11 +170,18 @@ HullReconstruction ReconstructHull(const Scene& scene,
   ReconstructionOptions finishing;
   finishing.smoothing = options.smoothing;
   ReconstructionSummary summary;
+  const FinishedMesh finished =
+      FinalMesh(views, surface, region.cube, finishing, context, &summary);
   HullReconstruction result;
-  result.mesh = ToSurfaceMesh(
-      FinalMesh(views, surface, region.cube, finishing, context, &summary));
-  result.audit = AuditMesh(ToIndexedMesh(result.mesh), context);
+  result.mesh = ToSurfaceMesh(finished.mesh);
+  result.audit = AuditMesh(finished.mesh, context);
   CheckAudit(result.audit);
+  result.verdict =
+      JudgeMesh(finished.mesh,
+                finished.removed,
+                {scene.views, believed.scene.views, views, region.cube},
+                JudgeOptions(),
+                context);
   return result;
 }
 

@@ -17,6 +17,7 @@
 #include "core/refine/refine_surface.h"
 #include "core/scene/region.h"
 #include "core/scene/scene.h"
+#include "core/verdict/judge_mesh.h"
 
 namespace octacut {
 
@@ -64,6 +65,7 @@ struct Reconstruction {
   SurfaceMesh mesh;  // world coordinates, with normals and colours
   // Of ToIndexedMesh(mesh), as it is written; CheckAudit(audit) has passed.
   MeshAudit audit;
+  MeshVerdict verdict;
   ReconstructionSummary summary;
 };
 
@@ -82,6 +84,7 @@ Reconstruction Reconstruct(const Scene& scene,
 struct HullReconstruction {
   SurfaceMesh mesh;  // world coordinates, with normals
   MeshAudit audit;   // as that of a Reconstruction
+  MeshVerdict verdict;
 };
 
 // The visual hull alone, from silhouettes (images are not needed). Throws as

@@ -139,6 +139,10 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   }
   environment.out << DistanceTable(results) << '\n'
                   << ScoreTable(results, compare_);
+  const std::string confidence = ConfidenceTable(results);
+  if (!confidence.empty()) {
+    environment.out << '\n' << confidence;
+  }
   if (!output_path_.empty()) {
     Json report = MakeReport(environment);
     report["reference"] = std::move(reference.json);

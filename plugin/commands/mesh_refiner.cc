@@ -9,9 +9,12 @@
 #include "core/mesh/untangle.h"
 #include "core/pipeline/options.h"
 #include "core/scene/region.h"
+#include "core/verdict/judge_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/refinement_options.h"
 #include "plugin/report.h"
+#include "plugin/verdict_json.h"
+#include "plugin/verdict_text.h"
 #include "plugin/workspace_options.h"
 
 namespace octacut {
@@ -34,6 +37,7 @@ class MeshRefiner : public Command {
 
 void MeshRefiner::DeclareOptions(OptionManager& options) {
   workspace_.Declare(options);
+  workspace_.DeclareConfidence(options);
   options.Add("mesh_path",
               &mesh_path_,
               "Closed mesh to refine, in the frame of the sparse model; "
@@ -80,17 +84,30 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
                     fill_false_gaps_,
                     context);
   ViewSet views = PrepareViews(believed.scene, loaded.region.cube, context);
-  const RefinedSurface refined = RefineSurface(
+  RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
   const MeshAudit audit = AuditMesh(refined.mesh, context);
   CheckAudit(audit);
+  const MeshVerdict verdict = JudgeMesh(
+      refined.mesh,
+      IndexedMesh(),
+      {loaded.scene.views, believed.scene.views, views, loaded.region.cube},
+      {.mask_tolerance = workspace_.loading.region.mask_tolerance,
+       .border_shift = refined.summary.border_shift,
+       .refinement = refinement_,
+       .confidence = workspace_.confidence},
+      context);
+  refined.mesh.confidence = verdict.confidence;
   WriteMesh(workspace_.output_path, refined.mesh);
+  const VerdictText words = DescribeVerdict(verdict, loaded.scene.views);
+  ReportVerdict(words, context);
 
   Json report = MakeReport(environment);
   report["mesh_path"] = workspace_.output_path.string();
   report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
   report["refinement"] = RefinementToJson(refined.summary);
   report["audit"] = AuditToJson(audit);
+  report["verdict"] = VerdictToJson(verdict, words, loaded.scene.views);
   WriteReport(workspace_.report_path, report);
   environment.out << fmt::format(
       "{}: {} of {} vertices moved, by {:.2f} pixels in the mean; agreement of "

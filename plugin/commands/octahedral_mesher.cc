@@ -12,6 +12,8 @@
 #include "plugin/meshing_options.h"
 #include "plugin/report.h"
 #include "plugin/run_picture.h"
+#include "plugin/verdict_json.h"
+#include "plugin/verdict_text.h"
 #include "plugin/workspace_options.h"
 
 namespace octacut {
@@ -33,6 +35,7 @@ class OctahedralMesher : public Command {
 
 void OctahedralMesher::DeclareOptions(OptionManager& options) {
   workspace_.Declare(options);
+  workspace_.DeclareConfidence(options);
   options.Add("save_levels",
               &levels_path_,
               "Folder for the hull's and every level's surface; empty: none");
@@ -64,6 +67,7 @@ LevelObserver OctahedralMesher::LevelWriter() const {
 
 void OctahedralMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
+  meshing_.confidence = workspace_.confidence;
   meshing_.Check();
   workspace_.Complete("meshed-octahedral.ply");
   if (picture_) {
@@ -84,17 +88,21 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
           1e9));
   const Reconstruction result =
       Reconstruct(loaded.scene, loaded.region, meshing_, context, observer);
-  const IndexedMesh mesh = ToIndexedMesh(result.mesh);
+  IndexedMesh mesh = ToIndexedMesh(result.mesh);
+  mesh.confidence = result.verdict.confidence;
   WriteMesh(workspace_.output_path, mesh);
   if (picture_) {
     WriteRunPicture(workspace_.Beside(".png"), loaded.scene, mesh, context);
   }
+  const VerdictText words = DescribeVerdict(result.verdict, loaded.scene.views);
+  ReportVerdict(words, context);
 
   Json report = MakeReport(environment);
   report["mesh_path"] = workspace_.output_path.string();
   report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
   report["reconstruction"] = ReconstructionToJson(result.summary);
   report["audit"] = AuditToJson(result.audit);
+  report["verdict"] = VerdictToJson(result.verdict, words, loaded.scene.views);
   WriteReport(workspace_.report_path, report);
   environment.out << fmt::format(
       "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s), "

@@ -86,6 +86,7 @@ TEST_F(MeshRefiner, BringsAMeshCloserToTheTruth) {
   EXPECT_EQ(report["command"], "mesh_refiner");
   EXPECT_EQ(report["input"]["views"], testing::kSmallViews);
   EXPECT_EQ(report["audit"]["triangles"], before.triangles.size());
+  EXPECT_GT(report["verdict"]["masks_as_given"]["covered"], 0.9);
   const Json& refinement = report["refinement"];
   EXPECT_EQ(refinement["vertices"], before.positions.size());
   EXPECT_GT(refinement["moved_vertices"], before.positions.size() / 2);

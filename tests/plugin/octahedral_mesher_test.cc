@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
 #include "colmap_io/mesh/mesh_io.h"
@@ -53,7 +54,8 @@ TEST_F(OctahedralMesher, LeavesMeshReportAndPicture) {
                             "input",
                             "warnings",
                             "reconstruction",
-                            "audit"}));
+                            "audit",
+                            "verdict"}));
   EXPECT_EQ(report["input"]["views"], testing::kSmallViews);
   const Json& levels = report["reconstruction"]["levels"];
   ASSERT_EQ(levels.size(), 2u);
@@ -79,6 +81,11 @@ TEST_F(OctahedralMesher, LeavesMeshReportAndPicture) {
                             "volume",
                             "bounding_box"}));
   EXPECT_EQ(report["audit"]["triangles"], mesh.triangles.size());
+  const Json& masks = report["verdict"]["masks_as_given"];
+  EXPECT_GT(masks["covered"], 0.9);
+  EXPECT_LT(masks["surely_exceeded"], 0.01);
+  EXPECT_EQ(masks["views"].size(), size_t{testing::kSmallViews});
+  EXPECT_THAT(result.err, HasSubstr("silhouettes: the mesh covers "));
   EXPECT_FALSE(cv::imread(Result(".png").string()).empty());
 }
 
@@ -122,6 +129,38 @@ TEST_F(OctahedralMesher, GivesTheSameBytesForAnyNumberOfThreads) {
   const std::vector<std::string> expected = run("1");
   EXPECT_EQ(run("2"), expected);
   EXPECT_EQ(run("4"), expected);
+}
+
+TEST_F(OctahedralMesher, ConfidenceIsInTheMeshAndComparedOnRequest) {
+  const fs::path path = folder_ / "mesh.ply";
+  const ProgramResult result = RunMesher(
+      {"--picture", "0", "--confidence", "1", "--output_path", path.string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const IndexedMesh mesh = ReadMesh(path).mesh;
+  ASSERT_EQ(mesh.confidence.size(), mesh.positions.size());
+  const auto [least, most] =
+      std::minmax_element(mesh.confidence.begin(), mesh.confidence.end());
+  EXPECT_GE(*least, 0);
+  EXPECT_LT(*least, *most);
+  EXPECT_LE(*most, 1);
+  const Json report = Json::parse(ReadFile(folder_ / "mesh.json"));
+  EXPECT_GT(report["verdict"]["surface"]["decided_by_photographs"], 0.3);
+  EXPECT_FALSE(report["verdict"]["findings"].empty());
+
+  const ProgramResult comparison = RunOctacut({"mesh_comparer",
+                                               "--input_path",
+                                               path.string(),
+                                               "--reference_path",
+                                               path.string(),
+                                               "--num_samples",
+                                               "1000"});
+  ASSERT_EQ(comparison.exit_code, 0) << comparison.err;
+  EXPECT_THAT(comparison.out, HasSubstr("least tenth"));
+
+  const ProgramResult refused = RunMesher(
+      {"--confidence", "1", "--output_path", (folder_ / "m.obj").string()});
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_THAT(refused.err, HasSubstr("--confidence"));
 }
 
 TEST_F(OctahedralMesher, WritesTheFormatOfTheExtension) {
@@ -204,6 +243,8 @@ TEST_F(OctahedralMesher, VisualHullAlone) {
   const Json report =
       Json::parse(ReadFile(Workspace() / "meshed-visual-hull.json"));
   EXPECT_EQ(report["audit"]["triangles"], audit.num_triangles);
+  EXPECT_GT(report["verdict"]["masks_as_repaired"]["covered"], 0.98);
+  EXPECT_THAT(result.err, HasSubstr("silhouettes: the mesh covers "));
 }
 
 }  // namespace

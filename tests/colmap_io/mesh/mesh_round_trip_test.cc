@@ -50,6 +50,20 @@ TEST_P(RoundTrip, KeepsWhatTheFormatHolds) {
   }
 }
 
+TEST(PlyRoundTrip, KeepsTheConfidence) {
+  IndexedMesh mesh = TestMesh(true, true);
+  EXPECT_TRUE(ReadText(WriteText(mesh, MeshFormat::kPly), MeshFormat::kPly)
+                  .mesh.confidence.empty());
+  for (size_t i = 0; i < mesh.positions.size(); ++i) {
+    mesh.confidence.push_back(1 / float(1 + i));
+  }
+  const IndexedMesh read =
+      ReadText(WriteText(mesh, MeshFormat::kPly), MeshFormat::kPly).mesh;
+  EXPECT_EQ(read.confidence, mesh.confidence);
+  EXPECT_EQ(read.colors, mesh.colors);
+  EXPECT_EQ(read.triangles, mesh.triangles);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Formats,
     RoundTrip,

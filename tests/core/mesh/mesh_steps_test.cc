@@ -108,6 +108,7 @@ TEST(KeepLargestComponents, RemovesCrumbsAndSmallCavities) {
   EXPECT_EQ(two.summary.num_removed, 1);
   EXPECT_EQ(two.summary.num_removed_triangles, 4);
   EXPECT_NEAR(AuditMesh(two.mesh).volume, 9, 1e-12);
+  EXPECT_TRUE(two.removed.triangles.empty());  // a cavity is no loss
 
   const KeptComponents one = KeepLargestComponents(mesh, 1);
   EXPECT_EQ(one.summary.num_removed, 2);
@@ -117,6 +118,7 @@ TEST(KeepLargestComponents, RemovesCrumbsAndSmallCavities) {
   EXPECT_EQ(audit.bounding_box.min(), Eigen::Vector3d(5, 0, 0));
   ASSERT_EQ(one.mesh.colors.size(), 8);
   EXPECT_EQ(one.mesh.colors[0][0], 8);
+  EXPECT_NEAR(AuditMesh(one.removed).volume, 1, 1e-12);
 }
 
 TEST(KeepLargestComponents, OfEqualOnesTheFirstIsTheLargest) {

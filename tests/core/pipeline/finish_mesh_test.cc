@@ -43,7 +43,8 @@ int64_t GenusWithPixels(double voxels) {
                              UnitCube(),
                              ReconstructionOptions(),
                              Context(2),
-                             &summary))
+                             &summary)
+                       .mesh)
       .genus;
 }
 

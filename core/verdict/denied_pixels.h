@@ -1,0 +1,30 @@
+// Pixels of a mask's object on whose rays the other masks leave nothing: no
+// object can fill all masks then, and some mask is too small.
+#pragma once
+
+#include <cstddef>
+#include <opencv2/core/mat.hpp>
+#include <vector>
+
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+struct DeniedPixels {
+  size_t count = 0;  // of the view's pixels, from a sample of them
+  // One a view: pixels that it denies alone or with one other, so that its mask
+  // is likely to be wrong.
+  std::vector<size_t> by_view;
+};
+
+// Of the pixels of `views[view]` that are not 0 in `pixels` (CV_8UC1). A view
+// denies a point that it shows more than `margins` (pixels, one a view) outside
+// of the border of its object. A pixel is denied when every point of its ray
+// within the root cube is, and by those views that deny the point that the
+// fewest deny.
+DeniedPixels FindDeniedPixels(const ViewSet& views,
+                              const std::vector<double>& margins,
+                              size_t view,
+                              const cv::Mat& pixels);
+
+}  // namespace octacut

@@ -1,0 +1,117 @@
+#include "core/verdict/judge_mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/stopwatch.h"
+#include "core/raycast/ray_scene.h"
+#include "core/verdict/confidence.h"
+#include "core/verdict/removed_parts.h"
+
+namespace octacut {
+namespace {
+
+// Between the places where the photographs are compared, pixels: patches of
+// seven beside each other nearly touch.
+constexpr double kSpacing = 6;
+// The same where each vertex is asked about.
+constexpr double kFineSpacing = 4;
+
+IndexedMesh ToUnit(const IndexedMesh& mesh, const BoundingCube& cube) {
+  IndexedMesh unit;
+  unit.triangles = mesh.triangles;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    unit.positions.push_back((position - cube.min_corner) / cube.edge);
+  }
+  return unit;
+}
+
+std::vector<BorderUncertainty> UncertaintiesOf(const std::vector<View>& views,
+                                               const JudgeOptions& options) {
+  std::vector<BorderUncertainty> uncertainties;
+  for (const View& view : views) {
+    uncertainties.push_back(UncertaintyOfBorders(
+        options.border_shift, options.mask_tolerance * view.scale));
+  }
+  return uncertainties;
+}
+
+bool HaveImages(const ViewSet& views) {
+  return std::all_of(views.begin(), views.end(), [](const PreparedView& view) {
+    return view.pyramid.NumLevels() > 0;
+  });
+}
+
+// Of the missed pixels those that lie no deeper in their mask than half of
+// three voxels of the hull.
+size_t CountThinPixels(const ViewSet& views,
+                       const std::vector<cv::Mat>& missed,
+                       int hull_level) {
+  constexpr float kThinVoxels = 3;
+  size_t count = 0;
+  for (size_t i = 0; i < views.size(); ++i) {
+    const float depth =
+        kThinVoxels / 2 *
+        views[i].projection.CenterFootprint(1.0f / float(1 << hull_level));
+    for (int y = 0; y < missed[i].rows; ++y) {
+      for (int x = 0; x < missed[i].cols; ++x) {
+        count += missed[i].at<uint8_t>(y, x) != 0 &&
+                 views[i].silhouette.SignedDistance(float(x) + 0.5f,
+                                                    float(y) + 0.5f) <= depth;
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+MeshVerdict JudgeMesh(const IndexedMesh& mesh,
+                      const IndexedMesh& removed,
+                      const JudgedScene& scene,
+                      const JudgeOptions& options,
+                      const Context& context) {
+  Stopwatch stopwatch;
+  MeshVerdict verdict;
+  verdict.border_shift = options.border_shift;
+  verdict.hull_level = options.hull_level;
+  IndexedMesh unit = ToUnit(mesh, scene.cube);
+  std::optional<RayScene> rays;
+  if (HaveImages(scene.views)) {
+    SurfaceEvidence evidence = MeasureSurfaceEvidence(
+        scene.views,
+        {.refinement = options.refinement,
+         .spacing = options.confidence ? kFineSpacing : kSpacing,
+         .border_shift = options.border_shift},
+        context,
+        &unit);
+    verdict.surface = SumUpSupport(evidence.values, scene.given, scene.views);
+    if (options.confidence) {
+      verdict.confidence =
+          VertexConfidence(unit, evidence, evidence.pixel, context);
+    }
+    rays = std::move(evidence.rays);
+  } else {
+    rays.emplace(unit);
+  }
+  verdict.surface_seconds = stopwatch.Lap();
+  SilhouetteCheck check =
+      CheckSilhouettes(*rays,
+                       scene.given,
+                       scene.repaired,
+                       scene.views,
+                       UncertaintiesOf(scene.given, options),
+                       context);
+  verdict.removed_pixels = CountPixelsOfRemoved(
+      ToUnit(removed, scene.cube), scene.views, check.missed, context);
+  if (options.hull_level > 0) {
+    verdict.num_thin_pixels =
+        CountThinPixels(scene.views, check.missed, options.hull_level);
+  }
+  verdict.given_masks = std::move(check.given);
+  verdict.repaired_masks = std::move(check.repaired);
+  verdict.silhouette_seconds = stopwatch.Lap();
+  return verdict;
+}
+
+}  // namespace octacut

@@ -1,0 +1,141 @@
+#include "core/verdict/surface_evidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <optional>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/mesh/vertex_corners.h"
+#include "core/refine/offset_search.h"
+#include "core/refine/seen_surface.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kGrain = 1024;
+// Of the search for a better offset, pixels: twice as far as a surface may lie
+// that is taken for measured, so that a peak there has both its sides.
+constexpr double kRange = 2;
+
+std::vector<float> AreasOfPlaces(const IndexedMesh& mesh,
+                                 const SurfacePlaces& places) {
+  std::vector<float> areas(places.vertices.size());
+  for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
+    const Eigen::Vector3d& a = mesh.positions[triangle[0]];
+    const double area = (mesh.positions[triangle[1]] - a)
+                            .cross(mesh.positions[triangle[2]] - a)
+                            .norm() /
+                        2;
+    for (const uint32_t corner : triangle) {
+      areas[places.place_of[corner]] += float(area / 3);
+    }
+  }
+  return areas;
+}
+
+float Baseline(const ViewSet& views,
+               const ChosenViews& chosen,
+               const Eigen::Vector3f& point) {
+  float least_cosine = 1;
+  for (int i = 0; i < chosen.count; ++i) {
+    const Eigen::Vector3f one =
+        (views[chosen.views[i]].projection.center - point).normalized();
+    for (int j = 0; j < i; ++j) {
+      const Eigen::Vector3f other =
+          (views[chosen.views[j]].projection.center - point).normalized();
+      least_cosine = std::min(least_cosine, one.dot(other));
+    }
+  }
+  return std::acos(std::clamp(least_cosine, -1.0f, 1.0f));
+}
+
+// Pixels from the border of a silhouette within which a place is at it.
+constexpr float kAtBorder = 1.5f;
+
+void MeasureHull(const ViewSet& views,
+                 float border_shift,
+                 PlaceEvidence* value) {
+  value->hull_distance = Silhouette::kFarInside;
+  for (const PreparedView& view : views) {
+    if (const std::optional<ProjectedPoint> p =
+            view.projection.ProjectIntoFrame(value->position)) {
+      const float distance =
+          view.silhouette.SignedDistance(p->u, p->v) - border_shift;
+      value->hull_distance = std::min(value->hull_distance, distance);
+      value->num_rims += distance <= kAtBorder;
+    }
+  }
+}
+
+OffsetSearch MakeSearch(const RefineOptions& options) {
+  OffsetSearch search;
+  search.range = kRange;
+  search.step = options.step;
+  search.spacing = 1;
+  search.min_score = options.min_score;
+  search.patch = options.patch;
+  return search;
+}
+
+double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    box.extend(position);
+  }
+  return PixelSize(views, box.center().cast<float>());
+}
+
+}  // namespace
+
+SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
+                                       const SurfaceEvidenceOptions& options,
+                                       const Context& context,
+                                       IndexedMesh* mesh) {
+  const VertexCorners neighbors =
+      FindVertexNeighbors(mesh->positions.size(), mesh->triangles);
+  const double pixel = PixelAt(views, *mesh);
+  SeenSurface seen = LookAtSurface(
+      views,
+      neighbors,
+      {.pixel = pixel, .scale = 1, .spacing = options.spacing * pixel},
+      options.refinement,
+      context,
+      mesh);
+  const size_t count = seen.surfaces.size();
+  Phase phase(context, "evidence for the surface", count);
+  const std::vector<OffsetMeasurement> offsets =
+      SearchOffsets(views,
+                    seen.surfaces,
+                    seen.choices,
+                    MakeSearch(options.refinement),
+                    context,
+                    &phase);
+  const std::vector<float> areas = AreasOfPlaces(*mesh, seen.places);
+  std::vector<PlaceEvidence> values(count);
+  ParallelFor(context, count, kGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const ChosenViews& chosen = seen.choices[i];
+      PlaceEvidence& value = values[i];
+      value.position = mesh->positions[seen.places.vertices[i]].cast<float>();
+      value.normal = seen.surfaces[i].normal;
+      value.area = areas[i];
+      value.num_views = chosen.count;
+      value.baseline = Baseline(views, chosen, value.position);
+      value.agreement = offsets[i].score_before;
+      if (offsets[i].weight > 0) {
+        // From the vertex, not from the surface that was fitted to it.
+        value.offset = (offsets[i].offset + seen.surfaces[i].height) /
+                       seen.choices[i].pixel;
+        value.precision = offsets[i].weight;
+      }
+      value.bend = -float(pixel) * (seen.surfaces[i].uu + seen.surfaces[i].vv);
+      MeasureHull(views, float(options.border_shift), &value);
+    }
+  });
+  return {
+      std::move(seen.rays), std::move(seen.places), std::move(values), pixel};
+}
+
+}  // namespace octacut

@@ -1,0 +1,61 @@
+// What photographs and silhouettes say of a finished surface, place by place.
+#pragma once
+
+#include <cstdint>
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/raycast/ray_scene.h"
+#include "core/refine/refine_options.h"
+#include "core/refine/surface_places.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// Lengths in pixels of the views at the place.
+struct PlaceEvidence {
+  Eigen::Vector3f position;  // unit coordinates
+  Eigen::Vector3f normal;    // outward
+  float area = 0;            // of the surface that it stands for, unit^2
+  int num_views = 0;         // that see it, and differ in direction
+  float baseline = 0;        // largest angle between two of them, radians
+  // Of the views about the surface where it is, -1 .. 1, as SurfacePatch has
+  // it.
+  float agreement = 0;
+  // Where along the normal the views agree best, and how precisely that is
+  // known: 1 / standard deviation, 0 where there is no such offset.
+  float offset = 0;
+  float precision = 0;
+  // From the visual hull of the masks, as shifted: the least distance from the
+  // border of an object's silhouette, negative outside.
+  float hull_distance = 0;
+  int num_rims = 0;  // views that have it beside that border
+  // Mean curvature times a pixel: positive where the surface is convex.
+  float bend = 0;
+};
+
+struct SurfaceEvidence {
+  RayScene rays;                      // of the mesh
+  SurfacePlaces places;               // which vertices each place stands for
+  std::vector<PlaceEvidence> values;  // one a place
+  double pixel = 0;                   // of the views, at the mesh
+};
+
+struct SurfaceEvidenceOptions {
+  // How views are chosen, surfaces fitted and patches compared.
+  RefineOptions refinement = {};
+  double spacing = 4;  // of the places, pixels
+  // Pixels by which the masks have been found to be too large.
+  double border_shift = 0;
+};
+
+// `mesh`, closed, in unit coordinates; it is given normals. `views` have
+// images. The same values for any number of threads.
+SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
+                                       const SurfaceEvidenceOptions& options,
+                                       const Context& context,
+                                       IndexedMesh* mesh);
+
+}  // namespace octacut

@@ -1,0 +1,285 @@
+#include "plugin/verdict_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace octacut {
+namespace {
+
+// Of the pixels that are surely object: as many as smoothing takes from the
+// tips of a good mesh.
+constexpr double kMaxMissed = 0.001;
+// Of the object's pixels: a ring of one pixel around an object that is 400
+// across.
+constexpr double kMaxUnsure = 0.01;
+constexpr double kMaxExceeded = 0.01;
+// Pixels by which masks are too large or too small: less is how they are cut.
+constexpr double kLargeShift = 1;
+// Of missed pixels: from here on it is their usual cause.
+constexpr double kMost = 0.5;
+// Of the surface.
+constexpr double kMaxBlind = 0.05;
+constexpr double kMaxUndecided = 0.1;
+constexpr double kFewDecided = 0.5;
+constexpr size_t kNamedViews = 3;
+
+double Percent(size_t part, size_t whole) {
+  return whole > 0 ? 100 * double(part) / double(whole) : 0;
+}
+
+bool IsMost(size_t part, size_t whole) {
+  return double(part) >= kMost * double(whole);
+}
+
+// Numbers of the views with the largest `values`, those of 0 left out.
+std::vector<size_t> Largest(const std::vector<double>& values) {
+  std::vector<size_t> order(values.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+    return values[a] > values[b];
+  });
+  order.resize(std::min(order.size(), kNamedViews));
+  std::erase_if(order, [&](size_t i) { return values[i] <= 0; });
+  return order;
+}
+
+// The names of those views, with their percentages where these are asked for.
+std::string NameLargest(const std::vector<double>& values,
+                        const std::vector<View>& views,
+                        bool with_values) {
+  std::string names;
+  for (const size_t i : Largest(values)) {
+    names += (names.empty() ? "" : ", ") + views[i].name;
+    if (with_values) {
+      names += fmt::format(" ({:.2f} %)", values[i]);
+    }
+  }
+  return names;
+}
+
+std::string DescribeCounts(const PixelCounts& counts) {
+  return fmt::format(
+      "the mesh covers {:.2f} % of the object's pixels; {:.2f} % are uncovered "
+      "at the masks' borders, where these are unsure, and {:.2f} % farther "
+      "inside. It exceeds the masks by {:.2f} %",
+      Percent(counts.covered, counts.object),
+      Percent(counts.unsure, counts.object),
+      Percent(counts.missed, counts.object),
+      Percent(counts.exceeded, counts.object));
+}
+
+class Writer {
+ public:
+  Writer(const MeshVerdict& verdict, const std::vector<View>& views)
+      : verdict_(verdict), views_(views) {}
+
+  VerdictText Run() {
+    DescribeMasks();
+    WarnOfMissed();
+    WarnOfRemoved();
+    WarnOfBorders();
+    if (verdict_.surface) {
+      DescribeSurface(*verdict_.surface);
+      WarnOfBlind(verdict_.surface->blind);
+      WarnOfUndecided(*verdict_.surface);
+    }
+    text_.findings.push_back(
+        text_.warnings.empty()
+            ? std::string("verdict: nothing speaks against the mesh")
+            : fmt::format("verdict: the mesh is poor in {} respect{}, of which "
+                          "the warnings say what would help",
+                          text_.warnings.size(),
+                          text_.warnings.size() == 1 ? "" : "s"));
+    return std::move(text_);
+  }
+
+ private:
+  void DescribeMasks() {
+    const PixelCounts& given = verdict_.given_masks.total;
+    const PixelCounts& repaired = verdict_.repaired_masks.total;
+    const bool is_repaired = given.object != repaired.object;
+    text_.findings.push_back(
+        fmt::format("silhouettes{}: {}",
+                    is_repaired ? " with their gaps filled" : "",
+                    DescribeCounts(repaired)));
+    if (is_repaired) {
+      text_.findings.push_back("silhouettes as given: " +
+                               DescribeCounts(given));
+    }
+  }
+
+  void WarnOfMissed() {
+    const MaskCheck& check = verdict_.repaired_masks;
+    const PixelCounts& total = check.total;
+    if (double(total.missed) <= kMaxMissed * double(total.Sure())) {
+      return;
+    }
+    std::vector<double> shares;
+    for (const PixelCounts& counts : check.views) {
+      shares.push_back(Percent(counts.missed, counts.Sure()));
+    }
+    text_.warnings.push_back(fmt::format(
+        "the mesh leaves {:.2f} % of the pixels uncovered that are surely "
+        "object, most in {}{}",
+        Percent(total.missed, total.Sure()),
+        NameLargest(shares, views_, true),
+        HelpForMissed(check)));
+  }
+
+  std::string HelpForMissed(const MaskCheck& check) const {
+    const PixelCounts& total = check.total;
+    if (IsMost(total.contradicted, total.missed)) {
+      const std::string suspects = NameLargest(
+          {check.denied_of_others.begin(), check.denied_of_others.end()},
+          views_,
+          false);
+      return fmt::format(
+          ". The masks contradict each other: other masks show background "
+          "wherever {:.0f} % of those pixels could be{}",
+          Percent(total.contradicted, total.missed),
+          suspects.empty() ? std::string()
+                           : "; the masks to look at are those of " + suspects);
+    }
+    if (verdict_.hull_level > 0 &&
+        IsMost(verdict_.num_thin_pixels, total.missed)) {
+      return fmt::format(
+          ". Most are in parts thinner than three voxels of 2^-{}: "
+          "--OctahedralMeshing.hull_level {} may keep them",
+          verdict_.hull_level,
+          verdict_.hull_level + 1);
+    }
+    return "";
+  }
+
+  void WarnOfRemoved() {
+    const std::vector<double> pixels(verdict_.removed_pixels.begin(),
+                                     verdict_.removed_pixels.end());
+    const double sum = std::accumulate(pixels.begin(), pixels.end(), 0.0);
+    if (sum > 0) {
+      text_.warnings.push_back(fmt::format(
+          "parts that were removed for being small leave {} pixels uncovered "
+          "that are surely object, most in {}; a smaller "
+          "--OctahedralMeshing.min_component keeps them",
+          sum,
+          NameLargest(pixels, views_, false)));
+    }
+  }
+
+  void WarnOfBorders() {
+    const PixelCounts& repaired = verdict_.repaired_masks.total;
+    if (verdict_.border_shift >= kLargeShift &&
+        double(repaired.unsure) > kMaxUnsure * double(repaired.object)) {
+      text_.warnings.push_back(fmt::format(
+          "refinement takes the masks to be {:.1f} pixels too large and leaves "
+          "{:.2f} % of the object's pixels uncovered for it; if they are "
+          "right, --Refinement.border_noise 1000 keeps to them",
+          verdict_.border_shift,
+          Percent(repaired.unsure, repaired.object)));
+    }
+    const MaskCheck& given = verdict_.given_masks;
+    if (double(given.total.surely_exceeded) >
+        kMaxExceeded * double(given.total.object)) {
+      std::vector<double> shares;
+      for (const PixelCounts& counts : given.views) {
+        shares.push_back(Percent(counts.surely_exceeded, counts.object));
+      }
+      text_.warnings.push_back(fmt::format(
+          "the mesh exceeds the masks as given by {:.2f} % beyond what they "
+          "may be too small by; the masks to look at are those of {}",
+          Percent(given.total.surely_exceeded, given.total.object),
+          NameLargest(shares, views_, true)));
+    }
+  }
+
+  void DescribeSurface(const SurfaceSupport& surface) {
+    text_.findings.push_back(fmt::format(
+        "surface: photographs decide {:.1f} % of it, silhouettes {:.1f} %, "
+        "nothing {:.1f} %; the photographs agree by {:.2f} (of 1) over what at "
+        "least two views see, which is {:.1f} %",
+        100 * surface.photographs,
+        100 * surface.silhouettes,
+        100 * surface.nothing,
+        surface.agreement,
+        100 * (1 - surface.blind.share)));
+  }
+
+  void WarnOfBlind(const BlindPart& blind) {
+    if (blind.share <= kMaxBlind) {
+      return;
+    }
+    struct Direction {
+      double share;
+      const char* help;
+    };
+    const std::array<Direction, 4> directions = {{
+        {blind.hidden, "that look into the object's hollows"},
+        {blind.above, "from above"},
+        {blind.below, "from below, or of the object turned over"},
+        {blind.aside, "from the sides that lack them"},
+    }};
+    const Direction& most =
+        *std::max_element(directions.begin(),
+                          directions.end(),
+                          [](const Direction& a, const Direction& b) {
+                            return a.share < b.share;
+                          });
+    text_.warnings.push_back(fmt::format(
+        "{:.1f} % of the surface is seen by fewer than two views ({:.1f} % "
+        "faces upward, {:.1f} % downward, {:.1f} % sideways as the images have "
+        "it, {:.1f} % is hidden by the object); views {} would help{}",
+        100 * blind.share,
+        100 * blind.above,
+        100 * blind.below,
+        100 * blind.aside,
+        100 * blind.hidden,
+        most.share > 0 ? most.help : "from there",
+        blind.nearest_view && most.share != blind.hidden
+            ? "; the nearest view is " + views_[*blind.nearest_view].name
+            : std::string()));
+  }
+
+  void WarnOfUndecided(const SurfaceSupport& surface) {
+    const double seen = 1 - surface.blind.share;
+    if (surface.photographs < kFewDecided * seen) {
+      text_.warnings.push_back(fmt::format(
+          "photographs decide only {:.0f} % of the surface that is seen: it is "
+          "plain or shiny, or the photographs are blurred. Diffuse light, a "
+          "matt coating or a sprayed pattern helps",
+          seen > 0 ? 100 * surface.photographs / seen : 0));
+    }
+    if (surface.nothing > kMaxUndecided) {
+      text_.warnings.push_back(fmt::format(
+          "neither photographs nor silhouettes decide {:.0f} % of the surface, "
+          "which may be wrong there by more than a voxel",
+          100 * surface.nothing));
+    }
+  }
+
+  const MeshVerdict& verdict_;
+  const std::vector<View>& views_;
+  VerdictText text_;
+};
+
+}  // namespace
+
+VerdictText DescribeVerdict(const MeshVerdict& verdict,
+                            const std::vector<View>& views) {
+  return Writer(verdict, views).Run();
+}
+
+void ReportVerdict(const VerdictText& text, const Context& context) {
+  for (const std::string& finding : text.findings) {
+    context.Info(finding);
+  }
+  for (const std::string& warning : text.warnings) {
+    context.Warn(warning);
+  }
+}
+
+}  // namespace octacut

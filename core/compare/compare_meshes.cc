@@ -243,6 +243,8 @@ MeshComparison CompareMeshes(const IndexedMesh& mesh,
       reference, mesh_scene, Direction::kFromReference, context.Seed() + 1);
   result.to_reference = Summarize(&to_reference);
   result.from_reference = Summarize(&from_reference);
+  result.judged_share = static_cast<double>(result.from_reference.num_samples) /
+                        static_cast<double>(options.num_samples);
   Score(to_reference, from_reference, options, &result);
   return result;
 }

@@ -88,6 +88,7 @@ Json ComparisonToJson(const MeshComparison& comparison) {
   const double diagonal = comparison.reference_diagonal;
   Json json;
   json["reference_diagonal"] = diagonal;
+  json["judged_share"] = comparison.judged_share;
   if (comparison.alignment) {
     json["alignment"] = AlignmentToJson(*comparison.alignment, diagonal);
   }

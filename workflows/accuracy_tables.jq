@@ -1,9 +1,9 @@
 # docs/accuracy.md from the runs that benchmark_accuracy.sh has recorded: an
-# array of {scene, degradation, set, level, state, message, cpu_seconds,
+# array of {part, scene, degradation, set, level, state, message, cpu_seconds,
 # seconds, audit, truth, comparison, evaluation, truth_evaluation}; what was not
 # measured is null.
 # Arguments: $machine, $command (texts), $level, $data_level, $threads;
-# $own_scenes, $degradations, $option_sets (lines "name options").
+# $own_scenes, $hard_scenes, $degradations, $option_sets (lines "name options").
 
 include "tables";
 
@@ -183,16 +183,54 @@ def bullets: split("\n")[] | select(. != "")
   | capture("^(?<name>\\S+)\\s*(?<options>.*)$")
   | "- \(.name)" + (if .options == "" then "" else ": `\(.options)`" end);
 
-to_entries | map(.value + {order: .key}) | . as $runs
+# Rows of the hard scenes: hull, without and with refinement side by side.
+def hard_columns:
+  ["scene", "mesh", "judged %", "to: mean", "from: mean", "F 0.1 %", "genus",
+   "parts", "overlap %", "NCC", "CPU s"];
+def hard_name:
+  {"hull-default": "hull", "no-refinement": "`refine 0`"}[.set] // .set;
+# Of a comparison, or of none.
+def hard_distances:
+  [(.judged_share | percent(1)),
+   (.to_reference.mean_over_diagonal | percent(3)),
+   (.from_reference.mean_over_diagonal | percent(3)),
+   (.scores[0]?.f_score | percent(1))];
+def hard_rows:
+  .[]
+  | ([.scene, hard_name] + (.comparison | hard_distances)
+     + [genus, parts,
+        (.evaluation.silhouettes.intersection_over_union | percent(2)),
+        (.evaluation.reprojection.mean_correlation | fixed(3)),
+        (.cpu_seconds | seconds)]
+     | row),
+    (select(.wide_folds)
+     | [.scene + ", wide", hard_name] + (.wide_folds | hard_distances)
+       + [range(5) | ""]
+     | row);
+def hard_section:
+  "## Hard scenes",
+  "",
+  "Surfaces on which photographs decide little, and folds. The visual hull alone (`visual_hull_mesher` without options), the mesh before refinement (`--OctahedralMeshing.refine 0`) and that of the defaults. Judged: how much of the truth's area enough cameras see for the distances to count. Drapery has folds of 4 to 20 pixels, 1, 2 and 4 times as deep as wide, of whose walls three cameras see little: there two cameras at 80 degrees or less suffice (`--min_views 2 --max_view_angle 80`); wide: the part of it where folds are wider than 8 pixels.",
+  "",
+  table(hard_columns; hard_rows),
+  "",
+  (if any(.[]; is_default) then "![Hard scenes](accuracy_hard.jpg)", ""
+   else empty end),
+  ($hard_scenes | bullets);
+
+map(select(.part == "hard")) as $hard
+| map(select(.part != "hard"))
+| to_entries | map(.value + {order: .key}) | . as $runs
 | map(select(.evaluation)) as $done
 | ($done | map(select(is_clean and is_default))) as $default
 | ($done | map(select(is_clean | not))) as $degraded
 | ($done | map(select(is_clean and (is_default | not)))) as $ablated
-| ($runs | map(select(.state == "failed"))) as $failed
-| ($runs | map(select(.state == "left_out"))) as $left_out
+| ($runs + $hard) as $all
+| ($all | map(select(.state == "failed"))) as $failed
+| ($all | map(select(.state == "left_out"))) as $left_out
 | "# Accuracy",
   "",
-  "Made by `\($command)`; not to be edited. octacut \([.[] | .version // empty] | unique | join(", ")) with \($threads) threads on: \($machine). Its own scenes at \(pow(2; $level))³ voxels, data sets at \(pow(2; $data_level))³; rods-2 and fingers-2, whose parts are two voxels of 128³ thick, begin with hull_level 8 and are made at \(pow(2; [$level, 8] | max))³.",
+  "Made by `\($command)`; not to be edited. octacut \([$all[] | .version // empty] | unique | join(", ")) with \($threads) threads on: \($machine). Its own scenes at \(pow(2; $level))³ voxels, data sets at \(pow(2; $data_level))³; rods-2 and fingers-2, whose parts are two voxels of 128³ thick, begin with hull_level 8 and are made at \(pow(2; [$level, 8] | max))³.",
   "",
   "Distances in % of the diagonal of the ground truth's bounding box, from the mesh to the truth (accuracy) and from it to the mesh (completeness), over the part of the truth that at least three cameras see at 75 degrees to its normal or less. F-scores in %, at thresholds in % of the diagonal. Genus and components that differ from the truth's (in brackets) are bold. Self-int.: triangles that cross another one.",
   "",
@@ -202,9 +240,9 @@ to_entries | map(.value + {order: .key}) | . as $runs
   ($failed | select(length > 0) | "",
    (.[] | "- **\([.] | names) failed**: \(.message)")),
   ($left_out | select(length > 0) | "",
-   "Not run: \(length) of \($runs | length)"
+   "Not run: \(length) of \($all | length)"
      + (map(.scene) | unique | map(select(. as $name
-          | all($default[]; .scene != $name)))
+          | all($default[], ($hard[] | select(.evaluation)); .scene != $name)))
         | if . == [] then "" else "; not at all: \(join(", "))" end) + "."),
   "",
   "## Aims",
@@ -238,6 +276,7 @@ to_entries | map(.value + {order: .key}) | . as $runs
   "octacut's own scenes, options of `octacut example_creator`:",
   "",
   ($own_scenes | bullets),
+  ($hard | map(select(.evaluation)) | select(length > 0) | "", hard_section),
   ($degraded | select(length > 0) | "",
    "## Degraded scenes", "",
    "The mean of accuracy and completeness over that of the clean scene, \"x clean\" below:", "",

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Measures accuracy on scenes with ground truth, on worsened ones and with one
-# option changed at a time, and what silhouettes and photographs say of the real
-# sets without truth. Writes docs/accuracy.md and its pictures.
+# Measures accuracy on scenes with ground truth, on hard and on worsened ones and
+# with one option changed at a time, and what silhouettes and photographs say of
+# the real sets without truth. Writes docs/accuracy.md and its pictures.
 #
 #   workflows/benchmark_accuracy.sh [DATA_FOLDER] [options]
 #
@@ -10,7 +10,7 @@
 #                       left out
 # --level 8             of octacut's own scenes: (2^level)^3 voxels
 # --data_level 9        of the data sets
-# --only PART,...       of scenes, degraded, ablations
+# --only PART,...       of scenes, hard, degraded, ablations
 # --scenes SCENE,...    these alone
 # --sets SET,...        these option sets and degradations alone
 # --list 1              only say what would be run
@@ -68,6 +68,29 @@ data_sets=(
   "dino             dino   sparse/0  -           0 0"
   "bunny            bunny  sparse/0  -           0 0"
 )
+
+# Those in which photographs decide little, or folds hide what is in them: of
+# octacut's own and of the data sets.
+hard_scenes=(
+  "metal --scene example --Scene.material metal --Degrade.pixel_noise 1 --reference_resolution 200"
+  "porcelain --scene example --Scene.material porcelain --Degrade.pixel_noise 1 --reference_resolution 200"
+  "plaster --scene example --Scene.material plaster --Degrade.pixel_noise 1.5 --reference_resolution 200"
+  "drapery-1 --scene drapery --Scene.fold_depth 1 --reference_resolution 160"
+  "drapery-2 --scene drapery --Scene.fold_depth 2 --reference_resolution 160"
+  "drapery-4 --scene drapery --Scene.fold_depth 4 --reference_resolution 160"
+)
+hard_data_sets=(
+  "bird         bird        sparse/0  -           0 0"
+  "ethiopian    ethiopian   sparse/0  -           0 0"
+  "homer-exact  homer       sparse_gt gt/mesh.ply 0 0"
+  "homer-mapper homer       sparse/0  gt/mesh.ply 1 0"
+  "cheburashka  cheburashka sparse_gt gt/mesh.ply 0 0"
+)
+# What is held against each other there; hull-default is visual_hull_mesher as
+# it is without options.
+hard_sets=(hull-default no-refinement default)
+# Where the drapery's folds are wider than 8 pixels all along.
+wide_folds=-0.2,-2,-2,2,2,2
 
 # What is made worse of own scenes.
 degradations=(
@@ -185,9 +208,12 @@ check_names() {
   unknown=$(unknown_of "$2" "${@:3}")
   [[ -z $unknown ]] || fail "$1 = $unknown: there are ${*:3}"
 }
-check_names only "$only" scenes degraded ablations
-check_names scenes "$scenes" "${own_scenes[@]%% *}" "${data_sets[@]%% *}"
-check_names sets "$sets" "${option_sets[@]%% *}" "${degradations[@]%% *}"
+check_names only "$only" scenes hard degraded ablations
+made_scenes=("${own_scenes[@]}" "${hard_scenes[@]}")
+all_data_sets=("${data_sets[@]}" "${hard_data_sets[@]}")
+check_names scenes "$scenes" "${made_scenes[@]%% *}" "${all_data_sets[@]%% *}"
+check_names sets "$sets" "${option_sets[@]%% *}" "${hard_sets[@]}" \
+  "${degradations[@]%% *}"
 
 [[ -d $data ]] && data=$(cd "$data" && pwd)
 if ((!list)); then
@@ -248,7 +274,7 @@ made() {
 with_scene() {
   local scene=$2 degradation=$3 folder=$work/scenes/$2/$3
   local options=() all=("${own_options[@]}")
-  line_of "$scene" "${own_scenes[@]}"
+  line_of "$scene" "${made_scenes[@]}"
   all+=("${options[@]}")
   if [[ $degradation != clean ]]; then
     line_of "$degradation" "${degradations[@]}"
@@ -261,7 +287,7 @@ with_scene() {
 # level_of SCENE: where its runs end.
 level_of() {
   local options=()
-  if line_of "$1" "${data_sets[@]}"; then
+  if line_of "$1" "${all_data_sets[@]}"; then
     echo "$((data_level + options[4]))"
   elif printf '%s\n' "${thin_scenes[@]}" | grep -qx "$1"; then
     echo "$((level > 8 ? level : 8))"
@@ -277,25 +303,27 @@ hull_level_of() {
   echo "$(($2 < first ? $2 : first))"
 }
 
-# with_comparison CHECK NAME ALIGN MIN_VIEWS: CHECK of a comparison of the mesh
-# with what so many cameras see of the truth.
+# with_comparison CHECK NAME ALIGN MIN_VIEWS OPTION...: CHECK of a comparison of
+# the mesh with what so many cameras see of the truth.
 with_comparison() {
   "$1" "$folder" "$2" "$folder/$2.json" \
     "$folder/mesh.json $judge/$truth" mesh_comparer \
     --input_path "$folder/mesh.ply" --reference_path "$judge/$truth" \
     --views_path "$judge/$model" --min_views "$4" --align "$3" \
-    --num_samples 200000 --self_intersections 0 \
+    --num_samples 200000 --self_intersections 0 "${@:5}" \
     --output_path "$folder/$2.json"
 }
 
 # parts: the steps of the run that `run` is at. Worse poses are held against an
 # aligned clean mesh, since they are aligned themselves; the deep cup is for what
-# only two views see.
+# only two views see; of drapery wide folds are judged apart from all.
 parts() {
-  local parts=mesh
+  local parts=mesh options=()
   if [[ $truth != - ]]; then
     parts+=" comparison"
-    if [[ $dataset == - && $folder == */clean/default ]]; then
+    [[ $scene != drapery-* ]] || parts+=" wide_folds"
+    if [[ $folder == */clean/default ]] &&
+      line_of "$scene" "${own_scenes[@]}"; then
       parts+=" aligned"
       [[ $scene != cup-2 ]] || parts+=" two_views"
     fi
@@ -312,6 +340,8 @@ with_step() {
     mesh)
       if [[ $set == hull ]]; then
         options=(visual_hull_mesher --OctahedralMeshing.hull_level "$at")
+      elif [[ $set == hull-default ]]; then
+        options=(visual_hull_mesher)
       else
         line_of "$set" "${option_sets[@]}"
         first=$(hull_level_of "$scene" "$at")
@@ -324,7 +354,17 @@ with_step() {
         --input_path "$workspace/$model" --output_path "$folder/mesh.ply" \
         "${options[@]:1}"
       ;;
-    comparison) with_comparison "$check" "$name" "$align" 3 ;;
+    comparison)
+      if [[ $scene == drapery-* ]]; then
+        with_comparison "$check" "$name" "$align" 2 --max_view_angle 80
+      else
+        with_comparison "$check" "$name" "$align" 3
+      fi
+      ;;
+    wide_folds)
+      with_comparison "$check" "$name" "$align" 2 --max_view_angle 80 \
+        --bounding_box "$wide_folds"
+      ;;
     aligned) with_comparison "$check" "$name" 1 3 ;;
     two_views) with_comparison "$check" "$name" "$align" 2 ;;
     evaluation)
@@ -354,15 +394,15 @@ with_run() {
   done
 }
 
-# record STATE MESSAGE: a line of JSON about the run that `run` is at, for the
+# record STATE MESSAGE PART: a line of JSON about the run that `run` is at, for the
 # tables. Paths of this machine are no figures.
 record() {
   local part message=${2//"$work"/WORK} cpu=null
   [[ -f $folder/mesh.cpu && $1 != left_out ]] && cpu=$(<"$folder/mesh.cpu")
-  local arguments=(--arg state "$1" --arg message "${message//"$data"/DATA_FOLDER}"
-    --arg scene "$scene" --arg degradation "$degradation" --arg set "$set"
+  local arguments=(--arg part "$3" --arg state "$1"
+    --arg message "${message//"$data"/DATA_FOLDER}" --arg scene "$scene" --arg degradation "$degradation" --arg set "$set"
     --argjson level "$at" --argjson cpu "${cpu:-null}")
-  for part in mesh comparison aligned two_views evaluation; do
+  for part in mesh comparison wide_folds aligned two_views evaluation; do
     if [[ $1 != left_out && " $(parts) " == *" $part "* ]] &&
       with_step is_made "$part"; then
       arguments+=(--slurpfile "$part" "$folder/$part.json")
@@ -373,7 +413,7 @@ record() {
   # Nothing but colours, picture and writing follow refinement.
   # shellcheck disable=SC2016 # variables of jq
   jq -nc "${arguments[@]}" 'def judged: .[0].meshes[0].comparison;
-    {scene: $scene, degradation: $degradation,
+    {part: $part, scene: $scene, degradation: $degradation,
     set: $set, level: $level, state: $state, message: $message,
     cpu_seconds: $cpu, seconds: $mesh[0].seconds, audit: $mesh[0].audit,
     refine_seconds: $mesh[0].reconstruction.refinement.seconds,
@@ -381,7 +421,7 @@ record() {
       | select(.name | IN("vertex colours", "picture")) | .seconds] | add),
     version: $mesh[0].version, truth: $comparison[0].reference.audit,
     comparison: ($comparison | judged), aligned: ($aligned | judged),
-    two_views: ($two_views | judged),
+    two_views: ($two_views | judged), wide_folds: ($wide_folds | judged),
     evaluation: $evaluation[0].meshes[0],
     truth_evaluation: $evaluation[0].meshes[1]}
     | del(.evaluation.silhouettes.views, .truth_evaluation.silhouettes.views)'
@@ -393,7 +433,7 @@ run() {
   local name="$scene $degradation $set" workspace judge at
   at=$(level_of "$scene")
   local dataset=- model=sparse/0 truth=gt/reference.ply align=0 options
-  if line_of "$scene" "${data_sets[@]}"; then
+  if line_of "$scene" "${all_data_sets[@]}"; then
     dataset=${options[0]} model=${options[1]} truth=${options[2]}
     align=${options[3]}
     workspace=$data/$dataset judge=$data/$dataset
@@ -428,8 +468,9 @@ run() {
       echo "benchmark_accuracy: $name: $error" >&2
     fi
   fi
-  record "$state" "$error" >>"$records"
-  if [[ $part == scenes && $state != left_out ]] && with_step is_made mesh; then
+  record "$state" "$error" "$part" >>"$records"
+  if [[ $part =~ ^(scenes|hard)$ && $set == default && $state != left_out ]] &&
+    with_step is_made mesh; then
     pictures[$scene]=$folder/mesh.png
   fi
 }
@@ -456,6 +497,11 @@ records=$work/runs_${level}_$data_level.jsonl
 for scene in "${own_scenes[@]%% *}" "${data_sets[@]%% *}"; do
   run scenes "$scene" clean default
 done
+for scene in "${hard_scenes[@]%% *}" "${hard_data_sets[@]%% *}"; do
+  for set in "${hard_sets[@]}"; do
+    run hard "$scene" clean "$set"
+  done
+done
 for scene in "${own_scenes[@]%% *}"; do
   for degradation in "${degradations[@]%% *}"; do
     run degraded "$scene" "$degradation" default
@@ -476,14 +522,18 @@ beside=$(dirname "$results")
 sheet "$beside/accuracy_own.jpg" 560 "${own_scenes[@]%% *}"
 mapfile -t shown < <(printf '%s\n' "${data_sets[@]%% *}" | grep -v -e -fine)
 sheet "$beside/accuracy_data.jpg" 560 "${shown[@]}"
+sheet "$beside/accuracy_hard.jpg" 560 "${hard_scenes[@]%% *}" \
+  "${hard_data_sets[@]%% *}"
 
 printf '%s\n' "${own_scenes[@]}" >"$work/own_scenes.txt"
+printf '%s\n' "${hard_scenes[@]}" >"$work/hard_scenes.txt"
 printf '%s\n' "${degradations[@]}" >"$work/degradations.txt"
 printf '%s\n' "${option_sets[@]}" >"$work/option_sets.txt"
 jq -L "$root/workflows" -rs --arg machine "$(machine)" \
   --arg command "$command" --argjson level "$level" \
   --argjson data_level "$data_level" --argjson threads "$threads" \
   --rawfile own_scenes "$work/own_scenes.txt" \
+  --rawfile hard_scenes "$work/hard_scenes.txt" \
   --rawfile degradations "$work/degradations.txt" \
   --rawfile option_sets "$work/option_sets.txt" \
   -f "$root/workflows/accuracy_tables.jq" "$records" >"$results.part"

@@ -250,6 +250,8 @@ MeshComparison CompareMeshes(const IndexedMesh& mesh,
   result.to_reference = Summarize(&to_reference);
   result.from_reference = Summarize(&from_reference);
   result.confidence = to_reference.confidence;
+  result.judged_share = static_cast<double>(result.from_reference.num_samples) /
+                        static_cast<double>(options.num_samples);
   Score(to_reference, from_reference, options, &result);
   return result;
 }

@@ -59,6 +59,8 @@ struct ThresholdScore {
 struct MeshComparison {
   // Of the bounding box of the reference's triangles.
   double reference_diagonal = 0;
+  // Of the reference's area the fraction that counts, of its samples.
+  double judged_share = 1;
   DistanceStatistics to_reference;    // from the mesh
   DistanceStatistics from_reference;  // to the mesh
   std::vector<ThresholdScore> scores;

@@ -47,6 +47,10 @@ ImplicitShape MakeBar(const Eigen::Vector3d& begin,
 ImplicitShape MakeTube(const std::vector<Eigen::Vector4d>& points,
                        int steps = 8);
 
+// Smooth minimum with quadratic transition over `blend`: its slope does not
+// exceed that of the steeper operand.
+double BlendedMin(double a, double b, double blend);
+
 // Combinations. `blend` is the size of the rounded transition (0: none).
 ImplicitShape Union(std::vector<ImplicitShape> shapes, double blend = 0);
 ImplicitShape Intersect(ImplicitShape a, ImplicitShape b, double blend = 0);

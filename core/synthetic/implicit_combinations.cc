@@ -13,8 +13,8 @@ double DistanceToBox(const Eigen::AlignedBox3d& box,
   return std::sqrt(box.squaredExteriorDistance(point));
 }
 
-// Smooth minimum with quadratic transition: its slope does not exceed that of
-// the steeper operand.
+}  // namespace
+
 double BlendedMin(double a, double b, double blend) {
   if (blend <= 0) {
     return std::min(a, b);
@@ -22,8 +22,6 @@ double BlendedMin(double a, double b, double blend) {
   const double overlap = std::max(blend - std::abs(a - b), 0.0);
   return std::min(a, b) - overlap * overlap / (4 * blend);
 }
-
-}  // namespace
 
 ImplicitShape Union(std::vector<ImplicitShape> shapes, double blend) {
   Eigen::AlignedBox3d box;

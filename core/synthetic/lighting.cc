@@ -1,5 +1,6 @@
 #include "core/synthetic/lighting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 #include <limits>
@@ -91,6 +92,7 @@ std::vector<float> BakeVisibility(const IndexedMesh& mesh,
   const double radius = std::tan(angular_radius * std::numbers::pi / 180);
   const double offset = RayOffset(mesh);
   const int count = radius > 0 ? num_samples : 1;
+  const int num_first = std::max(6, count / 4);
   const DiscPattern pattern(count);
   ParallelFor(
       context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
@@ -101,7 +103,7 @@ std::vector<float> BakeVisibility(const IndexedMesh& mesh,
           }
           const Eigen::Vector3d origin = mesh.positions[i] + offset * normal;
           const Eigen::Matrix2d turn = radius * DiscPattern::Turn(i);
-          visibility[i] = AdaptiveMean(count, 6, [&](int sample) {
+          visibility[i] = AdaptiveMean(count, num_first, [&](int sample) {
             const Eigen::Vector2d disc = turn * pattern[sample];
             return !rays.IsOccluded(origin, frame.Disc(disc), 0, kInfinity);
           });
@@ -116,6 +118,7 @@ std::vector<float> BakeOpenness(const IndexedMesh& mesh,
                                 const Context& context) {
   std::vector<float> openness(mesh.positions.size());
   const double offset = RayOffset(mesh);
+  const int num_first = std::max(8, num_samples / 4);
   const DiscPattern pattern(num_samples);
   ParallelFor(
       context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
@@ -123,7 +126,7 @@ std::vector<float> BakeOpenness(const IndexedMesh& mesh,
           const AxisFrame frame(mesh.normals[i].cast<double>().normalized());
           const Eigen::Vector3d origin = mesh.positions[i] + offset * frame.z;
           const Eigen::Matrix2d turn = DiscPattern::Turn(i);
-          openness[i] = AdaptiveMean(num_samples, 8, [&](int sample) {
+          openness[i] = AdaptiveMean(num_samples, num_first, [&](int sample) {
             return !rays.IsOccluded(
                 origin, frame.Hemisphere(turn * pattern[sample]), 0, kInfinity);
           });

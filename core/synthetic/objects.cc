@@ -7,6 +7,7 @@
 
 #include "core/base/check_option.h"
 #include "core/synthetic/beast_ewer.h"
+#include "core/synthetic/drapery.h"
 
 namespace octacut {
 
@@ -24,6 +25,14 @@ void ObjectParameters::Check() const {
               "finger_radius",
               finger_radius,
               "must be in [0.005, 0.08]");
+  CheckOption(fold_width >= 0.02 && fold_width <= 0.2,
+              "fold_width",
+              fold_width,
+              "must be in [0.02, 0.2]");
+  CheckOption(fold_depth >= 0.5 && fold_depth * fold_width <= 0.38,
+              "fold_depth",
+              fold_depth,
+              "must be at least 0.5, and 0.38 / fold_width at most");
 }
 
 namespace {
@@ -133,6 +142,11 @@ SyntheticObject MakeObject(std::string_view name,
   if (name == "lump") {
     return MakeLump();
   }
+  if (name == "drapery") {
+    return {MakeDrapery({.max_width = parameters.fold_width,
+                         .min_width = parameters.fold_width / 5,
+                         .depth = parameters.fold_depth})};
+  }
   if (name == "example") {
     return {MakeBeastEwer(), 1};
   }
@@ -148,6 +162,7 @@ std::vector<std::string> ObjectNames() {
           "fingers",
           "touching_spheres",
           "lump",
+          "drapery",
           "example"};
 }
 

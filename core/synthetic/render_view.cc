@@ -5,9 +5,11 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <optional>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/raycast/tone_curve.h"
+#include "core/synthetic/surface_shader.h"
 
 namespace octacut {
 
@@ -49,6 +51,23 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
+// Where in a pixel the object's colour and presence are taken: no two of them
+// in one row or column.
+constexpr std::array<std::array<double, 2>, 4> kOffsets = {
+    {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}}};
+
+// Where the colour is taken, too, of a surface that mirrors: its highlights may
+// be narrower than a pixel.
+std::vector<Eigen::Vector2d> FurtherOffsets(const Finish& finish) {
+  std::vector<Eigen::Vector2d> offsets;
+  if (finish.reflectance.maxCoeff() > 0) {
+    for (int i = 0; i < 16; ++i) {
+      offsets.emplace_back(((7 * i + 3) % 16 + 0.5) / 16, (i + 0.5) / 16);
+    }
+  }
+  return offsets;
+}
+
 // One view's render: the pixels are independent.
 class ViewRenderer {
  public:
@@ -58,22 +77,9 @@ class ViewRenderer {
                const Context& context)
       : subject_(subject),
         lens_(lens),
-        world_from_cam_(cam_from_world.Inverse()) {
-    for (const AreaLight& light : subject.lighting.lights) {
-      const Vector3d direction =
-          subject.lighting.fixed_to_camera
-              ? Vector3d(world_from_cam_.rotation * light.direction)
-              : light.direction;
-      light_directions_.push_back(direction.normalized().cast<float>());
-      if (subject.lighting.fixed_to_camera) {
-        view_visibility_.push_back(BakeVisibility(subject.mesh,
-                                                  subject.rays,
-                                                  direction,
-                                                  light.angular_radius,
-                                                  subject.lighting.num_samples,
-                                                  context));
-      }
-    }
+        world_from_cam_(cam_from_world.Inverse()),
+        further_offsets_(FurtherOffsets(subject.finish)),
+        shade_(subject, cam_from_world, context) {
     FindObjectRectangle(cam_from_world);
   }
 
@@ -136,22 +142,29 @@ class ViewRenderer {
   // Mean colour of the object's part of a pixel; returns how much of the
   // pixel that is.
   float ShadePixel(int x, int y, Vector3f& color) const {
-    static constexpr double kOffsets[4][2] = {
-        {0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
-    int num_hits = 0;
+    size_t num_hits = 0;
     for (const auto& offset : kOffsets) {
-      const Vector3d ray = Ray(x + offset[0], y + offset[1]);
-      if (const auto hit =
-              subject_.rays.FirstHit(world_from_cam_.translation, ray)) {
-        color += Shade(*hit, ray);
-        ++num_hits;
-      }
+      num_hits += AddSample(x + offset[0], y + offset[1], color);
     }
     if (num_hits == 0) {
       return 0;
     }
-    color /= static_cast<float>(num_hits);
-    return num_hits == 4 ? 1.0f : Coverage(x, y);
+    size_t num_samples = num_hits;
+    for (const Eigen::Vector2d& offset : further_offsets_) {
+      num_samples += AddSample(x + offset.x(), y + offset.y(), color);
+    }
+    color /= static_cast<float>(num_samples);
+    return num_hits == kOffsets.size() ? 1.0f : Coverage(x, y);
+  }
+
+  // Adds the object's colour at a place of the image; whether it is there.
+  bool AddSample(double x, double y, Vector3f& color) const {
+    const Vector3d ray = Ray(x, y);
+    const auto hit = subject_.rays.FirstHit(world_from_cam_.translation, ray);
+    if (hit) {
+      color += shade_(*hit, world_from_cam_.translation, ray);
+    }
+    return hit.has_value();
   }
 
   // Of a pixel at the silhouette, from an 8 x 8 lattice.
@@ -165,44 +178,6 @@ class ViewRenderer {
           subject_.rays.FirstHit(world_from_cam_.translation, ray).has_value();
     }
     return static_cast<float>(num_hits) / (kSide * kSide);
-  }
-
-  Vector3f Shade(const RayScene::Hit& hit, const Vector3d& ray) const {
-    const auto& corners = subject_.mesh.triangles[hit.triangle];
-    const float u = hit.barycentric.x();
-    const float v = hit.barycentric.y();
-    const auto interpolate = [&](const auto& values) {
-      return (1 - u - v) * values[corners[0]] + u * values[corners[1]] +
-             v * values[corners[2]];
-    };
-    const Vector3f point =
-        (world_from_cam_.translation + hit.distance * ray).cast<float>();
-    const Vector3f normal =
-        Vector3f(interpolate(subject_.mesh.normals)).normalized();
-    const Vector3f to_eye = -ray.normalized().cast<float>();
-    const LightingOptions& lighting = subject_.lighting;
-    const auto& visibility =
-        lighting.fixed_to_camera ? view_visibility_ : subject_.visibility;
-    Vector3f diffuse = interpolate(subject_.openness) *
-                       (0.75f + 0.25f * normal.z()) * lighting.ambient;
-    Vector3f highlight = Vector3f::Zero();
-    for (size_t k = 0; k < light_directions_.size(); ++k) {
-      const float cosine = normal.dot(light_directions_[k]);
-      if (cosine <= 0) {
-        continue;
-      }
-      const Vector3f light =
-          interpolate(visibility[k]) * lighting.lights[k].color;
-      diffuse += cosine * light;
-      if (lighting.specular > 0) {
-        const Vector3f half = (light_directions_[k] + to_eye).normalized();
-        highlight += std::pow(std::max(0.0f, normal.dot(half)),
-                              static_cast<float>(lighting.shininess)) *
-                     static_cast<float>(lighting.specular) * light;
-      }
-    }
-    return TextureColor(subject_.texture, point).cwiseProduct(diffuse) +
-           highlight;
   }
 
   Vector3f Background(int x, int y) const {
@@ -233,8 +208,8 @@ class ViewRenderer {
   const Lens& lens_;
   const Rigid3d world_from_cam_;
   const ToneCurve tone_;
-  std::vector<Vector3f> light_directions_;
-  std::vector<std::vector<float>> view_visibility_;
+  const std::vector<Eigen::Vector2d> further_offsets_;
+  const SurfaceShader shade_;
   int min_x_, min_y_, max_x_, max_y_;  // inclusive
 };
 

@@ -8,6 +8,7 @@
 #include "core/mesh/indexed_mesh.h"
 #include "core/raycast/ray_scene.h"
 #include "core/synthetic/lighting.h"
+#include "core/synthetic/material.h"
 #include "core/synthetic/rig.h"
 #include "core/synthetic/texture.h"
 
@@ -35,6 +36,7 @@ struct RenderSubject {
   TextureOptions texture;
   LightingOptions lighting;
   BackgroundOptions background;
+  Finish finish = {};
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  // bounding sphere
   double radius = 1;
   // Of the vertices; visibility only for lights fixed to the object.
@@ -42,7 +44,8 @@ struct RenderSubject {
   std::vector<std::vector<float>> visibility = {};
 };
 
-// Bakes what does not depend on the camera.
+// Bakes what does not depend on the camera. The subject mirrors nothing; a
+// finish may be given to it afterwards.
 RenderSubject MakeRenderSubject(const IndexedMesh& mesh,
                                 const RayScene& rays,
                                 const TextureOptions& texture,

@@ -69,14 +69,17 @@ SyntheticScene MakeScene(const SceneSpec& spec, const Context& context) {
   scene.spec = spec;
   scene.object = MakeObject(spec.object, spec.parameters);
   scene.reference = Polygonize(scene.object.shape, spec.reference, context);
-  ColorReference(spec.texture, context, scene.reference);
+  const Material material =
+      MakeMaterial(spec.material, spec.texture, spec.lighting);
+  ColorReference(material.texture, context, scene.reference);
   const RayScene rays(scene.reference);
-  const RenderSubject subject = MakeRenderSubject(scene.reference,
-                                                  rays,
-                                                  spec.texture,
-                                                  spec.lighting,
-                                                  spec.background,
-                                                  context);
+  RenderSubject subject = MakeRenderSubject(scene.reference,
+                                            rays,
+                                            material.texture,
+                                            material.lighting,
+                                            spec.background,
+                                            context);
+  subject.finish = material.finish;
   const std::vector<Rigid3d> rig =
       MakeRig(spec.rig, subject.center, subject.radius);
   Phase phase(context, "Rendering", rig.size());

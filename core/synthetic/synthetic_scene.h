@@ -13,6 +13,7 @@
 #include "core/mesh/indexed_mesh.h"
 #include "core/scene/scene.h"
 #include "core/synthetic/degrade.h"
+#include "core/synthetic/material.h"
 #include "core/synthetic/objects.h"
 #include "core/synthetic/polygonize.h"
 #include "core/synthetic/render_view.h"
@@ -25,6 +26,8 @@ struct SceneSpec {
   ObjectParameters parameters;
   PolygonizeOptions reference;
   RigOptions rig;
+  // Other kinds than kDiffuse replace texture and lights; see MakeMaterial.
+  MaterialKind material = MaterialKind::kDiffuse;
   TextureOptions texture;
   LightingOptions lighting;
   BackgroundOptions background;

@@ -59,6 +59,20 @@ void DeclareSurface(OptionManager& options, SceneSpec* scene) {
   options.Add("Scene.finger_radius",
               &scene->parameters.finger_radius,
               "Of the fingers' tips; the hand is about 1.6 in size");
+  options.Add("Scene.fold_width",
+              &scene->parameters.fold_width,
+              "Of the drapery's widest folds; the narrowest have a fifth");
+  options.Add("Scene.fold_depth",
+              &scene->parameters.fold_depth,
+              "Of the drapery's folds, in their widths");
+  options.AddEnum("Scene.material",
+                  &scene->material,
+                  {{"diffuse", MaterialKind::kDiffuse},
+                   {"metal", MaterialKind::kMetal},
+                   {"porcelain", MaterialKind::kPorcelain},
+                   {"plaster", MaterialKind::kPlaster}},
+                  "Of the object; all but diffuse bring their own lights and "
+                  "next to no texture");
   options.AddEnum("Scene.texture",
                   &scene->texture.kind,
                   {{"plain", TextureKind::kPlain},

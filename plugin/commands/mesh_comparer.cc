@@ -9,6 +9,7 @@
 #include "colmap_io/model/read_sparse_model.h"
 #include "core/compare/compare_meshes.h"
 #include "core/compare/seen_reference.h"
+#include "core/scene/region.h"
 #include "plugin/comparison_tables.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
@@ -25,6 +26,8 @@ class MeshComparer : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
+  // Which part of the reference is judged; empty where all of it is.
+  ReferenceFilter JudgedPart(const IndexedMesh& reference) const;
   ReferenceFilter SeenPart(const IndexedMesh& reference) const;
   MeasuredMesh Measure(const fs::path& path, const Context& context) const;
 
@@ -34,6 +37,7 @@ class MeshComparer : public Command {
   bool self_intersections_ = true;
   fs::path views_path_;
   SeenReferenceOptions seen_;
+  std::vector<double> bounding_box_;
   CompareMeshesOptions compare_;
 };
 
@@ -69,6 +73,10 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
   options.Add("max_view_angle",
               &seen_.max_angle,
               "With views_path: of a view to the normal, degrees");
+  options.Add("bounding_box",
+              &bounding_box_,
+              "x0,y0,z0,x1,y1,z1 in the reference's frame: only what is in it "
+              "of the reference counts; empty: all does");
   options.Add("align",
               &compare_.align,
               "1: move each mesh onto the reference first (ICP); the two must "
@@ -100,6 +108,18 @@ ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) const {
   return SeenByCameras(reference, std::move(cameras), seen_);
 }
 
+ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference) const {
+  const ReferenceFilter seen =
+      views_path_.empty() ? ReferenceFilter() : SeenPart(reference);
+  if (bounding_box_.empty()) {
+    return seen;
+  }
+  return [seen, box = BoundingBoxFromNumbers(bounding_box_)](
+             uint32_t triangle, const Eigen::Vector3d& point) {
+    return box.contains(point) && (!seen || seen(triangle, point));
+  };
+}
+
 MeasuredMesh MeshComparer::Measure(const fs::path& path,
                                    const Context& context) const {
   return MeasureMesh(
@@ -114,9 +134,7 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   meshes_read.push_back(reference_path_);
   CheckReportPath(output_path_, meshes_read);
   MeasuredMesh reference = Measure(reference_path_, context);
-  if (!views_path_.empty()) {
-    compare_.reference_filter = SeenPart(reference.mesh);
-  }
+  compare_.reference_filter = JudgedPart(reference.mesh);
   reference.result.name += " (reference)";
   std::vector<ComparedMesh> results;
   Json meshes = Json::array();
@@ -142,6 +160,10 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   const std::string confidence = ConfidenceTable(results);
   if (!confidence.empty()) {
     environment.out << '\n' << confidence;
+  if (compare_.reference_filter) {
+    environment.out << fmt::format(
+        "\njudged: {:.1f} % of the reference's area\n",
+        100 * results.front().comparison->judged_share);
   }
   if (!output_path_.empty()) {
     Json report = MakeReport(environment);

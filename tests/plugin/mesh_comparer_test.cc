@@ -95,6 +95,30 @@ TEST_F(MeshComparerTest, TablesAndReport) {
   EXPECT_EQ(second["scores"][1]["f_score"], 1);
 }
 
+TEST_F(MeshComparerTest, OnlyWhatIsInTheBoxIsJudged) {
+  const std::string reference = folder_.Write("ref.off", Square(0));
+  const std::string half = folder_.Write("half.off", Square(0, 0.5));
+  std::vector<std::string> arguments = {"--input_path",
+                                        half,
+                                        "--reference_path",
+                                        reference,
+                                        "--output_path",
+                                        folder_ / "out.json",
+                                        "--bounding_box",
+                                        "-1,-1,-1,0.4,2,1"};
+  const ProgramResult result = Compare(arguments);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("% of the reference's area"));
+  const nlohmann::json report = Report();
+  const nlohmann::json& comparison = report["meshes"][0]["comparison"];
+  EXPECT_NEAR(comparison["judged_share"].get<double>(), 0.4, 0.01);
+  // The half that is missing is not in the box.
+  EXPECT_NEAR(comparison["from_reference"]["max"].get<double>(), 0, 1e-9);
+
+  arguments.back() = "-1,-1,-1,0.4,2";
+  EXPECT_EQ(Compare(arguments).exit_code, 1);
+}
+
 TEST_F(MeshComparerTest, AlignmentIsReported) {
   std::string moved = kTetrahedron;
   moved.replace(moved.find("0 0 0\n1 0 0\n"), 12, "0 0 0.01\n1 0 0\n");

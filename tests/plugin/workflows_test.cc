@@ -134,6 +134,12 @@ TEST(Workflows, BenchmarkAccuracyPicksScenesAndSets) {
   ASSERT_EQ(all.exit_code, 0) << all.err;
   EXPECT_THAT(all.out, HasSubstr("scenes: cup-2 clean default at level 8"));
   EXPECT_THAT(all.out, HasSubstr("scenes: temple clean default at level 9"));
+  EXPECT_EQ(list("--only hard --scenes drapery-4").out,
+            "hard: drapery-4 clean hull-default at level 8\n"
+            "hard: drapery-4 clean no-refinement at level 8\n"
+            "hard: drapery-4 clean default at level 8\n");
+  EXPECT_EQ(list("--only hard --scenes homer-exact --sets default").out,
+            "hard: homer-exact clean default at level 9\n");
   EXPECT_EQ(list("--only degraded --scenes lump --sets eroded-2,noise").out,
             "degraded: lump noise-5 default at level 8\n"
             "degraded: lump eroded-2 default at level 8\n");
@@ -161,18 +167,21 @@ TEST(Workflows, BenchmarkAccuracyPicksScenesAndSets) {
 std::string AccuracyRecord(const std::string& degradation,
                            double mean,
                            int crossing,
-                           const std::string& set = "default") {
+                           const std::string& set = "default",
+                           const std::string& part = "scenes") {
   const nlohmann::json distances = {{"mean_over_diagonal", mean},
                                     {"percentile_90_over_diagonal", mean},
                                     {"max_over_diagonal", mean}};
   const nlohmann::json score = {{"f_score", 0.9}, {"recall", 0.9}};
   nlohmann::json comparison = {{"to_reference", distances},
                                {"from_reference", distances},
+                               {"judged_share", 0.75},
                                {"scores", {score, score, score}}};
   nlohmann::json aligned = comparison;
   aligned["to_reference"]["mean_over_diagonal"] = mean / 2;
   aligned["from_reference"]["mean_over_diagonal"] = mean / 2;
-  return nlohmann::json{{"scene", "lump"},
+  return nlohmann::json{{"part", part},
+                        {"scene", "lump"},
                         {"degradation", degradation},
                         {"set", set},
                         {"level", 7},
@@ -202,7 +211,10 @@ TEST(Workflows, AccuracyTablesMarkWhatMissesTheAims) {
                    AccuracyRecord("eroded-2", 3.2e-4, 0) +
                    AccuracyRecord("dilated-2", 2.2e-4, 3) +
                    AccuracyRecord("poses-0.5", 1.4e-4, 0) +
-                   AccuracyRecord("clean", 2.4e-4, 0, "ncc"));
+                   AccuracyRecord("clean", 2.4e-4, 0, "ncc") +
+                   AccuracyRecord("clean", 9e-4, 0, "hull-default", "hard") +
+                   AccuracyRecord("clean", 3e-4, 7, "default", "hard"));
+  folder.Write("hard", "lump --scene lump\n");
   folder.Write("scenes", "lump --scene lump\n");
   folder.Write("degradations", "eroded-2 -2\ndilated-2 2\nposes-0.5 1\n");
   folder.Write("sets", "default\nncc --consistency ncc\nhull\n");
@@ -210,7 +222,8 @@ TEST(Workflows, AccuracyTablesMarkWhatMissesTheAims) {
   const int status = std::system(
       fmt::format("jq -L '{0}' -rs --arg machine M --arg command C --argjson "
                   "level 7 --argjson data_level 8 --argjson threads 2 "
-                  "--rawfile own_scenes '{1}/scenes' --rawfile degradations "
+                  "--rawfile own_scenes '{1}/scenes' --rawfile hard_scenes "
+                  "'{1}/hard' --rawfile degradations "
                   "'{1}/degradations' --rawfile option_sets '{1}/sets' "
                   "-f '{0}/accuracy_tables.jq' '{1}/records' >'{1}/tables'",
                   OCTACUT_SOURCE_DIR "/workflows",
@@ -226,6 +239,12 @@ TEST(Workflows, AccuracyTablesMarkWhatMissesTheAims) {
                         "0 of 1 | lump |"));
   EXPECT_THAT(tables,
               HasSubstr("error at most 1.5 x | 2 of 3 | lump eroded-2 |"));
+  // Hard scenes stand apart.
+  EXPECT_THAT(
+      tables,
+      HasSubstr("| lump | hull | 75.0 | 0.090 | 0.090 | 90.0 | **0** (1)"
+                " | 1 |"));
+  EXPECT_THAT(tables, HasSubstr("| lump | default | 75.0 | 0.030 | 0.030 |"));
   // Worse poses are held against the aligned clean mesh.
   EXPECT_THAT(tables, HasSubstr("| lump | **1.60** | 1.10 | 1.40 |"));
   EXPECT_THAT(tables, HasSubstr("| **0** (1) | 1 | 0 | 30.0 | – | 1.80 |"));

@@ -142,6 +142,8 @@ TEST(CompareMeshes, OnlyTheReferenceThatCounts) {
   EXPECT_EQ(result.scores[0].recall, 1);
   EXPECT_NEAR(result.from_reference.max, 0, 1e-12);
   EXPECT_NEAR(result.from_reference.num_samples, 20000 * 0.475, 40);
+  EXPECT_NEAR(result.judged_share, 0.475, 2e-3);
+  EXPECT_EQ(Compare(half, whole, FewSamples()).judged_share, 1);
   // A mesh that is wrong only where the reference does not count.
   const IndexedMesh dented =
       Sphere(40, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {

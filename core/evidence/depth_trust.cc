@@ -28,6 +28,11 @@ constexpr float kRegionRadius = 8;
 // that a quarter and three fifths of the depths are wrong.
 constexpr float kSureShare = 1.0f / 6;
 constexpr float kDoubtfulShare = 0.4f;
+// Shares of the object's samples there that have a depth: up to the first,
+// which chance alone reaches on metal and porcelain, depths are not relied
+// upon, from the second on they are.
+constexpr float kSparse = 0.25f;
+constexpr float kDense = 0.5f;
 // Depths without contradiction that every part is given: few tell nothing.
 constexpr float kPriorDepths = 20;
 // Depths this near to a voxel, hull voxels, speak of it; and as many of full
@@ -74,6 +79,11 @@ std::vector<uint16_t> CountSurfaces(const ViewSet& views,
     });
   }
   return counts;
+}
+
+// From 0 to 1.
+float Ramp(float value, float zero, float one) {
+  return std::clamp((value - zero) / (one - zero), 0.0f, 1.0f);
 }
 
 bool IsInCube(const Eigen::Vector3f& point) {
@@ -143,22 +153,32 @@ class SquareSums {
   std::vector<uint32_t> sums_;
 };
 
-// Which samples of a map have a depth, and which of those are contradicted and
-// outvoted.
+// Which samples of a map show the object and have a depth, and which of those
+// are contradicted and outvoted.
 struct JudgedMap {
+  std::vector<uint8_t> is_object;
   std::vector<uint8_t> is_depth;
   std::vector<uint8_t> is_contradicted;
   std::vector<uint8_t> is_outvoted;
 };
 
-JudgedMap JudgeDepths(const ViewProjection& projection,
+JudgedMap JudgeDepths(const PreparedView& view,
                       const VoxelGrid& hull,
                       const std::vector<uint16_t>& counts,
                       const SweptDepthMap& map) {
+  const ViewProjection& projection = view.projection;
   const size_t size = map.depths.size();
   JudgedMap judged{std::vector<uint8_t>(size),
                    std::vector<uint8_t>(size),
+                   std::vector<uint8_t>(size),
                    std::vector<uint8_t>(size)};
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const Eigen::Vector3f pixel = map.Pixel(x, y);
+      judged.is_object[size_t(y) * map.width + x] =
+          view.silhouette.SignedDistance(pixel.x(), pixel.y()) > 0 ? 1 : 0;
+    }
+  }
   ForEachDepth(map,
                projection,
                [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
@@ -181,6 +201,7 @@ std::vector<float> TrustOfRegions(const ViewProjection& projection,
                                   const VoxelGrid& hull,
                                   const SweptDepthMap& map,
                                   const JudgedMap& judged) {
+  const SquareSums object(map.width, map.height, judged.is_object);
   const SquareSums depths(map.width, map.height, judged.is_depth);
   const SquareSums contradicted(map.width, map.height, judged.is_contradicted);
   const float samples_per_voxel =
@@ -189,10 +210,14 @@ std::vector<float> TrustOfRegions(const ViewProjection& projection,
   std::vector<float> trust(map.depths.size());
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
-      const float share = contradicted.Around(x, y, radius) /
-                          (depths.Around(x, y, radius) + kPriorDepths);
-      trust[size_t(y) * map.width + x] = std::clamp(
-          (kDoubtfulShare - share) / (kDoubtfulShare - kSureShare), 0.0f, 1.0f);
+      const float num_depths = depths.Around(x, y, radius);
+      const float share =
+          contradicted.Around(x, y, radius) / (num_depths + kPriorDepths);
+      const float density =
+          num_depths / std::max(object.Around(x, y, radius), 1.0f);
+      trust[size_t(y) * map.width + x] =
+          Ramp(share, kDoubtfulShare, kSureShare) *
+          Ramp(density, kSparse, kDense);
     }
   }
   return trust;
@@ -212,7 +237,7 @@ TrustedDepths EstimateDepthTrust(const ViewSet& views,
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const ViewProjection& projection = views[i].projection;
-      const JudgedMap judged = JudgeDepths(projection, hull, counts, maps[i]);
+      const JudgedMap judged = JudgeDepths(views[i], hull, counts, maps[i]);
       result.trust[i] = TrustOfRegions(projection, hull, maps[i], judged);
       for (size_t k = 0; k < judged.is_depth.size(); ++k) {
         num_depths[i] += judged.is_depth[k];

@@ -13,6 +13,7 @@
 #include "core/hull/hull_surface.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/level_step.h"
+#include "core/views/border_edges.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
@@ -83,6 +84,7 @@ Reconstruction Reconstruct(const Scene& scene,
   summary.num_false_gaps = believed.gaps.size();
   ViewSet views = PrepareViews(
       believed.scene, region.cube, context, options.mask_tolerance);
+  summary.border_edges = ShiftBordersToEdges(context, &views);
   const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);
   summary.prepare_seconds = stopwatch.Lap();
 
@@ -141,17 +143,17 @@ Reconstruction Reconstruct(const Scene& scene,
   summary.coloring_seconds = stopwatch.Lap();
   result.audit = AuditMesh(ToIndexedMesh(result.mesh), context);
   CheckAudit(result.audit);
-  result.verdict =
-      JudgeMesh(ToIndexedMesh(result.mesh),
-                removed,
-                {scene.views, believed.scene.views, views, region.cube},
-                {.mask_tolerance = options.mask_tolerance,
-                 .border_shift =
-                     summary.refinement ? summary.refinement->border_shift : 0,
-                 .hull_level = options.hull.hull_level,
-                 .refinement = options.refinement,
-                 .confidence = options.confidence},
-                context);
+  result.verdict = JudgeMesh(
+      ToIndexedMesh(result.mesh),
+      removed,
+      {scene.views, believed.scene.views, views, region.cube},
+      {.mask_tolerance = options.mask_tolerance,
+       .border_shift = summary.refinement ? summary.refinement->border_shift
+                                          : views.front().border_shift,
+       .hull_level = options.hull.hull_level,
+       .refinement = options.refinement,
+       .confidence = options.confidence},
+      context);
   return result;
 }
 

@@ -18,6 +18,7 @@
 #include "core/scene/region.h"
 #include "core/scene/scene.h"
 #include "core/verdict/judge_mesh.h"
+#include "core/views/border_edges.h"
 
 namespace octacut {
 
@@ -47,6 +48,7 @@ struct LevelSummary {
 
 struct ReconstructionSummary {
   size_t num_false_gaps = 0;  // in masks, filled
+  std::optional<BorderEdges> border_edges;
   VisualHullSummary hull;
   InsideEvidenceSummary evidence;
   std::vector<LevelSummary> levels;

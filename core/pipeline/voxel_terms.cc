@@ -120,9 +120,11 @@ SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
           }
           const float pixels = views[i].silhouette.SignedDistance(p->u, p->v);
           const float footprint = projection.Footprint(voxel, p->depth);
-          const float depth = pixels / footprint;
+          const float depth = (pixels - views[i].border_shift) / footprint;
+          const float tolerance =
+              std::max(views[i].mask_tolerance, -views[i].border_shift);
           const bool is_sure =
-              pixels <= -(views[i].mask_tolerance + kHalfDiagonal * footprint);
+              pixels <= -(tolerance + kHalfDiagonal * footprint);
           if (is_sure || mask_trust[i] > kTrusted) {
             least_depth = std::min(least_depth, depth);
           }

@@ -126,13 +126,15 @@ double FindBorderShift(const std::vector<RimTarget>& rims,
   }
   if (const std::optional<BorderExcess> excess = MedianExcess(
           rims, surfaces, measurements, kMinBorderRadius * plan.scale, 0)) {
-    return ShrinkShift(plan.border_shift + excess->median,
+    return plan.edge_shift +
+           ShrinkShift(plan.border_shift + excess->median - plan.edge_shift,
                        NoiseOf(*excess, border_noise));
   }
   // Only limbs are there to tell.
   if (const std::optional<BorderExcess> excess = MedianExcess(
           rims, surfaces, measurements, 0, kLimbBias * plan.scale)) {
-    return ShrinkShift(plan.border_shift + excess->median,
+    return plan.edge_shift +
+           ShrinkShift(plan.border_shift + excess->median - plan.edge_shift,
                        kLimbNoise * std::max(border_noise, excess->deviation));
   }
   return plan.border_shift;

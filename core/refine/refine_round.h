@@ -45,6 +45,8 @@ struct RoundPlan {
   bool aligns = false;  // the views, first
   // Of the masks' borders, pixels of the views: as found by the round before.
   double border_shift = 0;
+  // Of the borders from the edges of the photographs, pixels.
+  double edge_shift = 0;
 };
 
 // Aligns `views` if it is to, moves the vertices of `mesh` (unit

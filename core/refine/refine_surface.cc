@@ -148,7 +148,10 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   }
   summary.agreement_before =
       MeanAgreement(*views, neighbors, pixel, options, context, &unit);
+  const double edge_shift = views->front().border_shift;
+  summary.border_shift = edge_shift;
   for (RoundPlan plan : PlanRounds(options)) {
+    plan.edge_shift = edge_shift;
     plan.border_shift = summary.border_shift;
     RoundSummary round = RefineOnce(
         start, neighbors, pixel, plan, options, context, views, &unit);

@@ -19,6 +19,9 @@ struct PreparedView {
   // Pixels of the view by which its mask may be too small: what is that near
   // to the object is not surely outside.
   float mask_tolerance = 0;
+  // Pixels by which the border of the mask lies outside the edges that the
+  // photographs show (ShiftBordersToEdges).
+  float border_shift = 0;
 };
 
 using ViewSet = std::vector<PreparedView>;

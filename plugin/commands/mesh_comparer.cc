@@ -160,6 +160,7 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   const std::string confidence = ConfidenceTable(results);
   if (!confidence.empty()) {
     environment.out << '\n' << confidence;
+  }
   if (compare_.reference_filter) {
     environment.out << fmt::format(
         "\njudged: {:.1f} % of the reference's area\n",

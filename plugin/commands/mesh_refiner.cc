@@ -10,6 +10,7 @@
 #include "core/pipeline/options.h"
 #include "core/scene/region.h"
 #include "core/verdict/judge_mesh.h"
+#include "core/views/border_edges.h"
 #include "plugin/mesh_json.h"
 #include "plugin/refinement_options.h"
 #include "plugin/report.h"
@@ -84,6 +85,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
                     fill_false_gaps_,
                     context);
   ViewSet views = PrepareViews(believed.scene, loaded.region.cube, context);
+  ShiftBordersToEdges(context, &views);
   RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
   const MeshAudit audit = AuditMesh(refined.mesh, context);

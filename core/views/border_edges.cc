@@ -1,0 +1,255 @@
+#include "core/views/border_edges.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+// Pixels. Masks that are farther off are wrong, not shifted.
+constexpr float kRange = 6;
+constexpr float kStep = 0.25f;
+// Between the two points whose difference is an edge's contrast: the width to
+// which lenses and JPEG blur a step.
+constexpr float kEdgeWidth = 1.5f;
+// From which the direction of a border is taken: beyond the pixels' stairs.
+constexpr float kNormalReach = 3;
+// Grey levels, as the file has them: some four times the noise of a photograph.
+constexpr float kMinContrast = 8;
+constexpr int kClipped = 250;
+// Pixels from an edge within which no pixel may be clipped: what a lens and the
+// interpolation spread.
+constexpr float kClippedReach = 2;
+// Places of a view are enough that its median is known to a hundredth.
+constexpr size_t kMaxPlaces = 3000;
+constexpr size_t kMinPlaces = 100;
+// Edges at any place at all would lie within a pixel of the peak with a share
+// of one sixth.
+constexpr double kMinShare = 1.0 / 3;
+
+constexpr int kNumSteps = int(2 * kRange / kStep) + 1;
+constexpr int kHalfEdge = int(kEdgeWidth / 2 / kStep);
+constexpr int kClippedSteps = int(kClippedReach / kStep);
+
+struct Profile {
+  std::array<Eigen::Vector3f, kNumSteps + 2 * kHalfEdge> linear;
+  std::array<Eigen::Vector3f, kNumSteps + 2 * kHalfEdge> grey;
+  std::array<uint8_t, kNumSteps + 2 * kHalfEdge> clipped;
+};
+
+class BorderLines {
+ public:
+  explicit BorderLines(const PreparedView& view)
+      : view_(view), image_(view.pyramid.Level(0)) {
+    for (int i = 0; i < 256; ++i) {
+      linear_[i] = float(255 * std::pow(i / 255.0, 2.2));
+    }
+  }
+
+  // Pixels by which the border lies outside the edge, place by place.
+  std::vector<float> Offsets() const {
+    std::vector<Eigen::Vector2f> places = Places();
+    const size_t stride = places.size() / kMaxPlaces + 1;
+    std::vector<float> offsets;
+    for (size_t i = 0; i < places.size(); i += stride) {
+      if (const std::optional<float> offset = OffsetAt(places[i])) {
+        offsets.push_back(*offset);
+      }
+    }
+    return offsets;
+  }
+
+ private:
+  float Inside(int x, int y) const {
+    return view_.silhouette.SignedDistance(float(x) + 0.5f, float(y) + 0.5f);
+  }
+
+  // Pixels of the object beside background, clear of the frame.
+  std::vector<Eigen::Vector2f> Places() const {
+    const int margin = int(kRange + kEdgeWidth + kNormalReach) + 1;
+    std::vector<Eigen::Vector2f> places;
+    for (int y = margin; y < image_.height - margin; ++y) {
+      for (int x = margin; x < image_.width - margin; ++x) {
+        if (const float inside = Inside(x, y); inside > 0 && inside < 1) {
+          places.emplace_back(float(x) + 0.5f, float(y) + 0.5f);
+        }
+      }
+    }
+    return places;
+  }
+
+  std::optional<float> OffsetAt(const Eigen::Vector2f& place) const {
+    const Silhouette& silhouette = view_.silhouette;
+    const auto at = [&](float du, float dv) {
+      return silhouette.SignedDistance(place.x() + du, place.y() + dv);
+    };
+    const Eigen::Vector2f slope(at(kNormalReach, 0) - at(-kNormalReach, 0),
+                                at(0, kNormalReach) - at(0, -kNormalReach));
+    if (!(slope.norm() > kNormalReach)) {
+      return std::nullopt;  // a limb, or a corner
+    }
+    const Eigen::Vector2f inward = slope.normalized();
+    return StrongestEdge(SampleLine(place - at(0, 0) * inward, inward));
+  }
+
+  Profile SampleLine(const Eigen::Vector2f& border,
+                     const Eigen::Vector2f& inward) const {
+    Profile profile;
+    for (int i = 0; i < int(profile.linear.size()); ++i) {
+      const float t = float(i - kHalfEdge) * kStep - kRange;
+      const Eigen::Vector2f p =
+          border + t * inward - Eigen::Vector2f::Constant(0.5f);
+      Sample(p, &profile.linear[i], &profile.grey[i], &profile.clipped[i]);
+    }
+    return profile;
+  }
+
+  // Bilinear, at coordinates with the first pixel's centre at 0.
+  void Sample(const Eigen::Vector2f& p,
+              Eigen::Vector3f* linear,
+              Eigen::Vector3f* grey,
+              uint8_t* clipped) const {
+    const int x = int(p.x());
+    const int y = int(p.y());
+    const float fx = p.x() - float(x);
+    const float fy = p.y() - float(y);
+    linear->setZero();
+    grey->setZero();
+    *clipped = 0;
+    for (int k = 0; k < 4; ++k) {
+      const float weight = ((k & 1) ? fx : 1 - fx) * ((k & 2) ? fy : 1 - fy);
+      const uint32_t texel =
+          image_.texels[size_t(y + (k >> 1)) * image_.width + x + (k & 1)];
+      for (int c = 0; c < 3; ++c) {
+        const int value = int((texel >> (8 * c)) & 255);
+        (*linear)[c] += weight * linear_[value];
+        (*grey)[c] += weight * float(value);
+        *clipped |= value >= kClipped ? 1 : 0;
+      }
+    }
+  }
+
+  static std::optional<float> StrongestEdge(const Profile& profile) {
+    std::array<float, kNumSteps> contrast;
+    for (int i = 0; i < kNumSteps; ++i) {
+      contrast[i] =
+          (profile.linear[i + 2 * kHalfEdge] - profile.linear[i]).norm();
+    }
+    const int best = int(std::max_element(contrast.begin(), contrast.end()) -
+                         contrast.begin());
+    if (best == 0 || best + 1 == kNumSteps ||
+        (profile.grey[best + 2 * kHalfEdge] - profile.grey[best]).norm() <
+            kMinContrast) {
+      return std::nullopt;
+    }
+    const int middle = best + kHalfEdge;
+    for (int i = std::max(middle - kClippedSteps, 0);
+         i <=
+         std::min<int>(middle + kClippedSteps, int(profile.clipped.size()) - 1);
+         ++i) {
+      if (profile.clipped[i]) {
+        return std::nullopt;
+      }
+    }
+    const float bend =
+        contrast[best - 1] - 2 * contrast[best] + contrast[best + 1];
+    const float shift =
+        bend < 0 ? 0.5f * (contrast[best - 1] - contrast[best + 1]) / bend : 0;
+    return (float(best) + shift) * kStep - kRange;
+  }
+
+  const PreparedView& view_;
+  const PyramidLevel& image_;
+  std::array<float, 256> linear_;
+};
+
+float Median(std::vector<float> values) {
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+std::vector<float> WithinAPixel(const std::vector<float>& offsets,
+                                float center) {
+  std::vector<float> near;
+  for (const float offset : offsets) {
+    if (std::abs(offset - center) < 1) {
+      near.push_back(offset);
+    }
+  }
+  return near;
+}
+
+// Where offsets are most frequent, to a step.
+float Peak(const std::vector<float>& offsets) {
+  std::array<int, kNumSteps> counts{};
+  for (const float offset : offsets) {
+    ++counts[std::clamp(
+        int(std::lround((offset + kRange) / kStep)), 0, kNumSteps - 1)];
+  }
+  int best = 0;
+  int most = -1;
+  for (int i = 2; i + 2 < kNumSteps; ++i) {
+    const int sum = counts[i - 2] + 2 * counts[i - 1] + 3 * counts[i] +
+                    2 * counts[i + 1] + counts[i + 2];
+    if (sum > most) {
+      most = sum;
+      best = i;
+    }
+  }
+  return float(best) * kStep - kRange;
+}
+
+}  // namespace
+
+std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
+                                              const Context& context) {
+  std::vector<std::vector<float>> of_views(views.size());
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (views[i].pyramid.NumLevels() > 0) {
+        of_views[i] = BorderLines(views[i]).Offsets();
+      }
+    }
+  });
+  std::vector<float> offsets;
+  for (const std::vector<float>& of_view : of_views) {
+    offsets.insert(offsets.end(), of_view.begin(), of_view.end());
+  }
+  if (offsets.size() < kMinPlaces) {
+    return std::nullopt;
+  }
+  float center = Peak(offsets);
+  std::vector<float> near;
+  for (int i = 0; i < 3; ++i) {
+    near = WithinAPixel(offsets, center);
+    if (near.size() < kMinPlaces ||
+        double(near.size()) < kMinShare * double(offsets.size())) {
+      return std::nullopt;
+    }
+    center = Median(near);
+  }
+  BorderEdges edges{.shift = center,
+                    .share = double(near.size()) / double(offsets.size())};
+  for (float& offset : near) {
+    offset = std::abs(offset - center);
+  }
+  edges.deviation = Median(std::move(near));
+  return edges;
+}
+
+std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
+                                               ViewSet* views) {
+  const std::optional<BorderEdges> edges = MeasureBorderEdges(*views, context);
+  for (PreparedView& view : *views) {
+    view.border_shift = edges ? float(edges->shift) : 0;
+  }
+  return edges;
+}
+
+}  // namespace octacut

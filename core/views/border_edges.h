@@ -1,0 +1,34 @@
+// How far the borders of the masks lie from the edges that the photographs show
+// along them. Masks that cover every pixel which the object touches, or that
+// were grown or shrunk, are off by the same pixels all around, and so is the
+// visual hull.
+#pragma once
+
+#include <optional>
+
+#include "core/base/context.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// Pixels of the views.
+struct BorderEdges {
+  double shift = 0;      // the borders lie that far outside the edges
+  double deviation = 0;  // median distance of the edges from that
+  double share = 0;      // of the places, those whose edge is within a pixel
+};
+
+// Along lines across the borders, the strongest edge within six pixels is
+// looked for in linear light, where a pixel's value is the mean of what it
+// covers; edges beside clipped pixels do not count, since those look larger
+// than they are. Most lines that hit texture or background put their edge
+// anywhere; those that agree form a peak. None where there is no such peak.
+std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
+                                              const Context& context);
+
+// Measures and sets PreparedView::border_shift of all views; 0 where there is
+// nothing to measure.
+std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
+                                               ViewSet* views);
+
+}  // namespace octacut

@@ -1,0 +1,107 @@
+#include "core/views/border_edges.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "tests/core/views/random_views.h"
+
+namespace octacut {
+namespace {
+
+using testing::Random;
+
+constexpr int kSize = 240;
+constexpr double kRadius = 80;
+
+// Of a pixel's area, what a disc around the middle covers.
+double Coverage(int x, int y, double radius) {
+  constexpr int kSamples = 8;
+  int count = 0;
+  for (int i = 0; i < kSamples * kSamples; ++i) {
+    const double u = x + (i % kSamples + 0.5) / kSamples - kSize / 2.0;
+    const double v = y + (i / kSamples + 0.5) / kSamples - kSize / 2.0;
+    count += u * u + v * v < radius * radius ? 1 : 0;
+  }
+  return double(count) / (kSamples * kSamples);
+}
+
+uint8_t Grey(double linear) {
+  return uint8_t(std::lround(255 * std::pow(linear, 1 / 2.2)));
+}
+
+// A disc of linear light `object` before `background`, and a mask whose disc is
+// larger by `shift` pixels; `noise` grey levels at most.
+PreparedView MakeView(double shift,
+                      double object,
+                      double background,
+                      int noise = 2) {
+  Random random(7);
+  cv::Mat image(kSize, kSize, CV_8UC3);
+  cv::Mat mask(kSize, kSize, CV_8UC1);
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      const double covered = Coverage(x, y, kRadius);
+      const double light =
+          std::min(1.0, covered * object + (1 - covered) * background);
+      for (int c = 0; c < 3; ++c) {
+        image.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uint8_t>(
+            Grey(light) + random.Integer(-noise, noise));
+      }
+      mask.at<uint8_t>(y, x) =
+          uint8_t(std::lround(255 * Coverage(x, y, kRadius + shift)));
+    }
+  }
+  PreparedView view;
+  view.silhouette = Silhouette(mask);
+  view.pyramid = ImagePyramid(image, mask);
+  return view;
+}
+
+TEST(MeasureBorderEdges, FindsTheShiftOfMasks) {
+  for (const double shift : {-2.3, -0.5, 0.0, 0.4, 3.6}) {
+    for (const double object : {0.02, 0.7}) {
+      const ViewSet views = {MakeView(shift, object, 0.2)};
+      const auto edges = MeasureBorderEdges(views, Context(2));
+      ASSERT_TRUE(edges) << shift;
+      EXPECT_NEAR(edges->shift, shift, 0.15) << shift << " " << object;
+      EXPECT_GT(edges->share, 0.9);
+      EXPECT_LT(edges->deviation, 0.2);
+    }
+  }
+}
+
+TEST(MeasureBorderEdges, DoesNotAskClippedEdges) {
+  // Four times as bright as what is clipped: the disc looks half a pixel
+  // larger.
+  const ViewSet views = {MakeView(0, 4, 0.1)};
+  EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
+}
+
+TEST(MeasureBorderEdges, SeesNoPeakInNoise) {
+  const ViewSet views = {MakeView(0, 0.2, 0.2, 40)};
+  EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
+}
+
+TEST(MeasureBorderEdges, SeesNothingWithoutContrast) {
+  const ViewSet views = {MakeView(0, 0.2, 0.2, 1)};
+  EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
+}
+
+TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
+  ViewSet views = {MakeView(1.5, 0.6, 0.1), MakeView(1.5, 0.6, 0.1)};
+  views[0].border_shift = 9;
+  const auto edges = ShiftBordersToEdges(Context(2), &views);
+  ASSERT_TRUE(edges);
+  for (const PreparedView& view : views) {
+    EXPECT_FLOAT_EQ(view.border_shift, float(edges->shift));
+  }
+  views[0].pyramid = ImagePyramid();
+  views[1].pyramid = ImagePyramid();
+  EXPECT_FALSE(ShiftBordersToEdges(Context(1), &views));
+  EXPECT_EQ(views[0].border_shift, 0);
+}
+
+}  // namespace
+}  // namespace octacut

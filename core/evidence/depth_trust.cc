@@ -28,10 +28,11 @@ constexpr float kRegionRadius = 8;
 // that a quarter and three fifths of the depths are wrong.
 constexpr float kSureShare = 1.0f / 6;
 constexpr float kDoubtfulShare = 0.4f;
-// Shares of the object's samples there that have a depth: up to the first,
-// which chance alone reaches on metal and porcelain, depths are not relied
-// upon, from the second on they are.
-constexpr float kSparse = 0.25f;
+// Shares of the object's samples, over all views, that have a depth: up to the
+// first, which chance alone reaches on metal and porcelain, depths are not
+// relied upon, from the second on they are. A hollow of a textured object has
+// few depths, and right ones, so regions are not asked.
+constexpr float kSparse = 0.3f;
 constexpr float kDense = 0.5f;
 // Depths without contradiction that every part is given: few tell nothing.
 constexpr float kPriorDepths = 20;
@@ -153,32 +154,22 @@ class SquareSums {
   std::vector<uint32_t> sums_;
 };
 
-// Which samples of a map show the object and have a depth, and which of those
-// are contradicted and outvoted.
+// Which samples of a map have a depth, and which of those are contradicted and
+// outvoted.
 struct JudgedMap {
-  std::vector<uint8_t> is_object;
   std::vector<uint8_t> is_depth;
   std::vector<uint8_t> is_contradicted;
   std::vector<uint8_t> is_outvoted;
 };
 
-JudgedMap JudgeDepths(const PreparedView& view,
+JudgedMap JudgeDepths(const ViewProjection& projection,
                       const VoxelGrid& hull,
                       const std::vector<uint16_t>& counts,
                       const SweptDepthMap& map) {
-  const ViewProjection& projection = view.projection;
   const size_t size = map.depths.size();
   JudgedMap judged{std::vector<uint8_t>(size),
                    std::vector<uint8_t>(size),
-                   std::vector<uint8_t>(size),
                    std::vector<uint8_t>(size)};
-  for (int y = 0; y < map.height; ++y) {
-    for (int x = 0; x < map.width; ++x) {
-      const Eigen::Vector3f pixel = map.Pixel(x, y);
-      judged.is_object[size_t(y) * map.width + x] =
-          view.silhouette.SignedDistance(pixel.x(), pixel.y()) > 0 ? 1 : 0;
-    }
-  }
   ForEachDepth(map,
                projection,
                [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
@@ -197,11 +188,22 @@ JudgedMap JudgeDepths(const PreparedView& view,
   return judged;
 }
 
+size_t CountObjectSamples(const Silhouette& silhouette,
+                          const SweptDepthMap& map) {
+  size_t count = 0;
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const Eigen::Vector3f pixel = map.Pixel(x, y);
+      count += silhouette.SignedDistance(pixel.x(), pixel.y()) > 0 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 std::vector<float> TrustOfRegions(const ViewProjection& projection,
                                   const VoxelGrid& hull,
                                   const SweptDepthMap& map,
                                   const JudgedMap& judged) {
-  const SquareSums object(map.width, map.height, judged.is_object);
   const SquareSums depths(map.width, map.height, judged.is_depth);
   const SquareSums contradicted(map.width, map.height, judged.is_contradicted);
   const float samples_per_voxel =
@@ -213,11 +215,8 @@ std::vector<float> TrustOfRegions(const ViewProjection& projection,
       const float num_depths = depths.Around(x, y, radius);
       const float share =
           contradicted.Around(x, y, radius) / (num_depths + kPriorDepths);
-      const float density =
-          num_depths / std::max(object.Around(x, y, radius), 1.0f);
       trust[size_t(y) * map.width + x] =
-          Ramp(share, kDoubtfulShare, kSureShare) *
-          Ramp(density, kSparse, kDense);
+          Ramp(share, kDoubtfulShare, kSureShare);
     }
   }
   return trust;
@@ -234,10 +233,12 @@ TrustedDepths EstimateDepthTrust(const ViewSet& views,
   TrustedDepths result{maps, std::vector<std::vector<float>>(maps.size()), 0};
   std::vector<size_t> num_depths(maps.size());
   std::vector<size_t> num_contradicted(maps.size());
+  std::vector<size_t> num_samples(maps.size());
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const ViewProjection& projection = views[i].projection;
-      const JudgedMap judged = JudgeDepths(views[i], hull, counts, maps[i]);
+      const JudgedMap judged = JudgeDepths(projection, hull, counts, maps[i]);
+      num_samples[i] = CountObjectSamples(views[i].silhouette, maps[i]);
       result.trust[i] = TrustOfRegions(projection, hull, maps[i], judged);
       for (size_t k = 0; k < judged.is_depth.size(); ++k) {
         num_depths[i] += judged.is_depth[k];
@@ -248,12 +249,21 @@ TrustedDepths EstimateDepthTrust(const ViewSet& views,
       }
     }
   });
-  const size_t all =
-      std::accumulate(num_depths.begin(), num_depths.end(), size_t{0});
-  const size_t contradicted = std::accumulate(
-      num_contradicted.begin(), num_contradicted.end(), size_t{0});
-  result.contradicted_share =
-      double(contradicted) / double(std::max<size_t>(all, 1));
+  const auto share = [](const std::vector<size_t>& of,
+                        const std::vector<size_t>& all) {
+    const auto sum = [](const std::vector<size_t>& counts) {
+      return std::accumulate(counts.begin(), counts.end(), size_t{0});
+    };
+    return double(sum(of)) / double(std::max<size_t>(sum(all), 1));
+  };
+  result.contradicted_share = share(num_contradicted, num_depths);
+  result.found_share = share(num_depths, num_samples);
+  const float trust = Ramp(float(result.found_share), kSparse, kDense);
+  for (std::vector<float>& of_view : result.trust) {
+    for (float& value : of_view) {
+      value *= trust;
+    }
+  }
   return result;
 }
 

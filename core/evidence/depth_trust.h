@@ -25,9 +25,11 @@ struct TrustedDepths {
   std::vector<SweptDepthMap> maps;
   // trust[i][k] says how far a depth at sample k of map i can be relied upon: 1
   // where few of the depths around it in its view are contradicted, 0 where
-  // many are.
+  // many are, or where depths are found for few samples of the object.
   std::vector<std::vector<float>> trust;
   double contradicted_share = 0;  // of all depths
+  double found_share =
+      0;  // of the samples within the silhouettes: with a depth
 };
 
 // `maps` holds confirmed depths, one map a view.

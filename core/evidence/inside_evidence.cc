@@ -219,6 +219,7 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   evidence.summary.num_depths = CountDepths(swept);
   evidence.summary.num_agreeing = CountDepths(agreeing);
   evidence.summary.contradicted_share = depths.contradicted_share;
+  evidence.summary.found_share = depths.found_share;
   if (evidence.summary.num_agreeing == 0) {
     WarnOfNoDepths(neighbors, options, context);
   }

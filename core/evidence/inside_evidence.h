@@ -55,6 +55,8 @@ struct InsideEvidenceSummary {
   // Of the confirmed depths: those with surfaces before them that other views
   // have found.
   double contradicted_share = 0;
+  // Of the samples within the silhouettes, those with a confirmed depth.
+  double found_share = 0;
 };
 
 struct InsideEvidence {

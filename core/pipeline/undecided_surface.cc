@@ -27,6 +27,12 @@ constexpr float kNearHull = 2.5f;
 constexpr float kUndecidedAround = 0.5f;
 constexpr float kDecidedAround = 0.9f;
 
+// Levels from which on photo-consistency sees texture that the depth sweep did
+// not.
+constexpr int kFinerLevels = 2;
+// Trust in depths from which on agreement at coarser levels counts in full.
+constexpr float kEnoughTrust = 0.5f;
+
 float Ramp(float value, float from, float to) {
   return std::clamp((value - from) / (to - from), 0.0f, 1.0f);
 }
@@ -40,13 +46,18 @@ Decision DecideByPhotographs(const Crust& crust,
   LocalAgreement agreement = EstimateLocalAgreement(crust.voxels, phi, context);
   Decision decision{std::move(agreement.near_voxel),
                     std::move(agreement.in_region)};
+  // Where depths contradict each other or are few, agreement here and there is
+  // chance; not so where it is the rule, but for images that are hardly finer
+  // than those in which the depths were looked for: on those, the shading of a
+  // plain surface agrees at any depth.
+  const bool is_coarse =
+      crust.voxels.Level() < depth_trust.voxels.Level() + kFinerLevels;
   ParallelForVoxels(
       context, crust.voxels, [&](VoxelGrid::Index index, MortonCode code) {
-        // Where depths contradict each other, agreement here and there is
-        // chance; not so where it is the rule.
         float& around = decision.around[index];
-        around = std::max(around,
-                          depth_trust.At(code, crust.voxels.Level(), around));
+        const float trust = depth_trust.At(code, crust.voxels.Level(), around);
+        around = is_coarse ? std::min(trust / kEnoughTrust, 1.0f)
+                           : std::max(around, trust);
         decision.here[index] *= around;
       });
   return decision;

@@ -32,6 +32,12 @@ constexpr size_t kMinPlaces = 100;
 // of one sixth.
 constexpr double kMinShare = 1.0 / 3;
 
+// Pixels that edges alone are believed: what masks differ by that cover each
+// pixel which the object touches, or only those that it fills. Where an object
+// is dark towards its contour, before a dark background, edges lie pixels too
+// far inside; larger shifts are left to the offsets of refinement.
+constexpr float kMostBelieved = 1;
+
 constexpr int kNumSteps = int(2 * kRange / kStep) + 1;
 constexpr int kHalfEdge = int(kEdgeWidth / 2 / kStep);
 constexpr int kClippedSteps = int(kClippedReach / kStep);
@@ -247,7 +253,9 @@ std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
                                                ViewSet* views) {
   const std::optional<BorderEdges> edges = MeasureBorderEdges(*views, context);
   for (PreparedView& view : *views) {
-    view.border_shift = edges ? float(edges->shift) : 0;
+    view.border_shift =
+        edges ? std::clamp(float(edges->shift), -kMostBelieved, kMostBelieved)
+              : 0;
   }
   return edges;
 }

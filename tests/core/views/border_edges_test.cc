@@ -90,13 +90,16 @@ TEST(MeasureBorderEdges, SeesNothingWithoutContrast) {
 }
 
 TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
-  ViewSet views = {MakeView(1.5, 0.6, 0.1), MakeView(1.5, 0.6, 0.1)};
+  ViewSet views = {MakeView(0.6, 0.6, 0.1), MakeView(0.6, 0.6, 0.1)};
   views[0].border_shift = 9;
   const auto edges = ShiftBordersToEdges(Context(2), &views);
   ASSERT_TRUE(edges);
   for (const PreparedView& view : views) {
     EXPECT_FLOAT_EQ(view.border_shift, float(edges->shift));
   }
+  ViewSet large = {MakeView(3, 0.6, 0.1)};
+  EXPECT_NEAR(ShiftBordersToEdges(Context(1), &large)->shift, 3, 0.2);
+  EXPECT_EQ(large[0].border_shift, 1);
   views[0].pyramid = ImagePyramid();
   views[1].pyramid = ImagePyramid();
   EXPECT_FALSE(ShiftBordersToEdges(Context(1), &views));

@@ -181,6 +181,19 @@ void DeclareMeshingOptions(OptionManager& options,
   DeclareRefinementOptions(options, &meshing->refinement);
 }
 
+namespace {
+
+Json BorderEdgesToJson(const std::optional<BorderEdges>& edges) {
+  if (!edges) {
+    return Json();
+  }
+  return {{"shift", edges->shift},
+          {"deviation", edges->deviation},
+          {"share", edges->share}};
+}
+
+}  // namespace
+
 Json ReconstructionToJson(const ReconstructionSummary& summary) {
   Json levels = Json::array();
   for (const LevelSummary& level : summary.levels) {
@@ -191,6 +204,7 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
             {"voxels", summary.hull.num_voxels},
             {"tested_voxels", summary.hull.tested_voxels},
             {"seconds", summary.hull_seconds}}},
+          {"border_edges", BorderEdgesToJson(summary.border_edges)},
           {"evidence",
            {{"depths", summary.evidence.num_depths},
             {"agreeing_depths", summary.evidence.num_agreeing},

@@ -137,6 +137,24 @@ TEST(DepthTrust, IsNoneWhereMostDepthsContradictEachOther) {
   EXPECT_LT(sum / double(in_space.values.size()), 0.75);
 }
 
+// Porcelain: a depth here and there, which is chance even where nothing
+// contradicts it.
+TEST(DepthTrust, IsNoneWhereFewSamplesHaveADepth) {
+  Setting setting;
+  const TrustedDepths all = setting.Trust();
+  EXPECT_GT(all.found_share, 0.6);
+  for (SweptDepthMap& map : setting.maps) {
+    for (size_t k = 0; k < map.depths.size(); ++k) {
+      map.depths[k] = k % 5 == 0 ? map.depths[k] : 0;
+    }
+  }
+  const TrustedDepths few = setting.Trust();
+  EXPECT_NEAR(few.found_share, all.found_share / 5, 0.02);
+  for (size_t i = 0; i < setting.maps.size(); ++i) {
+    EXPECT_EQ(MeanTrust(setting.maps[i], few.trust[i]), 0) << i;
+  }
+}
+
 TEST(DepthTrust, IsTheSameForAnyNumberOfThreads) {
   Setting setting;
   setting.PushBack(2, 7);

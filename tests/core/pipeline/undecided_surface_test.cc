@@ -55,6 +55,38 @@ std::vector<float> Held(const Decision& decision, float top) {
   return by_z;
 }
 
+// Of a crust in which all voxels have a low phi, by what depths found on a grid
+// of `depth_level` are worth.
+float DecidedByAgreement(float trust, int depth_level) {
+  const Crust crust = FlatCrust();
+  std::vector<MortonCode> codes;
+  crust.voxels.ForEach([&](VoxelGrid::Index, MortonCode code) {
+    for (int level = kLevel; level > depth_level; --level) {
+      code = ParentCode(code);
+    }
+    codes.push_back(code);
+  });
+  VoxelValues depth_trust{VoxelGrid::FromCodes(depth_level, codes), {}};
+  depth_trust.values.assign(depth_trust.voxels.Size(), trust);
+  const Decision decision =
+      DecideByPhotographs(crust,
+                          std::vector<float>(crust.voxels.Size(), 0.1f),
+                          depth_trust,
+                          Context(2));
+  return decision.here[crust.voxels.Find(Eigen::Vector3i(16, 16, 15))];
+}
+
+TEST(UndecidedSurface, CoarseAgreementDecidesOnlyWhereDepthsAreReliedUpon) {
+  EXPECT_EQ(DecidedByAgreement(0, kLevel), 0);
+  EXPECT_NEAR(DecidedByAgreement(0.25f, kLevel - 1), 0.5f, 1e-5f);
+  EXPECT_EQ(DecidedByAgreement(0.5f, kLevel), 1);
+}
+
+TEST(UndecidedSurface, FineAgreementDecidesWhateverDepthsSay) {
+  EXPECT_EQ(DecidedByAgreement(0, kLevel - 2), 1);
+  EXPECT_EQ(DecidedByAgreement(1, kLevel - 2), 1);
+}
+
 TEST(UndecidedSurface, StaysWhereTheCoarserOneIs) {
   const std::vector<float> held = Held(Decided(FlatCrust(), 0, 1), 40);
   for (int k = 0; k < 5; ++k) {

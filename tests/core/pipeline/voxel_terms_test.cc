@@ -79,6 +79,35 @@ TEST(SilhouetteTerms, SpeakFromTheBorderOfTheSmallestSilhouette) {
   EXPECT_LT(num_outside, voxels.Size());
 }
 
+TEST(SilhouetteTerms, MoveWithTheShiftOfTheBorders) {
+  TestScene test = MakeTestScene("torus", 120, 90, 2);
+  constexpr int kLevel = 6;
+  const VoxelGrid voxels = SomeVoxels(kLevel);
+  ReconstructionOptions options;
+  options.hull.hull_level = kLevel;
+  const std::vector<float> trust = {1, 1};
+  const auto terms = [&] {
+    return EstimateSilhouetteTerms(
+        test.views, trust, voxels, options, Context(2));
+  };
+  const SilhouetteTerms unshifted = terms();
+  for (const float shift : {0.7f, -0.7f}) {
+    for (PreparedView& view : test.views) {
+      view.border_shift = shift;
+    }
+    const SilhouetteTerms shifted = terms();
+    size_t num_moved = 0;
+    for (size_t i = 0; i < voxels.Size(); ++i) {
+      if (std::abs(unshifted.hull_depth[i]) < 5) {
+        // Masks that are too large hold less.
+        ASSERT_LT((shifted.hull_depth[i] - unshifted.hull_depth[i]) * shift, 0);
+        ++num_moved;
+      }
+    }
+    EXPECT_GT(num_moved, voxels.Size() / 20);
+  }
+}
+
 TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
   TestScene test = MakeTestScene("torus", 120, 90, 2);
   constexpr double kTolerance = 4;

@@ -92,7 +92,10 @@ TEST(RefineSurface, FindsOutThatMasksAreTooLargeOrTooSmall) {
 
 // What is taken for the shift of the masks' borders after one round over masks
 // that are 2 pixels too large, where so many were known before.
-double BorderShiftAfter(double scale, double known, double border_noise) {
+double BorderShiftAfter(double scale,
+                        double known,
+                        double border_noise,
+                        double edge_shift = 0) {
   const RefineScene scene = testing::MakeSceneWithMasksOff(2);
   IndexedMesh mesh = scene.ToUnitMesh(BumpyMesh(scene));
   RefineOptions options;
@@ -105,7 +108,8 @@ double BorderShiftAfter(double scale, double known, double border_noise) {
                      .range = 3,
                      .smooths = true,
                      .aligns = false,
-                     .border_shift = known},
+                     .border_shift = known,
+                     .edge_shift = edge_shift},
                     options,
                     Context(2),
                     &views,
@@ -121,6 +125,11 @@ TEST(RefineOnce, MeasuresBordersWherePixelsAreSmall) {
 
 TEST(RefineOnce, TrustsMasksThatItCouldOnlyMeasureBadly) {
   EXPECT_NEAR(BorderShiftAfter(2, 0, 1e6), 0, 1e-6);
+}
+
+TEST(RefineOnce, StartsFromTheEdgesOfThePhotographs) {
+  EXPECT_NEAR(BorderShiftAfter(2, 0.8, 1e6, 0.8), 0.8, 1e-6);
+  EXPECT_NEAR(BorderShiftAfter(2, 0.8, 0.3, 0.8), 2, 0.5);
 }
 
 // Files keep floats; a mesh that is only valid in doubles may cross itself

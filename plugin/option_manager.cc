@@ -31,8 +31,8 @@ std::string ToLower(std::string text) {
 OptionManager::OptionManager() {
   Add(std::string(kProjectPath),
       &project_path_,
-      "File of `key = value` lines under [Group] headings; the command line "
-      "wins");
+      "File with options as `key = value` lines under [Group] headings. "
+      "Options on the command line take precedence.");
 }
 
 Option& OptionManager::AddOption(std::string name, std::string description) {

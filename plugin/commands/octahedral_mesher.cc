@@ -38,10 +38,12 @@ void OctahedralMesher::DeclareOptions(OptionManager& options) {
   workspace_.DeclareConfidence(options);
   options.Add("save_levels",
               &levels_path_,
-              "Folder for the hull's and every level's surface; empty: none");
-  options.Add("picture",
-              &picture_,
-              "1: a picture of the mesh beside a photograph, beside the mesh");
+              "Folder in which the visual hull and the surface of each level "
+              "are saved. Default: none.");
+  options.Add(
+      "picture",
+      &picture_,
+      "If 1, save a picture of a photograph and the mesh next to the mesh.");
   DeclareMeshingOptions(options, &meshing_);
 }
 

@@ -39,7 +39,7 @@ void CommonOptions::Check() const {
   CheckOption(num_threads == -1 || num_threads > 0,
               "num_threads",
               num_threads,
-              "must be -1 (all cores) or positive");
+              "must be positive, or -1 for all cores");
   log.Check();
 }
 

@@ -105,7 +105,8 @@ void WorkspaceArguments::Complete(const fs::path& default_output) {
     loading.region.bounding_box = BoundingBoxFromNumbers(bounding_box);
   }
   if (!fs::is_directory(workspace_path)) {
-    throw InputError(workspace_path.string() + ": no such workspace folder");
+    throw InputError(workspace_path.string() +
+                     ": there is no such workspace folder");
   }
   if (output_path.empty()) {
     output_path = workspace_path / default_output;
@@ -117,7 +118,7 @@ void WorkspaceArguments::Complete(const fs::path& default_output) {
   CheckOption(!confidence || MeshFormatOf(output_path) == MeshFormat::kPly,
               "confidence",
               confidence,
-              "needs an output_path that ends in .ply");
+              "requires an output_path with the extension .ply");
   // The report is written last; that it cannot be must not be news then.
   CheckReportIsNot(output_path, "the mesh");
   CheckFilePath(report_path);
@@ -130,7 +131,7 @@ void WorkspaceArguments::CheckReportIsNot(const fs::path& other,
                   fs::weakly_canonical(other, ignored),
               "report_path",
               report_path.string(),
-              "must be another file than " + what);
+              "must not be the same file as " + what);
 }
 
 fs::path WorkspaceArguments::Beside(const std::string& ending) const {

@@ -173,7 +173,7 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   }
   if (compare_.reference_filter) {
     environment.out << fmt::format(
-        "\njudged: {:.1f} % of the reference's area\n",
+        "\ncompared: {:.1f} % of the reference's area\n",
         100 * results.front().comparison->judged_share);
   }
   if (!output_path_.empty()) {

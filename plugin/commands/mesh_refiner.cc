@@ -112,8 +112,8 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   report["verdict"] = VerdictToJson(verdict, words, loaded.scene.views);
   WriteReport(workspace_.report_path, report);
   environment.out << fmt::format(
-      "{}: {} of {} vertices moved, by {:.2f} pixels in the mean; agreement of "
-      "the views {:.3f}, was {:.3f}\n",
+      "{}: {} of {} vertices moved by {:.2f} pixels on average; agreement of "
+      "the views {:.3f} (before: {:.3f})\n",
       workspace_.output_path.string(),
       refined.summary.num_moved,
       refined.summary.num_vertices,

@@ -55,7 +55,7 @@ LevelObserver OctahedralMesher::LevelWriter() const {
   std::filesystem::create_directories(levels_path_, error);
   if (error) {
     throw InputError(
-        fmt::format("save_levels {}: the folder cannot be made ({})",
+        fmt::format("save_levels {}: the folder cannot be created ({})",
                     levels_path_.string(),
                     error.message()));
   }
@@ -84,7 +84,8 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
                                        meshing_.target_level,
                                        context);
   context.Info(fmt::format(
-      "{} views; the reconstruction needs some {:.1f} GB besides their pixels",
+      "The reconstruction from {} views needs about {:.1f} GB of memory in "
+      "addition to the images.",
       loaded.scene.views.size(),
       double(EstimateReconstructionBytes(loaded.scene, meshing_, context)) /
           1e9));

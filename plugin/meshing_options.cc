@@ -24,21 +24,21 @@ void DeclareEvidenceOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.cover_weight",
       &evidence->cover_weight,
-      "Weight that restores object pixels which the surface leaves uncovered, "
-      "summed over the voxels of the pixel's ray; doubled each round.");
+      "Weight of the evidence for the inside that an uncovered object pixel "
+      "gives to the voxels on its ray together; doubled each round.");
   options.Add(
       "OctahedralMeshing.cover_rounds",
       &evidence->cover_rounds,
       "Maximum number of rounds that restore uncovered object pixels, 0 to 8.");
   options.Add("OctahedralMeshing.min_agreeing_views",
               &evidence->min_agreeing_views,
-              "Number of other views that must confirm a depth. Plausible "
-              "depths may have fewer.");
+              "Number of other views that must confirm a depth; see "
+              "min_like_samples for exceptions.");
   options.Add(
       "OctahedralMeshing.min_like_samples",
       &evidence->min_like_samples,
-      "How many of the eight neighbouring samples must have the same depth if "
-      "fewer views, but at least one, confirm it; 9 rejects all such depths.");
+      "If fewer views confirm a depth, but at least one does, this many of its "
+      "eight neighbouring samples must share it; 9 rejects all such depths.");
   options.Add(
       "DepthSweep.num_neighbors",
       &evidence->sweep.num_neighbors,
@@ -170,11 +170,10 @@ void DeclareMeshingOptions(OptionManager& options,
               "Weight of the evidence for the outside of background voxels "
               "within mask_tolerance of the object, at the first level and for "
               "masks that depths confirm.");
-  options.Add(
-      "OctahedralMeshing.unseen_weight",
-      &meshing->energy.unseen_weight,
-      "Weight of the evidence for the inside of voxels that fewer than two "
-      "views see, given for the first level and halved at each finer one.");
+  options.Add("OctahedralMeshing.unseen_weight",
+              &meshing->energy.unseen_weight,
+              "Weight of the evidence for the inside of voxels that fewer than "
+              "two views see, at the first level; halved at each finer level.");
   options.Add("OctahedralMeshing.max_grow_rounds",
               &meshing->max_grow_rounds,
               "Maximum number of times a crust is enlarged because the cut "
@@ -193,7 +192,7 @@ void DeclareMeshingOptions(OptionManager& options,
       "OctahedralMeshing.min_handle",
       &meshing->min_handle,
       "Remove handles and pinholes that a loop of at most this many voxels (or "
-      "pixels, if these are larger) can go around; 0 keeps all.");
+      "pixels, if these are larger) encircles; 0 keeps all.");
   options.Add("Smoothing.iterations",
               &meshing->smoothing.iterations,
               "Number of smoothing iterations V <- V + lambda Laplacian(V).");
@@ -208,9 +207,10 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("Smoothing.max_displacement",
               &meshing->smoothing.max_displacement,
               "Maximum distance in voxels by which smoothing moves a vertex.");
-  options.Add("OctahedralMeshing.refine",
-              &meshing->refine,
-              "If 1, refine the mesh photometrically below voxel size.");
+  options.Add(
+      "OctahedralMeshing.refine",
+      &meshing->refine,
+      "If 1, refine the mesh and the poses photometrically below voxel size.");
   DeclareRefinementOptions(options, &meshing->refinement);
 }
 

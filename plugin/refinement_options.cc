@@ -42,8 +42,8 @@ void DeclareRefinementOptions(OptionManager& options,
       "Refinement.range",
       &refinement->range,
       "Search distance along the normal in the first round of a resolution, in "
-      "pixels of that resolution. All pixels of refinement are those of the "
-      "images as downsampled for the target level.");
+      "pixels of that resolution. Pixels refer to the images as downsampled "
+      "for the target level, here and in all options of this group.");
   options.Add("Refinement.alignment_steps",
               &refinement->alignment_steps,
               "Number of iterations that align the camera poses "

@@ -79,8 +79,8 @@ void WorkspaceArguments::Declare(OptionManager& options) {
               "instead of leaving them out.");
   options.Add("output_path",
               &output_path,
-              "Mesh file to write (.ply, .obj, .off or .stl). Default: in the "
-              "workspace.");
+              "Mesh file to write (.ply, .obj, .off or .stl). Default: a file "
+              "in the workspace whose name begins with meshed-.");
   options.Add("report_path",
               &report_path,
               "JSON report to write. Default: the path of the mesh with the "

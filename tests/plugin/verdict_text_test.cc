@@ -122,7 +122,7 @@ TEST(VerdictText, SaysWhatMinComponentHasTaken) {
   MeshVerdict verdict = GoodVerdict();
   verdict.removed_pixels = {0, 7, 0};
   EXPECT_THAT(WarningsOf(verdict),
-              ElementsAre(AllOf(HasSubstr("leave 7 pixels uncovered"),
+              ElementsAre(AllOf(HasSubstr("leaves 7 pixels uncovered"),
                                 HasSubstr("most of them in b.jpg"),
                                 HasSubstr("min_component"))));
 }

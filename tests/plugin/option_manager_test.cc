@@ -148,7 +148,7 @@ TEST(OptionManager, ProjectFileErrorsNameFileLineAndKey) {
             ":2: unknown key `ImageReader.x`");
   EXPECT_EQ(error_of("project_path=x\n").find(":1: unknown key"), 0u);
   EXPECT_EQ(Bound().ErrorOf({"--project_path", "/gone.ini"}),
-            "--project_path = /gone.ini: cannot be opened");
+            "--project_path = /gone.ini: the file cannot be opened");
 }
 
 TEST(OptionManager, JsonHoldsEveryOptionWithItsValue) {

@@ -1,5 +1,5 @@
-# What the libraries and the executable need, all from Debian 12. The README says
-# why each.
+# What the libraries and the executable need, all from Debian 12; docs/building.md
+# lists the purpose of each.
 find_package(Threads REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)

@@ -40,13 +40,16 @@ Failure DescribeCurrentException(const OptionManager& options) {
     return {options.NameOption(OneLine(error.what()))};
   } catch (const InvariantError& error) {
     return {OneLine(
-        fmt::format("internal check failed, please report: {}", error.what()))};
+        fmt::format("an internal check failed, please report this as a bug: {}",
+                    error.what()))};
   } catch (const std::bad_alloc&) {
-    return {"out of memory; a lower target level or fewer images need less"};
+    return {
+        "out of memory; use a lower --OctahedralMeshing.target_level or fewer "
+        "images"};
   } catch (const std::exception& error) {
     return {OneLine(error.what())};
   } catch (...) {
-    return {"unknown failure"};
+    return {"unknown error"};
   }
 }
 
@@ -112,7 +115,7 @@ int RunCommand(const RegistryEntry& entry,
     }
     out.flush();
     if (!out) {
-      throw Error("standard output cannot be written");
+      throw Error("cannot write to standard output");
     }
     return kExitSuccess;
   } catch (...) {

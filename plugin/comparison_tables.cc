@@ -80,8 +80,10 @@ std::string DistanceTable(std::span<const ComparedMesh> meshes) {
 }
 
 std::string ConfidenceTable(std::span<const ComparedMesh> meshes) {
-  TextTable table(
-      {"confidence", "least tenth: mean, %", "most tenth: mean, %", "ratio"});
+  TextTable table({"confidence",
+                   "least confident tenth: mean, %",
+                   "most confident tenth: mean, %",
+                   "ratio"});
   bool any = false;
   for (const ComparedMesh& mesh : meshes) {
     if (const auto& confidence = mesh.comparison->confidence) {

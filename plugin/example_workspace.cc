@@ -49,8 +49,9 @@ void MakeFolder(const fs::path& folder) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure) {
-    throw Error(fmt::format(
-        "{}: cannot be made: {}", folder.string(), failure.message()));
+    throw Error(fmt::format("{}: the folder cannot be created: {}",
+                            folder.string(),
+                            failure.message()));
   }
 }
 
@@ -97,15 +98,15 @@ void PrepareExampleFolder(const fs::path& folder,
   if (fs::exists(folder) &&
       (!fs::is_directory(folder) || !fs::is_empty(folder, ignored))) {
     if (!fs::is_regular_file(folder / kExampleReportName)) {
-      throw InputError(fmt::format(
-          "{}: is there already and no example of octacut; choose another "
-          "--output_path",
-          folder.string()));
+      throw InputError(
+          fmt::format("{}: exists and is not an example of octacut; choose "
+                      "another --output_path",
+                      folder.string()));
     }
     if (!options.overwrite) {
-      throw InputError(
-          fmt::format("{}: holds an example already; --overwrite 1 replaces it",
-                      folder.string()));
+      throw InputError(fmt::format(
+          "{}: the folder already holds an example; --overwrite 1 replaces it",
+          folder.string()));
     }
     for (const char* part : {"images", "masks", "sparse/0", "gt"}) {
       fs::remove_all(folder / part);

@@ -59,8 +59,8 @@ std::string ProgramHelp(std::span<const RegistryEntry> commands) {
     width = std::max(width, command.name.size());
   }
   std::string text = fmt::format(
-      "octacut {} -- closed manifold meshes from COLMAP models and "
-      "silhouettes\n\n"
+      "octacut {} -- closed meshes from COLMAP sparse models and silhouette "
+      "masks\n\n"
       "Usage:\n"
       "  octacut [command] [options]\n"
       "  octacut [command] -h [ --help ]\n\n"
@@ -83,7 +83,7 @@ std::string CommandHelp(const RegistryEntry& command,
                                  command.name,
                                  command.summary,
                                  UsageLine(command, options));
-  text += "\nOptions (also from the file of --project_path):\n";
+  text += "\nOptions (on the command line or in the --project_path file):\n";
   // The command's own options first, then each section once.
   std::vector<std::string> sections = {""};
   for (const Option& option : options.Options()) {
@@ -94,7 +94,7 @@ std::string CommandHelp(const RegistryEntry& command,
   }
   for (const std::string& section : sections) {
     if (section.empty()) {
-      text += "  -h [ --help ]\n        Print this text\n";
+      text += "  -h [ --help ]\n        Print this text.\n";
     } else {
       text += fmt::format("\n{}:\n", section);
     }

@@ -62,7 +62,7 @@ std::vector<IniEntry> ReadIni(std::istream& stream,
                        line_number});
   }
   if (stream.bad()) {
-    throw OptionError(fmt::format("{}: cannot be read", file_name));
+    throw OptionError(fmt::format("{}: the file cannot be read", file_name));
   }
   return entries;
 }

@@ -25,10 +25,9 @@ MeasuredMesh MeasureMesh(const fs::path& path,
     context.Info(fmt::format("{}: {}", path.string(), note));
   }
   if (file.mesh.triangles.empty()) {
-    throw InputError(
-        fmt::format("{}: has no faces, only {} vertices; a surface is needed",
-                    path.string(),
-                    file.mesh.positions.size()));
+    throw InputError(fmt::format("{}: the mesh has no faces, only {} vertices",
+                                 path.string(),
+                                 file.mesh.positions.size()));
   }
   MeasuredMesh measured;
   measured.result.name = name;
@@ -63,10 +62,9 @@ void CheckReportPath(const fs::path& output_path,
   for (const fs::path& mesh : meshes) {
     std::error_code ignored;
     if (fs::equivalent(mesh, output_path, ignored)) {
-      throw OptionError(
-          fmt::format("output_path = {}: must not be a mesh of "
-                      "the comparison",
-                      output_path.string()));
+      throw OptionError(fmt::format(
+          "output_path = {}: must not be one of the compared meshes",
+          output_path.string()));
     }
   }
   CheckFilePath(output_path);

@@ -10,48 +10,59 @@ void DeclareEvidenceOptions(OptionManager& options,
                             InsideEvidenceOptions* evidence) {
   options.Add("OctahedralMeshing.ballooning",
               &evidence->ballooning,
-              "Evidence for inside of hull voxels that nothing speaks against");
+              "Bias towards the inside for voxels of the visual hull that no "
+              "view decides. Lower values open deeper concavities, higher "
+              "values keep more of untextured objects.");
   options.Add("OctahedralMeshing.matter_weight",
               &evidence->matter_weight,
-              "Evidence of one view with its surface just before the voxel");
+              "Weight of the evidence for the inside that one view gives to a "
+              "voxel just behind a surface it has found.");
   options.Add("OctahedralMeshing.free_space_weight",
               &evidence->free_space_weight,
-              "Evidence of one view that sees through the voxel");
-  options.Add("OctahedralMeshing.cover_weight",
-              &evidence->cover_weight,
-              "Evidence of an object's pixel whose ray is left empty, for all "
-              "voxels of the ray together; doubled each round");
-  options.Add("OctahedralMeshing.cover_rounds",
-              &evidence->cover_rounds,
-              "Times at most that what silhouettes miss is asked back");
+              "Weight of the evidence for the outside that one view gives to a "
+              "voxel it sees through.");
   options.Add(
-      "OctahedralMeshing.min_agreeing_views",
-      &evidence->min_agreeing_views,
-      "Other views that must confirm a depth; fewer where it is plausible");
-  options.Add("OctahedralMeshing.min_like_samples",
-              &evidence->min_like_samples,
-              "Of the eight samples around a depth that fewer views confirm, "
-              "one at least, those that must share it; 9: such depths never "
-              "count");
-  options.Add("DepthSweep.num_neighbors",
-              &evidence->sweep.num_neighbors,
-              "Views that each view is compared with");
-  options.Add("DepthSweep.min_angle",
-              &evidence->sweep.min_angle,
-              "Between the directions of such views, degrees");
-  options.Add("DepthSweep.max_angle", &evidence->sweep.max_angle, "Degrees");
+      "OctahedralMeshing.cover_weight",
+      &evidence->cover_weight,
+      "Weight of the evidence for the inside that an uncovered object pixel "
+      "gives to the voxels on its ray together; doubled each round.");
+  options.Add(
+      "OctahedralMeshing.cover_rounds",
+      &evidence->cover_rounds,
+      "Maximum number of rounds that restore uncovered object pixels, 0 to 8.");
+  options.Add("OctahedralMeshing.min_agreeing_views",
+              &evidence->min_agreeing_views,
+              "Number of other views that must confirm a depth; see "
+              "min_like_samples for exceptions.");
+  options.Add(
+      "OctahedralMeshing.min_like_samples",
+      &evidence->min_like_samples,
+      "If fewer views confirm a depth, but at least one does, this many of its "
+      "eight neighbouring samples must share it; 9 rejects all such depths.");
+  options.Add(
+      "DepthSweep.num_neighbors",
+      &evidence->sweep.num_neighbors,
+      "Number of neighbouring views that each view is compared with, 2 to 8.");
+  options.Add(
+      "DepthSweep.min_angle",
+      &evidence->sweep.min_angle,
+      "Minimum angle between the directions of neighbouring views in degrees.");
+  options.Add(
+      "DepthSweep.max_angle",
+      &evidence->sweep.max_angle,
+      "Maximum angle between the directions of neighbouring views in degrees.");
   options.Add("DepthSweep.samples_per_voxel",
               &evidence->sweep.samples_per_voxel,
-              "Samples of a view across a hull voxel");
+              "Number of image samples across a voxel of the visual hull.");
   options.Add("DepthSweep.planes_per_voxel",
               &evidence->sweep.planes_per_voxel,
-              "Depths across a hull voxel");
+              "Number of depth planes across a voxel of the visual hull.");
   options.Add("DepthSweep.window_radius",
               &evidence->sweep.window_radius,
-              "Of the correlation window, samples");
+              "Radius of the correlation window in samples.");
   options.Add("DepthSweep.min_score",
               &evidence->sweep.min_score,
-              "Least correlation of an accepted depth");
+              "Minimum correlation at which a depth is accepted, 0 to 1.");
 }
 
 void DeclareConsistencyOptions(OptionManager& options,
@@ -62,37 +73,43 @@ void DeclareConsistencyOptions(OptionManager& options,
       {{"normalized_variance", ConsistencyMeasure::kNormalizedVariance},
        {"ncc", ConsistencyMeasure::kNcc},
        {"variance", ConsistencyMeasure::kVariance}},
-      "Photo-consistency: colour variance normalised per image, "
-      "pairwise correlation, plain variance");
+      "Photo-consistency measure: colour variance normalised per image, "
+      "pairwise correlation, or plain colour variance.");
   options.Add("OctahedralMeshing.patch_radius",
               &meshing->consistency.patch_radius,
-              "Of the patch of (2 r + 1)^2 samples, voxels");
-  options.Add(
-      "OctahedralMeshing.min_patch_pixels",
-      &meshing->consistency.min_patch_pixels,
-      "Pixels that a patch spans at least: its radius grows, to 4 at most");
+              "Radius r in voxels of the patch of (2 r + 1)^2 samples that "
+              "photo-consistency compares, 1 to 4.");
+  options.Add("OctahedralMeshing.min_patch_pixels",
+              &meshing->consistency.min_patch_pixels,
+              "Minimum size of the patch in pixels. If voxels are small, the "
+              "patch radius grows up to 4 to reach it.");
   options.Add("OctahedralMeshing.neutral",
               &meshing->consistency.neutral,
-              "Photo-consistency of what fewer than two views see");
+              "Photo-consistency, from 0 (consistent) to 1, of voxels that "
+              "fewer than two views see.");
   options.Add("OctahedralMeshing.pixel_noise",
               &meshing->consistency.pixel_noise,
-              "Grey levels; weaker contrast of a patch counts less");
+              "Standard deviation of the image noise in grey levels (0 to "
+              "255). Patches with less contrast count as untextured.");
   options.Add("OctahedralMeshing.hue_weight",
               &meshing->consistency.hue_weight,
-              "Of differences of hue against those of grey, to which gloss "
-              "adds");
+              "Chroma weight: weight of colour differences relative to "
+              "brightness differences, 0 to 8. Raise it for shiny paint.");
   options.Add("OctahedralMeshing.max_views",
               &meshing->visibility.max_views,
-              "Views of a voxel at most");
-  options.Add("OctahedralMeshing.max_angle",
-              &meshing->visibility.max_angle,
-              "Of a view to the normal, degrees");
+              "Maximum number of views that are compared for a voxel.");
+  options.Add(
+      "OctahedralMeshing.max_angle",
+      &meshing->visibility.max_angle,
+      "Maximum angle in degrees between viewing direction and surface normal.");
   options.Add("OctahedralMeshing.depth_tolerance",
               &meshing->visibility.depth_tolerance,
-              "Voxels behind the surface that still count as seen");
+              "Distance in voxels behind the surface up to which a voxel "
+              "counts as visible.");
   options.Add("OctahedralMeshing.normal_blur",
               &meshing->normal_blur,
-              "Averagings of the inside before normals are taken");
+              "Number of times the inside of the surface is averaged before "
+              "normals are estimated, 1 to 64.");
 }
 
 Json LevelToJson(const LevelSummary& level) {
@@ -123,61 +140,77 @@ void DeclareMeshingOptions(OptionManager& options,
                            ReconstructionOptions* meshing) {
   options.Add("OctahedralMeshing.hull_level",
               &meshing->hull.hull_level,
-              "l0: the visual hull has (2^l0)^3 voxels");
+              "Level of the visual hull, which has (2^level)^3 voxels. Raise "
+              "it for structures thinner than three of its voxels.");
   DeclareMaskTolerance(options, &meshing->mask_tolerance);
   DeclareFillFalseGaps(options, &meshing->fill_false_gaps);
-  options.Add("OctahedralMeshing.target_level",
-              &meshing->target_level,
-              "The mesh is cut from (2^level)^3 voxels");
+  options.Add(
+      "OctahedralMeshing.target_level",
+      &meshing->target_level,
+      "Level of the result, which is cut from (2^level)^3 voxels. Choose it so "
+      "that a voxel is about as large as a pixel on the object.");
   options.Add("OctahedralMeshing.crust_dilation",
               &meshing->crust.crust_dilation,
-              "d: dilations of the proxy surface");
+              "Number of dilations that turn the surface of a level into the "
+              "crust of the next one (d in the paper).");
   options.Add("OctahedralMeshing.smoothness",
               &meshing->energy.smoothness,
-              "s: edges weigh phi^s + a");
+              "Exponent s of the edge weights phi^s + a, where phi is the "
+              "photo-consistency.");
   options.Add("OctahedralMeshing.area_weight",
               &meshing->energy.area_weight,
-              "a: edges weigh phi^s + a");
+              "Constant a of the edge weights phi^s + a. Higher values prefer "
+              "surfaces of smaller area.");
   options.Add("OctahedralMeshing.silhouette_weight",
               &meshing->energy.silhouette_weight,
-              "Evidence for outside of voxels that are background in a view");
+              "Weight of the evidence for the outside of voxels that are "
+              "background in at least one view.");
   options.Add("OctahedralMeshing.mask_border_weight",
               &meshing->energy.mask_border_weight,
-              "The same of voxels within mask_tolerance of the object, at l0, "
-              "of masks that depths confirm");
+              "Weight of the evidence for the outside of background voxels "
+              "within mask_tolerance of the object, at the first level and for "
+              "masks that depths confirm.");
   options.Add("OctahedralMeshing.unseen_weight",
               &meshing->energy.unseen_weight,
-              "Evidence for inside of finer voxels that fewer than two views "
-              "see, at l0; halved a level");
+              "Weight of the evidence for the inside of voxels that fewer than "
+              "two views see, at the first level; halved at each finer level.");
   options.Add("OctahedralMeshing.max_grow_rounds",
               &meshing->max_grow_rounds,
-              "Times that a crust is grown where its cut touches its border");
-  options.Add("OctahedralMeshing.lean_cut",
-              &meshing->cut.lean,
-              "1: cuts with weights of 14 bits, a third less memory");
+              "Maximum number of times a crust is enlarged because the cut "
+              "touches its border, 0 to 16.");
+  options.Add(
+      "OctahedralMeshing.lean_cut",
+      &meshing->cut.lean,
+      "If 1, cut with 14-bit weights, which needs a third less memory.");
   DeclareConsistencyOptions(options, meshing);
   DeclareEvidenceOptions(options, &meshing->evidence);
   options.Add("OctahedralMeshing.min_component",
               &meshing->min_component,
-              "Components below this share of the largest one's volume go");
-  options.Add("OctahedralMeshing.min_handle",
-              &meshing->min_handle,
-              "Handles go that a loop no longer than so many voxels, or larger "
-              "pixels, goes around: bridges are cut, pinholes filled; 0 keeps "
-              "all");
+              "Remove components with less than this share of the largest "
+              "component's volume.");
+  options.Add(
+      "OctahedralMeshing.min_handle",
+      &meshing->min_handle,
+      "Remove handles and pinholes that a loop of at most this many voxels (or "
+      "pixels, if these are larger) encircles; 0 keeps all.");
   options.Add("Smoothing.iterations",
               &meshing->smoothing.iterations,
-              "Of V <- V + lambda Laplacian(V)");
-  options.Add("Smoothing.lambda", &meshing->smoothing.lambda, "0 .. 1");
-  options.Add("Smoothing.taubin_mu",
-              &meshing->smoothing.taubin_mu,
-              "Below -lambda: gives back the volume after each iteration");
+              "Number of smoothing iterations V <- V + lambda Laplacian(V).");
+  options.Add("Smoothing.lambda",
+              &meshing->smoothing.lambda,
+              "Step size lambda of smoothing, 0 to 1.");
+  options.Add(
+      "Smoothing.taubin_mu",
+      &meshing->smoothing.taubin_mu,
+      "Step size mu of the inverse step after each iteration, which restores "
+      "the volume (Taubin smoothing); at most -lambda, or 0 for none.");
   options.Add("Smoothing.max_displacement",
               &meshing->smoothing.max_displacement,
-              "From where a vertex began, voxels");
-  options.Add("OctahedralMeshing.refine",
-              &meshing->refine,
-              "1: the vertices move to where the photographs agree best");
+              "Maximum distance in voxels by which smoothing moves a vertex.");
+  options.Add(
+      "OctahedralMeshing.refine",
+      &meshing->refine,
+      "If 1, refine the mesh and the poses photometrically below voxel size.");
   DeclareRefinementOptions(options, &meshing->refinement);
 }
 

@@ -31,8 +31,8 @@ std::string ToLower(std::string text) {
 OptionManager::OptionManager() {
   Add(std::string(kProjectPath),
       &project_path_,
-      "File of `key = value` lines under [Group] headings; the command line "
-      "wins");
+      "File with options as `key = value` lines under [Group] headings. "
+      "Options on the command line take precedence.");
 }
 
 Option& OptionManager::AddOption(std::string name, std::string description) {
@@ -116,8 +116,9 @@ OptionManager::ParseResult OptionManager::ReadCommandLine(
 std::vector<OptionManager::Given> OptionManager::ReadProjectFile() const {
   std::ifstream file(project_path_);
   if (!file) {
-    throw OptionError(fmt::format("--project_path = {}: cannot be opened",
-                                  project_path_.string()));
+    throw OptionError(
+        fmt::format("--project_path = {}: the file cannot be opened",
+                    project_path_.string()));
   }
   const std::string file_name = project_path_.string();
   std::vector<Given> given;
@@ -136,9 +137,10 @@ std::vector<OptionManager::Given> OptionManager::ReadProjectFile() const {
 void OptionManager::Assign(const Given& given) {
   Option& option = options_[given.option];
   if (given.texts.size() > 1 && !option.repeatable) {
-    throw OptionError(fmt::format("{} is given {} times, but takes one value",
-                                  given.origin,
-                                  given.texts.size()));
+    throw OptionError(
+        fmt::format("{} is given {} times, but accepts only one value",
+                    given.origin,
+                    given.texts.size()));
   }
   try {
     option.assign(given.texts);

@@ -1,10 +1,11 @@
 // Options of a command: bound to fields, read from the command line and from
 // a project file, listed for help and report.
 //
-//   options.AddRequired("workspace_path", &workspace_path_, "Workspace");
-//   options.Add("num_threads", &num_threads_, "Threads; -1: all cores");
-//   options.Add("OctahedralMeshing.hull_level", &meshing_.hull_level, "...");
-//   options.AddEnum("OctahedralMeshing.consistency", &meshing_.consistency,
+//   options.AddRequired("workspace_path", &workspace_path_, "Workspace.");
+//   options.Add("num_threads", &num_threads_, "Number of threads; -1 uses all
+//   cores."); options.Add("OctahedralMeshing.hull_level", &meshing_.hull_level,
+//   "..."); options.AddEnum("OctahedralMeshing.consistency",
+//   &meshing_.consistency,
 //                   {{"variance", ...}, {"ncc", ...}}, "...");
 //   options.AddRepeatable("input_path", &input_paths_, "...");
 #pragma once
@@ -161,7 +162,8 @@ void OptionManager::AddEnum(std::string name,
     }
     return std::string();
   };
-  Option& option = AddOption(std::move(name), description + " {" + all + "}");
+  Option& option =
+      AddOption(std::move(name), description + " One of: " + all + ".");
   option.default_text = name_of();
   option.assign = [value, names, all](std::span<const std::string> texts) {
     for (const auto& [text, element] : names) {
@@ -180,7 +182,7 @@ void OptionManager::AddRepeatable(std::string name,
                                   std::vector<T>* values,
                                   const std::string& description) {
   Option& option =
-      AddOption(std::move(name), description + " (may be repeated)");
+      AddOption(std::move(name), description + " May be repeated.");
   for (const T& value : *values) {
     option.default_text.append(option.default_text.empty() ? "" : " ")
         .append(FormatOptionValue(value));

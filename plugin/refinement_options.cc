@@ -29,66 +29,81 @@ void DeclareRefinementOptions(OptionManager& options,
                               RefineOptions* refinement) {
   options.Add("Refinement.fine_rounds",
               &refinement->fine_rounds,
-              "Rounds at the scale of the images");
+              "Number of refinement rounds at the full resolution of the "
+              "images, 1 to 8.");
   options.Add("Refinement.coarse_rounds",
               &refinement->coarse_rounds,
-              "Rounds before, each at half the resolution of the next");
+              "Number of refinement rounds before those, each at half the "
+              "resolution of the next one, 0 to 4.");
   options.Add("Refinement.coarse_passes",
               &refinement->coarse_passes,
-              "How often the coarse rounds are run");
-  options.Add("Refinement.range",
-              &refinement->range,
-              "Search along the normal in the first round of a scale, pixels "
-              "of that scale. All pixels of refinement are those of the "
-              "photographs as the target level holds them");
+              "Number of times that all coarse rounds are run, 1 to 4.");
+  options.Add(
+      "Refinement.range",
+      &refinement->range,
+      "Search distance along the normal in the first round of a resolution, in "
+      "pixels of that resolution. Pixels refer to the images as downsampled "
+      "for the target level, here and in all options of this group.");
   options.Add("Refinement.alignment_steps",
               &refinement->alignment_steps,
-              "By which the views' poses are aligned in the last round of each "
-              "coarse pass but the first, and each one at their scale; 0: they "
-              "are exact");
-  options.Add("Refinement.step", &refinement->step, "Of the search, pixels");
+              "Number of iterations that align the camera poses "
+              "photometrically; 0 keeps the poses.");
+  options.Add("Refinement.step",
+              &refinement->step,
+              "Distance in pixels between the offsets that the search tries.");
   options.Add("Refinement.patch_radius",
               &refinement->patch.radius,
-              "Of the patch of (2 r + 1)^2 samples, pixels");
+              "Radius r in pixels of the patch of (2 r + 1)^2 samples that is "
+              "compared between views, 1 to 4.");
   options.Add("Refinement.measure_spacing",
               &refinement->measure_spacing,
-              "Between the places that are measured, pixels");
+              "Distance in pixels between the points of the surface at which "
+              "offsets are measured.");
   options.Add("Refinement.fit_radius",
               &refinement->fit_radius,
-              "Of the pieces of the surface that count as smooth, pixels");
+              "Radius in pixels of the pieces of the surface to which quadrics "
+              "are fitted.");
   options.Add("Refinement.smoothness",
               &refinement->smoothness,
-              "Weight of the surface's bend");
+              "Weight of the bending energy of the surface relative to a "
+              "measured offset. Higher values give a smoother mesh.");
   options.Add("Refinement.silhouette_weight",
               &refinement->silhouette_weight,
-              "Weight of the masks' borders; 0: none");
+              "Weight of the occluding contours, that is, of the masks' "
+              "borders, relative to a measured offset; 0 ignores them.");
   options.Add("Refinement.border_noise",
               &refinement->border_noise,
-              "Pixels to which photographs tell a shift of all masks' borders; "
-              "large (1000): masks are right");
-  options.Add("Refinement.hull_tolerance",
-              &refinement->hull_tolerance,
-              "Pixels by which the surface may leave a silhouette, besides "
-              "those by which masks are found to be too small");
+              "Expected error in pixels of the estimate of how much all masks "
+              "are too large or too small; 1000 takes the masks as they are.");
+  options.Add(
+      "Refinement.hull_tolerance",
+      &refinement->hull_tolerance,
+      "Distance in pixels by which the surface may leave a silhouette, in "
+      "addition to that by which masks are estimated to be too small.");
   options.Add("Refinement.pixel_noise",
               &refinement->patch.pixel_noise,
-              "Grey levels; weaker contrast of a patch counts less");
+              "Standard deviation of the image noise in grey levels (0 to "
+              "255). Patches with less contrast count as untextured.");
   options.Add("Refinement.hue_weight",
               &refinement->patch.hue_weight,
-              "Of differences of hue against those of grey, to which gloss "
-              "adds");
-  options.Add("Refinement.min_score",
-              &refinement->min_score,
-              "Least agreement of the views about an offset");
+              "Chroma weight: weight of colour differences relative to "
+              "brightness differences, 0 to 8. Raise it for shiny paint.");
+  options.Add(
+      "Refinement.min_score",
+      &refinement->min_score,
+      "Minimum agreement of the views at which an offset is accepted, 0 to 1.");
   options.Add("Refinement.max_views",
               &refinement->views.max_views,
-              "Views of a place at most");
-  options.Add("Refinement.max_angle",
-              &refinement->views.max_angle,
-              "Of a view to the normal, degrees");
+              "Maximum number of views that are compared at a point of the "
+              "surface, 2 to 24.");
+  options.Add(
+      "Refinement.max_angle",
+      &refinement->views.max_angle,
+      "Maximum angle in degrees between viewing direction and surface normal.");
   options.Add("Refinement.min_separation",
               &refinement->views.min_separation,
-              "Between the directions of two views of a place, degrees");
+              "Minimum angle in degrees between the directions of two views "
+              "that are compared.");
 }
 
 Json RefinementToJson(const RefineSummary& summary) {

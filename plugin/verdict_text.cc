@@ -65,9 +65,10 @@ std::string NameLargest(const std::vector<double>& values,
 
 std::string DescribeCounts(const PixelCounts& counts) {
   return fmt::format(
-      "the mesh covers {:.2f} % of the object's pixels; {:.2f} % are uncovered "
-      "at the masks' borders, where these are unsure, and {:.2f} % farther "
-      "inside. It exceeds the masks by {:.2f} %",
+      "the mesh covers {:.2f} % of the object pixels in the masks. It leaves "
+      "{:.2f} % uncovered at the masks' borders, where the masks are "
+      "uncertain, and {:.2f} % farther inside. It extends beyond the masks by "
+      "{:.2f} %.",
       Percent(counts.covered, counts.object),
       Percent(counts.unsure, counts.object),
       Percent(counts.missed, counts.object),
@@ -91,9 +92,9 @@ class Writer {
     }
     text_.findings.push_back(
         text_.warnings.empty()
-            ? std::string("verdict: nothing speaks against the mesh")
-            : fmt::format("verdict: the mesh is poor in {} respect{}, of which "
-                          "the warnings say what would help",
+            ? std::string("Verdict: no problems found.")
+            : fmt::format("Verdict: {} problem{} found. The warnings say what "
+                          "would help.",
                           text_.warnings.size(),
                           text_.warnings.size() == 1 ? "" : "s"));
     return std::move(text_);
@@ -105,11 +106,11 @@ class Writer {
     const PixelCounts& repaired = verdict_.repaired_masks.total;
     const bool is_repaired = given.object != repaired.object;
     text_.findings.push_back(
-        fmt::format("silhouettes{}: {}",
-                    is_repaired ? " with their gaps filled" : "",
+        fmt::format("Silhouettes{}: {}",
+                    is_repaired ? " of the masks with filled gaps" : "",
                     DescribeCounts(repaired)));
     if (is_repaired) {
-      text_.findings.push_back("silhouettes as given: " +
+      text_.findings.push_back("Silhouettes of the original masks: " +
                                DescribeCounts(given));
     }
   }
@@ -124,12 +125,12 @@ class Writer {
     for (const PixelCounts& counts : check.views) {
       shares.push_back(Percent(counts.missed, counts.Sure()));
     }
-    text_.warnings.push_back(fmt::format(
-        "the mesh leaves {:.2f} % of the pixels uncovered that are surely "
-        "object, most in {}{}",
-        Percent(total.missed, total.Sure()),
-        NameLargest(shares, views_, true),
-        HelpForMissed(check)));
+    text_.warnings.push_back(
+        fmt::format("The mesh leaves {:.2f} % of the pixels uncovered that are "
+                    "certainly object, most of them in {}.{}",
+                    Percent(total.missed, total.Sure()),
+                    NameLargest(shares, views_, true),
+                    HelpForMissed(check)));
   }
 
   std::string HelpForMissed(const MaskCheck& check) const {
@@ -140,17 +141,18 @@ class Writer {
           views_,
           false);
       return fmt::format(
-          ". The masks contradict each other: other masks show background "
-          "wherever {:.0f} % of those pixels could be{}",
+          " The masks contradict each other: for {:.0f} % of these pixels, "
+          "other masks show background along the whole viewing ray.{}",
           Percent(total.contradicted, total.missed),
           suspects.empty() ? std::string()
-                           : "; the masks to look at are those of " + suspects);
+                           : " Check the masks of " + suspects + ".");
     }
     if (verdict_.hull_level > 0 &&
         IsMost(verdict_.num_thin_pixels, total.missed)) {
       return fmt::format(
-          ". Most are in parts thinner than three voxels of 2^-{}: "
-          "--OctahedralMeshing.hull_level {} may keep them",
+          " Most of them are in structures thinner than three voxels of the "
+          "visual hull (level {}); --OctahedralMeshing.hull_level {} may keep "
+          "these.",
           verdict_.hull_level,
           verdict_.hull_level + 1);
     }
@@ -163,9 +165,9 @@ class Writer {
     const double sum = std::accumulate(pixels.begin(), pixels.end(), 0.0);
     if (sum > 0) {
       text_.warnings.push_back(fmt::format(
-          "parts that were removed for being small leave {} pixels uncovered "
-          "that are surely object, most in {}; a smaller "
-          "--OctahedralMeshing.min_component keeps them",
+          "Small components were removed, which leaves {} pixels uncovered "
+          "that are certainly object, most of them in {}. A smaller "
+          "--OctahedralMeshing.min_component keeps these components.",
           sum,
           NameLargest(pixels, views_, false)));
     }
@@ -176,9 +178,9 @@ class Writer {
     if (verdict_.border_shift >= kLargeShift &&
         double(repaired.unsure) > kMaxUnsure * double(repaired.object)) {
       text_.warnings.push_back(fmt::format(
-          "refinement takes the masks to be {:.1f} pixels too large and leaves "
-          "{:.2f} % of the object's pixels uncovered for it; if they are "
-          "right, --Refinement.border_noise 1000 keeps to them",
+          "Refinement estimates that the masks are {:.1f} pixels too large, "
+          "and leaves {:.2f} % of the object pixels uncovered for this reason. "
+          "If the masks are correct, use --Refinement.border_noise 1000.",
           verdict_.border_shift,
           Percent(repaired.unsure, repaired.object)));
     }
@@ -190,23 +192,24 @@ class Writer {
         shares.push_back(Percent(counts.surely_exceeded, counts.object));
       }
       text_.warnings.push_back(fmt::format(
-          "the mesh exceeds the masks as given by {:.2f} % beyond what they "
-          "may be too small by; the masks to look at are those of {}",
+          "The mesh extends beyond the original masks by {:.2f} %, even if "
+          "masks that are too small are allowed for. Check the masks of {}.",
           Percent(given.total.surely_exceeded, given.total.object),
           NameLargest(shares, views_, true)));
     }
   }
 
   void DescribeSurface(const SurfaceSupport& surface) {
-    text_.findings.push_back(fmt::format(
-        "surface: photographs decide {:.1f} % of it, silhouettes {:.1f} %, "
-        "nothing {:.1f} %; the photographs agree by {:.2f} (of 1) over what at "
-        "least two views see, which is {:.1f} %",
-        100 * surface.photographs,
-        100 * surface.silhouettes,
-        100 * surface.nothing,
-        surface.agreement,
-        100 * (1 - surface.blind.share)));
+    text_.findings.push_back(
+        fmt::format("Surface: {:.1f} % is determined by photographs, {:.1f} % "
+                    "by silhouettes and {:.1f} % by neither. At least two "
+                    "views see {:.1f} % of it; there, the photographs agree "
+                    "with a mean score of {:.2f} (1 is perfect).",
+                    100 * surface.photographs,
+                    100 * surface.silhouettes,
+                    100 * surface.nothing,
+                    100 * (1 - surface.blind.share),
+                    surface.agreement));
   }
 
   void WarnOfBlind(const BlindPart& blind) {
@@ -218,10 +221,10 @@ class Writer {
       const char* help;
     };
     const std::array<Direction, 4> directions = {{
-        {blind.hidden, "that look into the object's hollows"},
+        {blind.hidden, "that look into the concavities"},
         {blind.above, "from above"},
         {blind.below, "from below, or of the object turned over"},
-        {blind.aside, "from the sides that lack them"},
+        {blind.aside, "from the missing sides"},
     }};
     const Direction& most =
         *std::max_element(directions.begin(),
@@ -230,17 +233,18 @@ class Writer {
                             return a.share < b.share;
                           });
     text_.warnings.push_back(fmt::format(
-        "{:.1f} % of the surface is seen by fewer than two views ({:.1f} % "
-        "faces upward, {:.1f} % downward, {:.1f} % sideways as the images have "
-        "it, {:.1f} % is hidden by the object); views {} would help{}",
+        "Fewer than two views see {:.1f} % of the surface. With respect to the "
+        "images, {:.1f} % faces upward, {:.1f} % downward and {:.1f} % "
+        "sideways; {:.1f} % is hidden by the object itself. Add views {}{}.",
         100 * blind.share,
         100 * blind.above,
         100 * blind.below,
         100 * blind.aside,
         100 * blind.hidden,
-        most.share > 0 ? most.help : "from there",
+        most.share > 0 ? most.help : "of these parts",
         blind.nearest_view && most.share != blind.hidden
-            ? "; the nearest view is " + views_[*blind.nearest_view].name
+            ? "; the nearest existing view is " +
+                  views_[*blind.nearest_view].name
             : std::string()));
   }
 
@@ -248,15 +252,15 @@ class Writer {
     const double seen = 1 - surface.blind.share;
     if (surface.photographs < kFewDecided * seen) {
       text_.warnings.push_back(fmt::format(
-          "photographs decide only {:.0f} % of the surface that is seen: it is "
-          "plain or shiny, or the photographs are blurred. Diffuse light, a "
-          "matt coating or a sprayed pattern helps",
+          "Photographs determine only {:.0f} % of the visible surface: it is "
+          "untextured or shiny, or the photographs are blurred. Diffuse light, "
+          "a matt coating or a sprayed pattern helps.",
           seen > 0 ? 100 * surface.photographs / seen : 0));
     }
     if (surface.nothing > kMaxUndecided) {
       text_.warnings.push_back(fmt::format(
-          "neither photographs nor silhouettes decide {:.0f} % of the surface, "
-          "which may be wrong there by more than a voxel",
+          "Neither photographs nor silhouettes determine {:.0f} % of the "
+          "surface. It may be wrong there by more than a voxel.",
           100 * surface.nothing));
     }
   }

@@ -19,79 +19,84 @@ void DeclareLoadingOptions(OptionManager& options,
                            LoadSceneOptions* loading) {
   options.AddRequired("workspace_path",
                       workspace_path,
-                      "COLMAP project (images, sparse) or dense folder");
+                      "Folder of the COLMAP project (with images, masks and "
+                      "sparse) or a dense folder.");
   options.Add("image_path",
               &loading->workspace.image_path,
-              "Folder of the photographs; default: images in the workspace");
+              "Folder of the photographs. Default: images in the workspace.");
   options.Add("input_path",
               &loading->workspace.input_path,
-              "Folder of the sparse model; default: the one in the workspace "
-              "with most images");
-  options.Add("mask_path",
-              &loading->workspace.mask_path,
-              "Folder of the silhouettes; default: masks in the workspace");
+              "Folder of the sparse model. Default: the model in the workspace "
+              "that has the most images.");
+  options.Add(
+      "mask_path",
+      &loading->workspace.mask_path,
+      "Folder of the silhouette masks. Default: masks in the workspace.");
   options.AddEnum("mask_geometry",
                   &loading->mask_geometry,
                   {{"auto", MaskGeometry::kAuto},
                    {"original", MaskGeometry::kOriginal},
                    {"undistorted", MaskGeometry::kUndistorted}},
-                  "Geometry of the masks: found from their size, that of the "
-                  "original photographs, or that of image_undistorter's");
+                  "Whether the masks fit the original photographs or the "
+                  "undistorted images; auto decides by their size.");
   options.Add("original_path",
               &loading->original_path,
-              "Model of the original photographs, for a dense folder whose "
-              "masks are in their geometry");
+              "Folder of the sparse model of the original photographs, for a "
+              "dense folder whose masks fit these.");
   options.Add("image_list_path",
               &loading->workspace.image_list_path,
-              "Text file with the names of the images to use, one a line; "
-              "default: all of the model");
-  options.Add("skip_missing_images",
-              &loading->skip_missing_images,
-              "1: go on without images whose file is missing");
+              "Text file with the names of the images to use, one per line. "
+              "Default: all images of the model.");
   options.Add(
-      "skip_missing_masks",
-      &loading->skip_missing_masks,
-      "1: go on without images whose mask is missing, all background or "
-      "all object");
+      "skip_missing_images",
+      &loading->skip_missing_images,
+      "If 1, leave out images whose file is missing instead of stopping.");
+  options.Add("skip_missing_masks",
+              &loading->skip_missing_masks,
+              "If 1, leave out images whose mask is missing, all background or "
+              "all object instead of stopping.");
 }
 
 void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance) {
   options.Add("OctahedralMeshing.mask_tolerance",
               mask_tolerance,
-              "Pixels of the photographs by which masks may be cut too close");
+              "Number of pixels of the photographs by which masks may be too "
+              "small; 0 trusts the masks.");
 }
 
 void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps) {
-  options.Add(
-      "OctahedralMeshing.fill_false_gaps",
-      fill_false_gaps,
-      "1: holes and bays of masks are filled where other views show the "
-      "object");
+  options.Add("OctahedralMeshing.fill_false_gaps",
+              fill_false_gaps,
+              "If 1, fill holes and bays of a mask where the other views show "
+              "the object.");
 }
 
 void WorkspaceArguments::Declare(OptionManager& options) {
   DeclareLoadingOptions(options, &workspace_path, &loading);
   options.Add("keep_all_views",
               &loading.keep_all_views,
-              "1: believes views whose mask or pose contradicts the others', "
-              "instead of leaving them out");
+              "If 1, use views whose mask or pose contradicts the other views "
+              "instead of leaving them out.");
   options.Add("output_path",
               &output_path,
-              "Mesh to write (.ply, .obj, .off, .stl); default: in the "
-              "workspace");
+              "Mesh file to write (.ply, .obj, .off or .stl). Default: a file "
+              "in the workspace whose name begins with meshed-.");
   options.Add("report_path",
               &report_path,
-              "JSON report; default: beside the mesh, with .json");
+              "JSON report to write. Default: the path of the mesh with the "
+              "extension .json.");
   options.Add("OctahedralMeshing.bounding_box",
               &bounding_box,
-              "x0,y0,z0,x1,y1,z1 of the object; default: from the silhouettes");
+              "Bounding box x0,y0,z0,x1,y1,z1 of the object in the frame of "
+              "the sparse model. Default: estimated from the silhouettes.");
 }
 
 void WorkspaceArguments::DeclareConfidence(OptionManager& options) {
-  options.Add("confidence",
-              &confidence,
-              "1: the mesh (.ply) has a float confidence for each vertex, 0 .. "
-              "1: 1 / (1 + pixels by which it may lie elsewhere)");
+  options.Add(
+      "confidence",
+      &confidence,
+      "If 1, write a confidence between 0 and 1 for each vertex (.ply only): 1 "
+      "/ (1 + e), where e is the expected error of its position in pixels.");
 }
 
 void WorkspaceArguments::Complete(const fs::path& default_output) {
@@ -100,7 +105,8 @@ void WorkspaceArguments::Complete(const fs::path& default_output) {
     loading.region.bounding_box = BoundingBoxFromNumbers(bounding_box);
   }
   if (!fs::is_directory(workspace_path)) {
-    throw InputError(workspace_path.string() + ": no such workspace folder");
+    throw InputError(workspace_path.string() +
+                     ": there is no such workspace folder");
   }
   if (output_path.empty()) {
     output_path = workspace_path / default_output;
@@ -112,7 +118,7 @@ void WorkspaceArguments::Complete(const fs::path& default_output) {
   CheckOption(!confidence || MeshFormatOf(output_path) == MeshFormat::kPly,
               "confidence",
               confidence,
-              "needs an output_path that ends in .ply");
+              "requires an output_path with the extension .ply");
   // The report is written last; that it cannot be must not be news then.
   CheckReportIsNot(output_path, "the mesh");
   CheckFilePath(report_path);
@@ -125,7 +131,7 @@ void WorkspaceArguments::CheckReportIsNot(const fs::path& other,
                   fs::weakly_canonical(other, ignored),
               "report_path",
               report_path.string(),
-              "must be another file than " + what);
+              "must not be the same file as " + what);
 }
 
 fs::path WorkspaceArguments::Beside(const std::string& ending) const {

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# From a finished run of COLMAP's mapper to octacut's mesh and its comparison
-# with whatever meshes COLMAP made in the same workspace.
+# Reconstructs a mesh after COLMAP's mapper and compares it with the dense meshes
+# that COLMAP has left in the same workspace.
 #
 #   workflows/after_mapper.sh WORKSPACE [options of octacut octahedral_mesher]
 #
-# WORKSPACE holds images/, masks/ and sparse/ (or what --image_path,
-# --mask_path and --input_path name). Safe to run again: it replaces its own
-# results and touches nothing else. --output_path belongs on the command line, not
-# into a --project_path: the comparison reads it there.
+# WORKSPACE holds images/, masks/ and sparse/; --image_path, --mask_path and
+# --input_path select other folders. If the script is run again, it replaces its
+# own results and changes nothing else. Give --output_path on the command line
+# and not in a --project_path file, because the comparison reads it there.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

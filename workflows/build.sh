@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds octacut into build/ (or $OCTACUT_BUILD_DIR), with ninja and ccache
-# where they are installed. Run again, it builds what has changed.
-#   workflows/build.sh [TARGET...]     all targets when none is named
+# Builds octacut in build/ (or $OCTACUT_BUILD_DIR), with ninja and ccache if they
+# are installed. Later runs build only what has changed.
+#   workflows/build.sh [TARGET...]     without TARGET, everything is built
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

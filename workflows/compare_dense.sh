@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# Compares the meshes that COLMAP left in a workspace with octacut's.
+# Compares the dense meshes that COLMAP has left in a workspace with octacut's.
 #
 #   workflows/compare_dense.sh WORKSPACE [--mesh_path MESH]
 #                              [options of octacut mesh_comparer]
 #
-# MESH is octacut's mesh, by default WORKSPACE/meshed-octahedral.ply; COLMAP's
-# meshed-poisson.ply, meshed-delaunay.ply and meshed-advancing-front.ply are
-# looked for in WORKSPACE, WORKSPACE/dense and WORKSPACE/dense/*. octacut's
-# mesh is the reference of the distances: they say how far the meshes are
-# apart, not which one is right. Changes nothing but
+# MESH is octacut's mesh, by default WORKSPACE/meshed-octahedral.ply. The script
+# searches WORKSPACE, WORKSPACE/dense and WORKSPACE/dense/* for COLMAP's meshes
+# meshed-poisson.ply, meshed-delaunay.ply and meshed-advancing-front.ply.
+# octacut's mesh is the reference of the distances: they say how far the meshes
+# are apart, not which one is right. The only file that the script writes is
 # WORKSPACE/compare-dense.json.
 set -euo pipefail
 
@@ -45,7 +45,7 @@ for folder in "$workspace" "$workspace/dense" "$workspace"/dense/*/; do
   done
 done
 if [[ ${#inputs[@]} -eq 0 ]]; then
-  echo "compare_dense: no mesh of COLMAP in $workspace, nothing to compare"
+  echo "compare_dense: there is no mesh of COLMAP in $workspace to compare with"
   exit 0
 fi
 
@@ -54,4 +54,4 @@ octacut=$("$root/workflows/find_octacut.sh")
   --output_path "$workspace/compare-dense.json" "$@"
 echo
 echo "Distances are to and from octacut's mesh: they say how far the meshes are"
-echo "apart, not which one is right. All figures: $workspace/compare-dense.json"
+echo "apart, not which one is right. The full report is $workspace/compare-dense.json"

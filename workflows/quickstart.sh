@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
-# From a fresh clone on Debian 12 to a mesh: installs what is missing, builds,
-# makes the bundled example, reconstructs it and compares the result with the
-# example's reference mesh.
+# From a fresh clone on Debian 12 to a mesh: installs missing packages, builds
+# octacut, creates the bundled example, reconstructs it and compares the result
+# with the example's reference mesh.
 #
 #   workflows/quickstart.sh [WORKSPACE] [--with_colmap 1] [options]
 #
-# WORKSPACE          where the example goes; default build/example
-# --with_colmap 1    COLMAP finds the cameras from the photographs itself
-#                    (some minutes)
-# Other options go to `octacut octahedral_mesher`.
+# WORKSPACE          folder of the example; default build/example
+# --with_colmap 1    let COLMAP estimate the cameras from the photographs, which
+#                    takes some minutes
+# All other options are passed to `octacut octahedral_mesher`.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -42,9 +42,9 @@ done
 octacut=$("$root/workflows/find_octacut.sh")
 
 echo
-echo "== The example: photographs, masks and a sparse model"
+echo "== Creating the example: photographs, masks and a sparse model"
 if grep -q '"complete": true' "$workspace/example.json" 2>/dev/null; then
-  echo "$workspace is there already"
+  echo "$workspace exists already"
 else
   "$octacut" example_creator --output_path "$workspace" --overwrite 1
 fi
@@ -53,7 +53,7 @@ reference=$workspace/gt/reference.ply
 result=$workspace
 if [[ $with_colmap == 1 ]]; then
   echo
-  echo "== COLMAP finds the cameras"
+  echo "== Estimating the cameras with COLMAP"
   result=$workspace/colmap
   "$root/workflows/run_colmap.sh" "$workspace" "$result"
   # Photographs and masks stay where they are, unless the user says otherwise.
@@ -71,11 +71,11 @@ report=$("$root/workflows/option_value.sh" --report_path \
 comparison=${mesh%.*}-comparison.json
 
 echo
-echo "== octacut octahedral_mesher"
+echo "== Reconstructing the mesh"
 "$octacut" octahedral_mesher --workspace_path "$result" "${options[@]}"
 
 echo
-echo "== Comparison with the reference"
+echo "== Comparing the mesh with the reference"
 "$octacut" mesh_comparer --input_path "$mesh" \
   --reference_path "$reference" --output_path "$comparison"
 

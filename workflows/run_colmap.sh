@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# COLMAP's own chain on the photographs of an example: features (inside the
-# masks), matches, mapper; then the model is moved into the frame of the
+# Runs COLMAP on the photographs of an example: feature extraction (inside the
+# masks), matching and mapping. Then the model is moved into the frame of the
 # example's cameras, so that it can be compared with the reference.
 #
 #   workflows/run_colmap.sh EXAMPLE OUTPUT
 #
-# Writes OUTPUT/sparse/0. Debian's colmap will do: no GPU is used. A model
-# that is there already is kept.
+# Writes OUTPUT/sparse/0. The colmap package of Debian 12 is sufficient, because no
+# GPU is used. An existing model is kept.
 set -euo pipefail
 
 if [[ $# -ne 2 ]]; then
@@ -18,11 +18,11 @@ output=$2
 images=$example/images
 
 if [[ -f $output/sparse/0/images.bin ]]; then
-  echo "$output/sparse/0 is there already"
+  echo "$output/sparse/0 exists already"
   exit 0
 fi
 if ! command -v colmap >/dev/null; then
-  echo "run_colmap: no colmap is installed (Debian's package colmap)" >&2
+  echo "run_colmap: COLMAP is not installed (package colmap in Debian)" >&2
   exit 1
 fi
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs the Debian 12 packages that octacut is built and tested with, as
-# far as they are missing: as root or with sudo; where neither is possible it
-# says what it would install and fails. Run again, it changes nothing.
+# Installs the Debian 12 packages that octacut needs and that are missing, as root
+# or with sudo. If neither is possible, it prints the missing packages and fails.
+# If all packages are installed, it changes nothing.
 set -euo pipefail
 
 packages=(
@@ -18,7 +18,7 @@ is_installed() {
 }
 
 if ! command -v dpkg-query >/dev/null; then
-  echo "setup: no Debian system; octacut needs what these packages hold:" >&2
+  echo "setup: this is not a Debian system; octacut needs the contents of these packages:" >&2
   echo "  ${packages[*]}" >&2
   exit 1
 fi
@@ -44,7 +44,7 @@ if [[ $EUID -ne 0 ]]; then
 fi
 
 echo "setup: installing ${missing[*]}"
-echo "setup: on a bare system 0.4 GB to fetch and 1.6 GB on disk; some minutes"
+echo "setup: a bare system needs 0.4 GB of downloads, 1.6 GB on disk and some minutes"
 "${as_root[@]}" apt-get update -qq
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
   apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

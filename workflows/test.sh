@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds octacut and runs every test.
+# Installs missing packages, builds octacut and runs all tests.
 #   workflows/test.sh [options of ctest]     for example -R core_grid
 set -euo pipefail
 

@@ -29,10 +29,10 @@ fs::path ResolveTarget(const fs::path& path) {
     Fail(path, "is a folder");
   }
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    Fail(path, "is no regular file");
+    Fail(path, "is not a regular file");
   }
   if (path.filename().empty()) {
-    Fail(path, "is no file name");
+    Fail(path, "is not a file name");
   }
   const fs::path folder =
       path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -62,7 +62,7 @@ fs::path CreateTemporary(const fs::path& target) {
       Fail(target, std::generic_category().message(errno));
     }
   }
-  Fail(target, "too many temporary files beside it");
+  Fail(target, "there are too many temporary files in its folder");
 }
 
 }  // namespace

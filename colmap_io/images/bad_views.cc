@@ -14,8 +14,8 @@ constexpr size_t kMaxLeftOutDivisor = 10;
 
 std::string Figures(const ViewFit& fit) {
   return fmt::format(
-      "{:.1f} % of its object is where the other masks leave no room for any, "
-      "and it denies {:.1f} % of the object in the other masks",
+      "{:.1f} % of its object lies where the other masks allow none, and it "
+      "excludes {:.1f} % of the object in the other masks",
       100 * fit.unexplained,
       100 * fit.taken);
 }
@@ -33,15 +33,15 @@ std::string ListOf(const std::vector<BadView>& views) {
 }
 
 void WarnOf(const BadView& view, const Context& context) {
-  context.Warn(fmt::format(
-      "{}: this mask or the pose of {} contradicts the other views: {}; the "
-      "view is {}",
-      view.mask_file.string(),
-      view.name,
-      Figures(view.fit),
-      view.is_left_out
-          ? "left out (--keep_all_views 1 believes it)"
-          : "used all the same, since too many show more than the object"));
+  context.Warn(
+      fmt::format("{}: this mask or the pose of {} contradicts the other "
+                  "views: {}. The view is {}.",
+                  view.mask_file.string(),
+                  view.name,
+                  Figures(view.fit),
+                  view.is_left_out ? "left out; --keep_all_views 1 uses it"
+                                   : "used nevertheless, because too many "
+                                     "masks show more than the object"));
 }
 
 }  // namespace
@@ -65,12 +65,13 @@ BadViewSummary DecideOnBadViews(const Contradictions& contradictions,
   }
   if (num_grave * kMaxLeftOutDivisor > judged.size()) {
     throw InputError(fmt::format(
-        "{} of {} views contradict the others, more than a tenth: {}. In "
-        "brackets: how much of the mask's object is where the other masks "
-        "leave no room for any, and how much of the object in the other masks "
-        "it denies. Such a mask is wrong (shifted, mirrored, of another view "
-        "or object), or the image's pose is. --image_list_path names the "
-        "images to use, --keep_all_views 1 believes all",
+        "{} of {} views contradict the others, which is more than a tenth: {}. "
+        "In brackets: the share of the mask's object that lies where the other "
+        "masks allow none, and the share of the object in the other masks that "
+        "this mask excludes. Such a mask is wrong (shifted, mirrored, of "
+        "another view or object), or the pose of its image is. Use "
+        "--image_list_path to select images, or --keep_all_views 1 to use all "
+        "views",
         num_bad,
         judged.size(),
         ListOf(summary.views)));

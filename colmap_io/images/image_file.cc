@@ -25,12 +25,12 @@ std::vector<uint8_t> ReadFile(const std::filesystem::path& path) {
   const uintmax_t size = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
   if (error || !stream) {
-    throw InputError(fmt::format("{}: cannot be read", path.string()));
+    throw InputError(fmt::format("{}: the file cannot be read", path.string()));
   }
   std::vector<uint8_t> bytes(size);
   stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
   if (!stream) {
-    throw InputError(fmt::format("{}: cannot be read", path.string()));
+    throw InputError(fmt::format("{}: the file cannot be read", path.string()));
   }
   return bytes;
 }
@@ -39,8 +39,7 @@ cv::Mat Decode(const std::filesystem::path& path,
                const std::vector<uint8_t>& bytes,
                int flags) {
   if (IsTruncatedJpeg(bytes)) {
-    throw InputError(
-        fmt::format("{}: truncated, its data has no end", path.string()));
+    throw InputError(fmt::format("{}: the file is truncated", path.string()));
   }
   cv::Mat pixels;
   try {
@@ -49,12 +48,13 @@ cv::Mat Decode(const std::filesystem::path& path,
     }
   } catch (const cv::Exception& exception) {
     throw InputError(fmt::format(
-        "{}: cannot be decoded ({})", path.string(), exception.err));
+        "{}: the image cannot be decoded ({})", path.string(), exception.err));
   }
   if (pixels.empty()) {
-    throw InputError(fmt::format(
-        "{}: no picture that can be decoded (damaged or of an unknown format)",
-        path.string()));
+    throw InputError(
+        fmt::format("{}: the image cannot be decoded; it is damaged or has an "
+                    "unknown format",
+                    path.string()));
   }
   return pixels;
 }
@@ -156,8 +156,8 @@ cv::Mat ReadMask(const std::filesystem::path& path) {
   const std::vector<uint8_t> bytes = ReadFile(path);
   const cv::Mat pixels = Decode(path, bytes, cv::IMREAD_UNCHANGED);
   if (pixels.depth() != CV_8U && pixels.depth() != CV_16U) {
-    throw InputError(fmt::format("{}: a mask must have 8 or 16 bits a channel",
-                                 path.string()));
+    throw InputError(fmt::format(
+        "{}: a mask must have 8 or 16 bits per channel", path.string()));
   }
   return MaskFromPixels(pixels, IsJpeg(bytes));
 }

@@ -51,7 +51,7 @@ void KeepListedImages(const std::filesystem::path& list_path,
     listed.insert(name);
   }
   if (listed.empty()) {
-    throw InputError(fmt::format("image_list_path {}: no image is listed",
+    throw InputError(fmt::format("image_list_path {}: the file lists no images",
                                  list_path.string()));
   }
   std::erase_if(model->images, [&](const SparseImage& image) {

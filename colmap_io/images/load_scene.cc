@@ -157,11 +157,11 @@ void Loader::ReadReducedMasks() {
         return c.mask.object_all_around;
       });
   if (size_t(suspects) * 2 > candidates_.size()) {
-    context_.Warn(fmt::format(
-        "in {} of {} masks the whole border is object: inverted masks? 0 is to "
-        "be background",
-        suspects,
-        candidates_.size()));
+    context_.Warn(
+        fmt::format("In {} of {} masks, the whole image border is object. If "
+                    "the masks are inverted, correct them: 0 means background.",
+                    suspects,
+                    candidates_.size()));
   }
 }
 
@@ -185,9 +185,9 @@ void Loader::LeaveOutMasksWithoutOutline() {
       num_masks);
   if (!options_.skip_missing_masks) {
     throw InputError(message +
-                     " (--skip_missing_masks 1 goes on without their images)");
+                     " (--skip_missing_masks 1 leaves out their images)");
   }
-  context_.Warn(message + ", whose images are left out");
+  context_.Warn(message + "; their images are left out");
   result_.summary.num_masks_without_outline = num_masks - num_outlines;
   std::erase_if(candidates_, std::not_fn(has_outline));
   RequireEnoughViews(workspace_, candidates_.size());
@@ -272,13 +272,13 @@ void Loader::PlanWindows() {
   candidates_ = std::move(kept);
   if (summary.num_views_elsewhere > 0) {
     context_.Warn(
-        fmt::format("{} of {} images do not show the region and are "
-                    "left out",
+        fmt::format("{} of {} images do not show the bounding box of the "
+                    "object and are left out.",
                     summary.num_views_elsewhere,
                     workspace_.model.images.size()));
   }
   RequireEnoughViews(workspace_, summary.num_views);
-  context_.Info(fmt::format("{} views, {:.0f} MB of pixels",
+  context_.Info(fmt::format("Loading {} views with {:.0f} MB of pixels.",
                             summary.num_views,
                             double(summary.scene_bytes) / 1e6));
 }
@@ -323,8 +323,8 @@ void Loader::WarnOfMasksElsewhere() const {
   }
   if (count > 0) {
     context_.Warn(
-        fmt::format("{}: the mask shows no object within the region; {} of {} "
-                    "masks show none",
+        fmt::format("{}: the mask shows no object within the bounding box; "
+                    "this holds for {} of {} masks.",
                     first->files.mask_file.string(),
                     count,
                     candidates_.size()));

@@ -40,14 +40,15 @@ MaskCameras::MaskCameras(const Workspace& workspace,
   }
   if (!workspace.is_dense_folder) {
     throw InputError(fmt::format(
-        "original_path {}: {} is no dense folder; its model is that of the "
-        "original photographs",
+        "original_path {}: not needed, because the workspace {} is not a dense "
+        "folder; its own model is that of the original photographs",
         original_path.string(),
         workspace.path.string()));
   }
   if (FindModels(original_path).empty()) {
-    throw InputError(fmt::format("original_path {}: holds no sparse model",
-                                 original_path.string()));
+    throw InputError(
+        fmt::format("original_path {}: the folder holds no sparse model",
+                    original_path.string()));
   }
 }
 
@@ -75,9 +76,9 @@ SparseCamera MaskCameras::Find(const SparseImage& image,
     }
     if (others.empty() && workspace_.is_dense_folder) {
       throw InputError(fmt::format(
-          "{}: the mask has {}x{} pixels, image {} {}x{}: if it was made for "
-          "the original photograph, --original_path must name the sparse model "
-          "of the originals",
+          "{}: the mask has {}x{} pixels, but image {} has {}x{}. If the mask "
+          "was made for the original photograph, use --original_path to name "
+          "the sparse model of the original photographs",
           mask_name,
           mask_size.width,
           mask_size.height,
@@ -87,8 +88,8 @@ SparseCamera MaskCameras::Find(const SparseImage& image,
     }
   }
   throw InputError(fmt::format(
-      "{}: the mask has {}x{} pixels, which is the size neither of image {} "
-      "({}x{}) nor of its other geometry (--mask_geometry {})",
+      "{}: the mask has {}x{} pixels, which is neither the size of image {} "
+      "({}x{}) nor its original or undistorted size (--mask_geometry {})",
       mask_name,
       mask_size.width,
       mask_size.height,

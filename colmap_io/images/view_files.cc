@@ -42,9 +42,9 @@ struct Missing {
                     num_images);
     if (!skip) {
       throw InputError(fmt::format(
-          "{} (--skip_missing_{}s 1 goes on without them)", message, what));
+          "{} (--skip_missing_{}s 1 leaves out these images)", message, what));
     }
-    context.Warn(message + ", which are left out");
+    context.Warn(message + "; these are left out");
   }
 };
 

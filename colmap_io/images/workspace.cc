@@ -63,7 +63,7 @@ SparseModel LargestModel(const std::vector<fs::path>& folders,
       first_error = first_error.empty() ? error.what() : first_error;
       if (folders.size() > 1) {
         context.Warn(fmt::format(
-            "{}: model left out: {}", folder.string(), error.what()));
+            "{}: this model is ignored: {}", folder.string(), error.what()));
       }
     }
   }
@@ -71,12 +71,12 @@ SparseModel LargestModel(const std::vector<fs::path>& folders,
     throw InputError(first_error);
   }
   if (folders.size() > 1) {
-    context.Info(fmt::format(
-        "{} models: using {}, the one with the most images ({}); --input_path "
-        "chooses another",
-        folders.size(),
-        chosen->string(),
-        most));
+    context.Info(
+        fmt::format("Found {} sparse models. Using {}, which has the most "
+                    "images ({}); --input_path selects another one.",
+                    folders.size(),
+                    chosen->string(),
+                    most));
   }
   return ReadSparseModel(*chosen);
 }
@@ -100,13 +100,15 @@ fs::path FindMasks(const Workspace& workspace,
     for (const fs::path& parent :
          {absolute.parent_path(), absolute.parent_path().parent_path()}) {
       if (IsFolder(parent / "masks")) {
-        context.Info(fmt::format("masks: {}", (parent / "masks").string()));
+        context.Info(
+            fmt::format("Using the masks in {}.", (parent / "masks").string()));
         return parent / "masks";
       }
     }
   }
-  throw InputError(fmt::format("{}: no folder of masks; --mask_path names it",
-                               here.string()));
+  throw InputError(fmt::format(
+      "{}: the folder of masks does not exist; use --mask_path to name it",
+      here.string()));
 }
 
 }  // namespace
@@ -138,29 +140,30 @@ Workspace OpenWorkspace(const fs::path& path,
   workspace.image_path =
       options.image_path.empty() ? path / "images" : options.image_path;
   if (options.needs_images && !IsFolder(workspace.image_path)) {
-    throw InputError(
-        fmt::format("{}: no folder of images; --image_path names it",
-                    workspace.image_path.string()));
+    throw InputError(fmt::format(
+        "{}: the folder of images does not exist; use --image_path to name it",
+        workspace.image_path.string()));
   }
   const bool given = !options.input_path.empty();
   const fs::path models = given ? options.input_path : path / "sparse";
   if (!IsFolder(models)) {
-    throw InputError(fmt::format("{}: no folder of sparse models{}",
-                                 models.string(),
-                                 given ? "" : "; --input_path names it"));
+    throw InputError(
+        fmt::format("{}: the folder of sparse models does not exist{}",
+                    models.string(),
+                    given ? "" : "; use --input_path to name it"));
   }
   const std::vector<fs::path> folders = FindModels(models);
   if (folders.empty()) {
-    throw InputError(fmt::format(
-        "{}: neither holds a sparse model (cameras, images, points3D as .bin "
-        "or .txt) nor folders with one",
-        models.string()));
+    throw InputError(
+        fmt::format("{}: neither this folder nor its subfolders hold a sparse "
+                    "model (cameras, images and points3D as .bin or .txt)",
+                    models.string()));
   }
   workspace.model = LargestModel(folders, &workspace.model_path, context);
   if (!options.image_list_path.empty()) {
     const size_t num_images = workspace.model.images.size();
     KeepListedImages(options.image_list_path, &workspace.model);
-    context.Info(fmt::format("{}: {} of the model's {} images are used",
+    context.Info(fmt::format("{}: using {} of the {} images of the model.",
                              options.image_list_path.string(),
                              workspace.model.images.size(),
                              num_images));

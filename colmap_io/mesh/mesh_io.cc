@@ -45,13 +45,12 @@ void CheckCoordinates(const IndexedMesh& mesh, const std::string& name) {
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     const double largest = mesh.positions[v].cwiseAbs().maxCoeff();
     if (largest > kMaxCoordinate) {
-      throw InputError(
-          fmt::format("{}: vertex {}: a coordinate of {:g} is "
-                      "beyond {:g}",
-                      name,
-                      v,
-                      largest,
-                      kMaxCoordinate));
+      throw InputError(fmt::format(
+          "{}: vertex {}: a coordinate of {:g} exceeds the limit of {:g}",
+          name,
+          v,
+          largest,
+          kMaxCoordinate));
     }
   }
 }

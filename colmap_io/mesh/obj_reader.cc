@@ -62,7 +62,7 @@ class ObjParser {
          !word.empty() && !word.starts_with('#') && count < numbers->size();
          word = NextWord(line)) {
       if (!ParseNumber(word, &(*numbers)[count])) {
-        Fail(fmt::format("\"{}\" is no number", word.substr(0, 40)));
+        Fail(fmt::format("\"{}\" is not a number", word.substr(0, 40)));
       }
       ++count;
     }
@@ -155,7 +155,8 @@ class ObjParser {
     if (colors_.size() == mesh_.positions.size()) {
       mesh_.colors = QuantizeColors(colors_, 0);
     } else if (!colors_.empty()) {
-      notes->push_back("only some vertices have colours: left out");
+      notes->push_back(
+          "only some vertices have colours, so all colours are ignored");
     }
   }
 

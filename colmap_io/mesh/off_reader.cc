@@ -22,7 +22,8 @@ class OffParser {
     if (num_colored_ == num_vertices_) {
       mesh_.colors = QuantizeColors(colors_, color_scale_);
     } else if (num_colored_ > 0) {
-      notes->push_back("only some vertices have colours: left out");
+      notes->push_back(
+          "only some vertices have colours, so all colours are ignored");
     }
     for (uint64_t i = 0; i < num_faces_; ++i) {
       ParseFace(i);
@@ -104,7 +105,7 @@ class OffParser {
          word = NextWord(&line)) {
       if (!ParseNumber(word, &numbers[count])) {
         Fail(fmt::format(
-            "vertex {}: \"{}\" is no number", vertex, word.substr(0, 40)));
+            "vertex {}: \"{}\" is not a number", vertex, word.substr(0, 40)));
       }
       // Integers are out of 255, numbers with a point out of 1.
       if (count >= num_needed && word.find('.') != word.npos) {

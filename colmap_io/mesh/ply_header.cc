@@ -29,7 +29,8 @@ class HeaderParser {
     std::string_view line;
     if (source_->Peek(3) != "ply" || !source_->ReadLine(&line) ||
         NextWord(&line) != "ply") {
-      source_->Fail("is no PLY file: it does not begin with the line \"ply\"");
+      source_->Fail(
+          "is not a PLY file: it does not begin with the line \"ply\"");
     }
     bool has_format = false;
     while (source_->ReadLine(&line)) {

@@ -101,8 +101,9 @@ class PlyBody {
       values_.Source().Fail("has no element vertex");
     }
     if (num_bad_normals_ > 0) {
-      notes->push_back(fmt::format(
-          "{} vertex normals are not finite: set to zero", num_bad_normals_));
+      notes->push_back(
+          fmt::format("{} vertex normals are not finite and were set to zero",
+                      num_bad_normals_));
     }
     return std::move(mesh_);
   }
@@ -209,7 +210,7 @@ class PlyBody {
 
   uint32_t ToIndex(double value) const {
     if (!(value >= 0 && value < UINT32_MAX) || value != std::floor(value)) {
-      values_.Fail(fmt::format("vertex index {} is none", value));
+      values_.Fail(fmt::format("vertex index {} is invalid", value));
     }
     return static_cast<uint32_t>(value);
   }

@@ -15,7 +15,7 @@ double PlyValues::ReadText() {
   }
   double value = 0;
   if (!ParseNumber(word, &value)) {
-    Fail(fmt::format("\"{}\" is no number", word.substr(0, 40)));
+    Fail(fmt::format("\"{}\" is not a number", word.substr(0, 40)));
   }
   return value;
 }

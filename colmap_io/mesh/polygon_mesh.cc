@@ -180,11 +180,11 @@ IndexedMesh Triangulate(PolygonMesh mesh,
   }
   if (num_polygons > 0) {
     notes->push_back(fmt::format(
-        "{} faces with more than three corners triangulated", num_polygons));
+        "triangulated {} faces with more than three corners", num_polygons));
   }
   if (num_too_small > 0) {
     notes->push_back(fmt::format(
-        "{} faces with fewer than three corners left out", num_too_small));
+        "ignored {} faces with fewer than three corners", num_too_small));
   }
   result.positions = std::move(mesh.positions);
   result.normals = std::move(mesh.normals);

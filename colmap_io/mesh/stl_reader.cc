@@ -113,7 +113,7 @@ class StlParser {
   void ReadBinary() {
     const std::string_view head = source_->Peek(kHeaderBytes + 4);
     if (head.size() < kHeaderBytes + 4) {
-      source_->Fail("is no STL file: shorter than its header");
+      source_->Fail("is not an STL file: it is shorter than the header");
     }
     const uint64_t num_facets = NumFacets(head);
     source_->Skip(kHeaderBytes + 4);
@@ -182,7 +182,7 @@ class StlParser {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = NextWord(line);
       if (!ParseNumber(word, &position[axis])) {
-        Fail(fmt::format("\"{}\" is no number", word.substr(0, 40)));
+        Fail(fmt::format("\"{}\" is not a number", word.substr(0, 40)));
       }
     }
     AddCorner(position, mesh_.NumFaces());

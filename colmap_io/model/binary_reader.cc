@@ -52,7 +52,7 @@ std::string BinaryReader::ReadString(std::string_view field) {
 uint64_t BinaryReader::ReadCount(uint64_t min_bytes, std::string_view field) {
   const auto count = Read<uint64_t>(field);
   if (count > remaining_ / min_bytes) {
-    Fail(fmt::format("{} = {}: the {} bytes left hold at most {}",
+    Fail(fmt::format("{} = {}: the remaining {} bytes hold at most {}",
                      field,
                      count,
                      remaining_,
@@ -63,7 +63,8 @@ uint64_t BinaryReader::ReadCount(uint64_t min_bytes, std::string_view field) {
 
 void BinaryReader::ExpectEnd() const {
   if (remaining_ > 0) {
-    Fail(fmt::format("{} bytes follow the end of its content", remaining_));
+    Fail(fmt::format("{} bytes follow after the end of the content",
+                     remaining_));
   }
 }
 

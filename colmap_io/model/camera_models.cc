@@ -41,8 +41,8 @@ constexpr std::string_view kEquirectangularName = "EQUIRECTANGULAR";
 
 [[noreturn]] void RefuseEquirectangular(std::string_view where) {
   throw InputError(
-      fmt::format("{}: camera model EQUIRECTANGULAR (17) is no perspective "
-                  "camera and is not supported",
+      fmt::format("{}: camera model EQUIRECTANGULAR (17) is not a perspective "
+                  "camera model and is not supported",
                   where));
 }
 

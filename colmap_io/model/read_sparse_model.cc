@@ -54,8 +54,8 @@ std::optional<std::string_view> FindExtension(const fs::path& folder) {
   const int num_txt = CountParts(folder, ".txt");
   if (num_bin + num_txt == 0) {
     throw InputError(
-        fmt::format("{}: holds no sparse model (cameras, images and points3D, "
-                    "all .bin or all .txt)",
+        fmt::format("{}: the folder holds no sparse model (cameras, images and "
+                    "points3D, all as .bin or all as .txt)",
                     folder.string()));
   }
   const std::string_view extension = num_txt > num_bin ? ".txt" : ".bin";

@@ -75,7 +75,8 @@ void CheckPoint(const SparsePoint& point,
         fmt::format("{}: point {}: {}", names.points, point.id, message));
   };
   if (!point.xyz.allFinite()) fail("its coordinates are not finite");
-  if (point.id == SparseObservation::kNoPoint) fail("this id means no point");
+  if (point.id == SparseObservation::kNoPoint)
+    fail("this id is reserved for observations without a point");
   for (const TrackElement& element : point.track) {
     const auto image = images.find(element.image_id);
     if (image == images.end()) {

@@ -44,8 +44,8 @@ std::string_view TextFields::Rest() {
 
 void TextFields::ExpectEnd() {
   if (!rest_.empty()) {
-    lines_->Fail(
-        fmt::format("\"{}\" follows the end of its content", Shown(rest_)));
+    lines_->Fail(fmt::format("\"{}\" follows after the end of the content",
+                             Shown(rest_)));
   }
 }
 

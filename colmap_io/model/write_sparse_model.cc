@@ -28,8 +28,8 @@ void RefuseBeside(const fs::path& folder, const char* file) {
   std::error_code error;
   if (fs::exists(folder / file, error)) {
     throw InputError(
-        fmt::format("{}: belongs to another model; remove it before a model "
-                    "is written to this folder",
+        fmt::format("{}: the file belongs to another model; remove it before "
+                    "writing a model to this folder",
                     (folder / file).string()));
   }
 }

@@ -79,7 +79,8 @@ class Aligner {
       });
     }
     if (reference_samples_.empty()) {
-      throw InputError("reference to align with: no part of it counts");
+      throw InputError(
+          "alignment: no part of the reference is selected for the comparison");
     }
   }
 

@@ -104,7 +104,9 @@ class Measurement {
       result.confidence = MeasureConfidenceErrors(mesh, samples, distances);
     }
     if (result.samples.empty()) {
-      throw InputError("meshes to compare: no part of the reference counts");
+      throw InputError(
+          "comparison: no part of the reference is selected; check views_path "
+          "and bounding_box");
     }
     return result;
   }
@@ -181,8 +183,7 @@ void Score(const Distances& to_reference,
 void CheckComparable(const IndexedMesh& mesh, const char* which) {
   if (mesh.triangles.empty()) {
     throw InputError(
-        fmt::format("{}: has {} vertices but no triangles; surfaces are "
-                    "needed, not points",
+        fmt::format("{}: the mesh has {} vertices but no triangles",
                     which,
                     mesh.positions.size()));
   }

@@ -74,7 +74,7 @@ ReferenceFilter SeenByCameras(const IndexedMesh& reference,
   options.Check();
   if (cameras.size() < size_t(options.min_views)) {
     throw InputError(fmt::format(
-        "{} cameras: at least min_views = {} are needed to tell what is seen",
+        "{} cameras are too few: at least min_views = {} are needed",
         cameras.size(),
         options.min_views));
   }

@@ -139,14 +139,15 @@ void WarnOfNoDepths(const std::vector<std::vector<int>>& neighbors,
       neighbors.begin(), neighbors.end(), [&](const std::vector<int>& of_view) {
         return of_view.size() < size_t(options.min_agreeing_views);
       });
-  context.Warn(fmt::format(
-      "no depth is confirmed by {} other views, so hollows stay closed: {} of "
-      "{} views have fewer others at {} to {} degrees",
-      options.min_agreeing_views,
-      num_lonely,
-      neighbors.size(),
-      options.sweep.min_angle,
-      options.sweep.max_angle));
+  context.Warn(
+      fmt::format("No depth is confirmed by {} other views, so concavities "
+                  "stay filled. {} of {} views have fewer neighbouring views "
+                  "at angles of {} to {} degrees.",
+                  options.min_agreeing_views,
+                  num_lonely,
+                  neighbors.size(),
+                  options.sweep.min_angle,
+                  options.sweep.max_angle));
 }
 
 // From this share of contradicted depths on, half of all depths are wrong.
@@ -157,11 +158,11 @@ void WarnOfContradictions(double share, const Context& context) {
     return;
   }
   context.Warn(fmt::format(
-      "the photographs contradict each other: {:.0f} % of the depths found in "
-      "them lie behind surfaces that other views have found. Where they do, "
-      "the silhouettes decide, and hollows may stay filled. The usual cause is "
-      "gloss, or a light that moves with the camera; diffuse light or a matt "
-      "coating helps",
+      "The photographs contradict each other: {:.0f} % of the depths found in "
+      "them lie behind surfaces that other views have found. There, the "
+      "silhouettes determine the surface, and concavities may stay filled. "
+      "Usual causes are highlights or a light that moves with the camera; "
+      "diffuse light or a matt coating helps.",
       100 * share));
 }
 

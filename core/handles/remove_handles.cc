@@ -152,7 +152,7 @@ RemovedHandles RemoveHandles(IndexedMesh mesh,
   if (max_length <= 0) {
     return result;
   }
-  const Phase phase(context, "small handles");
+  const Phase phase(context, "removal of small handles");
   std::set<Vertices> refused;
   size_t num_removed;
   do {

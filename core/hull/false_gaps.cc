@@ -148,8 +148,8 @@ void Report(const FilledScene& filled, const Context& context) {
                          return a.num_pixels < b.num_pixels;
                        });
   context.Info(fmt::format(
-      "{} gaps in the masks are filled, since other views show the object "
-      "there; the largest has {} pixels and is in that of {}",
+      "Filled {} gaps in the masks because other views show the object there. "
+      "The largest gap has {} pixels and is in the mask of {}.",
       filled.gaps.size(),
       largest->num_pixels,
       filled.scene.views[largest->view].name));
@@ -162,7 +162,7 @@ FilledScene FillFalseGaps(const Scene& scene,
                           double mask_tolerance,
                           const Context& context) {
   FilledScene filled{scene, {}};
-  Phase phase(context, "gaps in the masks", scene.views.size());
+  Phase phase(context, "search for gaps in the masks", scene.views.size());
   std::vector<GapOfView> candidates =
       FindCandidates(scene, mask_tolerance, context, &phase);
   if (candidates.empty()) {

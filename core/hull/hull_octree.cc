@@ -90,9 +90,9 @@ bool HullOctree::IsEmpty() const {
 
 void ThrowEmptyHull() {
   throw InputError(
-      "the visual hull is empty: no part of the region is object in every "
-      "view (do masks and cameras belong together, and is the bounding box "
-      "right?)");
+      "the visual hull is empty: no point of the region is object in every "
+      "mask. Check that the masks belong to these cameras and that the "
+      "bounding box is correct");
 }
 
 HullOctree RefineHull(const ViewSet& views,

@@ -73,8 +73,9 @@ FinishedMesh FinalMesh(const ViewSet& views,
   summary->extraction = extracted.summary;
   if (extracted.mesh.triangles.empty()) {
     throw InputError(fmt::format(
-        "the surface vanished: nothing of the hull is inside with ballooning = "
-        "{} against neutral^smoothness = {:.3g}; raise ballooning",
+        "the surface vanished: with ballooning = {} and neutral^smoothness = "
+        "{:.3g}, no part of the visual hull is inside; raise "
+        "--OctahedralMeshing.ballooning",
         options.evidence.ballooning,
         std::pow(options.consistency.neutral, options.energy.smoothness)));
   }

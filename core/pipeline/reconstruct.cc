@@ -21,14 +21,15 @@ namespace {
 
 void CheckScene(const Scene& scene, bool needs_images) {
   if (scene.views.size() < 3) {
-    throw InputError(
-        fmt::format("{} views: at least 3 are needed", scene.views.size()));
+    throw InputError(fmt::format("{} views are too few: at least 3 are needed",
+                                 scene.views.size()));
   }
   // Lists of views that see a place hold numbers of 16 bits.
   if (scene.views.size() > std::numeric_limits<uint16_t>::max()) {
-    throw InputError(fmt::format("{} views: at most {} can be used",
-                                 scene.views.size(),
-                                 std::numeric_limits<uint16_t>::max()));
+    throw InputError(
+        fmt::format("{} views are too many: at most {} can be used",
+                    scene.views.size(),
+                    std::numeric_limits<uint16_t>::max()));
   }
   for (const View& view : scene.views) {
     if ((needs_images && view.image.empty()) || view.mask.empty()) {
@@ -47,7 +48,8 @@ Eigen::AlignedBox3f BoxInUnitCoordinates(const Region& region) {
 
 void ReportLevel(const LevelSummary& level, const Context& context) {
   context.Info(
-      fmt::format("level {}: {}^3, {} crust voxels, {} cut voxels, cost {:.6g}",
+      fmt::format("Level {} ({}^3 voxels): {} voxels in the crust, {} in the "
+                  "cut, cost {:.6g}.",
                   level.level,
                   level.resolution,
                   level.num_crust_voxels,
@@ -55,8 +57,9 @@ void ReportLevel(const LevelSummary& level, const Context& context) {
                   level.cut_cost));
   if (level.num_border_voxels > 0) {
     context.Warn(fmt::format(
-        "level {}: {} cut voxels still touch the border of the crust after {} "
-        "rounds of growing",
+        "Level {}: {} voxels of the cut still touch the border of the crust "
+        "after it was enlarged {} times. The surface may be inaccurate there; "
+        "a higher --OctahedralMeshing.max_grow_rounds may help.",
         level.level,
         level.num_border_voxels,
         level.num_grow_rounds));

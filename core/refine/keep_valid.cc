@@ -121,7 +121,7 @@ size_t KeepValid(const ViewSet& views,
                  double pixel,
                  const Context& context,
                  IndexedMesh* mesh) {
-  const Phase phase(context, "refined mesh kept valid");
+  const Phase phase(context, "refinement: validity check");
   const size_t num_withdrawn =
       WithdrawIntoHull(views, start, before, tolerance, context, mesh);
   const std::vector<Eigen::Vector3d> wanted = mesh->positions;

@@ -57,7 +57,7 @@ void Align(const SeenSurface& seen,
            const Context& context,
            ViewSet* views,
            RoundSummary* summary) {
-  const Phase phase(context, "alignment of the views");
+  const Phase phase(context, "refinement: pose alignment");
   for (int i = 0; i < options.alignment_steps; ++i) {
     summary->num_aligned =
         AlignViews(seen.surfaces, seen.choices, options.patch, context, views);
@@ -242,7 +242,7 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
       seen,
       plan,
       options,
-      fmt::format("refinement within {:.2g} pixels", summary.range),
+      fmt::format("refinement: offsets up to {:.2g} pixels", summary.range),
       context);
   OffsetProblem problem =
       MakeProblem(seen, measurements, pixel, plan.scale, &summary);
@@ -300,7 +300,7 @@ double MeanAgreement(const ViewSet& views,
                       seen,
                       RoundPlan(),
                       options,
-                      "agreement of the views",
+                      "refinement: agreement of the views",
                       context)) {
     sum += measurement.score_before;
   }

@@ -61,7 +61,9 @@ double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
   const double pixel =
       PixelSize(views, (sum / double(mesh.positions.size())).cast<float>());
   if (!(pixel > 0)) {
-    throw InputError("refinement: the mesh is behind all views");
+    throw InputError(
+        "refinement: no view sees the mesh, because it lies behind all "
+        "cameras");
   }
   return pixel;
 }
@@ -113,11 +115,12 @@ void SummarizeMoves(const std::vector<Eigen::Vector3d>& start,
 }
 
 void ReportBorders(const RefineSummary& summary, const Context& context) {
-  context.Info(fmt::format(
-      "the masks are taken to be {:.2f} pixels of {:.3g} units too {}",
-      std::abs(summary.border_shift),
-      summary.pixel_size,
-      summary.border_shift < 0 ? "small" : "large"));
+  context.Info(
+      fmt::format("Refinement estimates that all masks are {0:.2f} pixels too "
+                  "{2} (a pixel covers {1:.3g} units on the surface).",
+                  std::abs(summary.border_shift),
+                  summary.pixel_size,
+                  summary.border_shift < 0 ? "small" : "large"));
 }
 
 }  // namespace

@@ -206,7 +206,7 @@ std::vector<double> SolveOffsets(const OffsetProblem& problem,
     return offsets;
   }
   context.ThrowIfCancelled();
-  const Phase phase(context, "offsets of all places");
+  const Phase phase(context, "refinement: least squares");
   StopWhenCancelled callback(context);
   ceres::Solver::Summary summary;
   ceres::Solve(SolverOptions(&callback), ceres_problem, &summary);

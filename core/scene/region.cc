@@ -87,16 +87,18 @@ Region FallBack(const std::vector<View>& views,
   const Eigen::AlignedBox3d point_box = PointBox(views, points);
   if (point_box.isEmpty()) {
     if (hull.box.isEmpty()) {
-      throw InputError(fmt::format(
-          "the views do not bound the object ({}) and there are too few sparse "
-          "points inside the masks: pass "
-          "--OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1",
-          hull.doubt));
+      throw InputError(
+          fmt::format("the bounding box of the object cannot be estimated: the "
+                      "views do not bound the object ({}), and there are too "
+                      "few sparse points inside the masks. Use "
+                      "--OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1",
+                      hull.doubt));
     }
     context.Warn(fmt::format(
-        "the views hardly bound the object ({}) and there are no sparse points "
-        "on it: the region may be far too large; "
-        "--OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1 sets it",
+        "The estimated bounding box may be far too large: the views hardly "
+        "bound the object ({}), and there are no sparse points inside the "
+        "masks. Use --OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1 to set "
+        "it.",
         hull.doubt));
     return MakeTolerantRegion(views, hull.box, options);
   }
@@ -108,9 +110,9 @@ Region FallBack(const std::vector<View>& views,
     return MakeTolerantRegion(views, hull.box, options);
   }
   context.Warn(fmt::format(
-      "the views do not bound the object ({}): the region comes from the "
-      "sparse points inside the masks; "
-      "--OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1 overrides it",
+      "The views do not bound the object ({}), so its bounding box is "
+      "estimated from the sparse points inside the masks. Use "
+      "--OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1 to set it.",
       hull.doubt));
   const Eigen::AlignedBox3d carved =
       ShrinkToHull(views, true, box, options.hull_level, context);
@@ -201,9 +203,9 @@ void CheckFloatsResolve(const BoundingCube& cube, int level) {
   if (spacing > kMaxShareOfVoxel * cube.VoxelSize(level)) {
     throw InputError(fmt::format(
         "the object has a size of {:.3g} and coordinates up to {:.3g}: single "
-        "precision cannot hold voxels of 2^-{} of that size there; move the "
-        "model to the origin (colmap model_transformer), or choose a coarser "
-        "level",
+        "precision is not sufficient for voxels of 2^-{} of that size at this "
+        "distance from the origin. Move the model to the origin (colmap "
+        "model_transformer) or choose a lower level",
         cube.edge,
         farthest,
         level));

@@ -116,9 +116,10 @@ bool AllOnOneSide(const std::vector<View>& views,
       views.size(),
       culprits.size() == 1
           ? fmt::format(
-                "but for that of {}, which is wrong or has a wrong pose",
+                "all masks except that of {} fit; check this mask and its pose",
                 views[culprits.front()].name)
-          : "wrong or inverted masks, or another geometry"));
+          : "the masks may be wrong, inverted, or made for another image "
+            "geometry"));
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ SilhouetteBox BoxOfSilhouettes(const std::vector<View>& views,
                                const Context& context) {
   const Eigen::AlignedBox3d search = SearchBox(views);
   if (!(search.sizes().x() > 0)) {
-    return {{}, false, "all cameras are at one place"};
+    return {{}, false, "all cameras are at the same position"};
   }
   const Eigen::AlignedBox3d interior = Interior(search);
   // Views that cut the object off bound it only if the others do not: their
@@ -141,12 +142,12 @@ SilhouetteBox BoxOfSilhouettes(const std::vector<View>& views,
     }
     if (interior.contains(box)) {
       if (AllOnOneSide(views, box.center())) {
-        return {box, false, "all cameras are on one side of it"};
+        return {box, false, "all cameras are on the same side of it"};
       }
       return {box, !trust_sides, "it leaves the frame in too many views"};
     }
   }
-  return {{}, false, "it leaves the frame or the views are too much alike"};
+  return {{}, false, "it leaves the frame, or the views are too similar"};
 }
 
 Eigen::AlignedBox3d BoxOfMostSilhouettes(const std::vector<View>& views,

@@ -124,7 +124,7 @@ SilhouetteCheck CheckSilhouettes(
     const ViewSet& views,
     const std::vector<BorderUncertainty>& uncertainties,
     const Context& context) {
-  Phase phase(context, "silhouettes of the mesh", views.size());
+  Phase phase(context, "comparison of mesh and masks", views.size());
   std::vector<CheckedView> of_given(views.size());
   std::vector<CheckedView> of_repaired(views.size());
   SilhouetteCheck check;

@@ -104,7 +104,7 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
       context,
       mesh);
   const size_t count = seen.surfaces.size();
-  Phase phase(context, "evidence for the surface", count);
+  Phase phase(context, "check of the surface against the photographs", count);
   const std::vector<OffsetMeasurement> offsets =
       SearchOffsets(views,
                     seen.surfaces,

@@ -27,122 +27,148 @@ class ExampleCreator : public Command {
 void DeclareDegradation(OptionManager& options, DegradeOptions* degrade) {
   options.Add("Degrade.pixel_noise",
               &degrade->pixel_noise,
-              "Standard deviation of the images' noise, grey levels");
-  options.Add("Degrade.exposure_noise",
-              &degrade->exposure_noise,
-              "Standard deviation of each image's exposure, as a factor - 1");
+              "Standard deviation of the image noise in grey levels.");
+  options.Add(
+      "Degrade.exposure_noise",
+      &degrade->exposure_noise,
+      "Standard deviation of the exposure of the images relative to 1.");
   options.Add("Degrade.mask_offset",
               &degrade->mask_offset,
-              "Pixels by which masks are too large, or too small (< 0)");
+              "Number of pixels by which all masks are too large, or too small "
+              "if negative.");
   options.Add("Degrade.num_mask_holes",
               &degrade->num_mask_holes,
-              "Holes in the object of each mask");
+              "Number of holes inside the object of each mask.");
   options.Add("Degrade.num_mask_specks",
               &degrade->num_mask_specks,
-              "Specks in the background of each mask");
+              "Number of specks in the background of each mask.");
   options.Add("Degrade.mask_defect_radius",
               &degrade->mask_defect_radius,
-              "Radius of holes and specks, pixels");
+              "Radius of holes and specks in pixels.");
   options.Add("Degrade.pose_noise",
               &degrade->pose_noise,
-              "Standard deviation of the poses' error, pixels in the image");
+              "Standard deviation of the pose errors, measured in pixels in "
+              "the image.");
 }
 
 // The object's form and what its surface looks like.
 void DeclareSurface(OptionManager& options, SceneSpec* scene) {
   options.Add("Scene.cup_depth",
               &scene->parameters.cup_depth,
-              "Of the cup's cavity, in its diameters");
+              "Depth of the cup's cavity relative to its diameter.");
   options.Add("Scene.rod_radius",
               &scene->parameters.rod_radius,
-              "Of the rods, whose length is 1.8");
+              "Radius of the rods, whose length is 1.8.");
   options.Add("Scene.finger_radius",
               &scene->parameters.finger_radius,
-              "Of the fingers' tips; the hand is about 1.6 in size");
+              "Radius of the fingertips of the hand, whose size is about 1.6.");
   options.Add("Scene.fold_width",
               &scene->parameters.fold_width,
-              "Of the drapery's widest folds; the narrowest have a fifth");
+              "Width of the widest folds of the drapery; the narrowest are a "
+              "fifth as wide.");
   options.Add("Scene.fold_depth",
               &scene->parameters.fold_depth,
-              "Of the drapery's folds, in their widths");
+              "Depth of the folds of the drapery relative to their width.");
   options.AddEnum("Scene.material",
                   &scene->material,
                   {{"diffuse", MaterialKind::kDiffuse},
                    {"metal", MaterialKind::kMetal},
                    {"porcelain", MaterialKind::kPorcelain},
                    {"plaster", MaterialKind::kPlaster}},
-                  "Of the object; all but diffuse bring their own lights and "
-                  "next to no texture");
+                  "Material of the object. All except diffuse come with their "
+                  "own lights and almost no texture.");
   options.AddEnum("Scene.texture",
                   &scene->texture.kind,
                   {{"plain", TextureKind::kPlain},
                    {"marble", TextureKind::kMarble},
                    {"speckle", TextureKind::kSpeckle},
                    {"painted", TextureKind::kPainted}},
-                  "Texture of the object");
+                  "Texture of the object.");
   options.Add("Scene.texture_contrast",
               &scene->texture.contrast,
-              "0: plain, 1: in full");
-  options.Add("Scene.texture_scale",
-              &scene->texture.scale,
-              "Size of its largest features; the object is about 2 in size");
+              "Contrast of the texture, from 0 (none) to 1 (full).");
+  options.Add(
+      "Scene.texture_scale",
+      &scene->texture.scale,
+      "Size of the largest texture features; the object is about 2 in size.");
   options.Add("Scene.plain_share",
               &scene->texture.plain_share,
-              "Of the object's parts those without texture, 0 .. 1");
-  options.Add("Scene.plain_size", &scene->texture.plain_size, "Of such parts");
+              "Share of the surface without texture, 0 to 1.");
+  options.Add(
+      "Scene.plain_size",
+      &scene->texture.plain_size,
+      "Size of the parts without texture; the object is about 2 in size.");
   options.AddEnum(
       "Scene.background",
       &scene->background.kind,
       {{"plain", BackgroundKind::kPlain}, {"room", BackgroundKind::kRoom}},
-      "What is behind the object");
+      "Background behind the object.");
   options.Add("Scene.lights_fixed_to_camera",
               &scene->lighting.fixed_to_camera,
-              "1: the lights turn with the camera, as on a turntable");
+              "If 1, the lights move with the camera, as if the object stood "
+              "on a turntable.");
   options.Add("Scene.specular",
               &scene->lighting.specular,
-              "Strength of highlights; 0: matte");
+              "Strength of the highlights; 0 is matt.");
 }
 
 void ExampleCreator::DeclareOptions(OptionManager& options) {
-  options.AddRequired("output_path", &output_path_, "Folder of the workspace");
+  options.AddRequired("output_path",
+                      &output_path_,
+                      "Folder in which the workspace is created.");
   options.Add("overwrite",
               &workspace_.overwrite,
-              "1: replace an earlier example in that folder");
+              "If 1, replace an earlier example in that folder.");
   options.Add("scene",
               &scene_.object,
-              fmt::format("Object {{{}}}", fmt::join(ObjectNames(), ", ")));
-  options.Add("num_views", &scene_.rig.num_views, "Number of photographs");
-  options.Add("width", &scene_.rig.width, "Of the photographs, pixels");
-  options.Add("height", &scene_.rig.height, "Of the photographs, pixels");
-  options.Add("image_extension", &scene_.image_extension, ".jpg or .png");
-  options.Add("jpeg_quality", &workspace_.jpeg_quality, "1 to 100");
-  options.Add("num_points", &scene_.num_points, "Sparse points at most");
-  options.Add("observation_noise",
-              &scene_.observation_noise,
-              "Standard deviation of the sparse points' observations, pixels");
+              fmt::format("Object to create. One of: {}.",
+                          fmt::join(ObjectNames(), ", ")));
+  options.Add("num_views", &scene_.rig.num_views, "Number of photographs.");
+  options.Add(
+      "width", &scene_.rig.width, "Width of the photographs in pixels.");
+  options.Add(
+      "height", &scene_.rig.height, "Height of the photographs in pixels.");
+  options.Add("image_extension",
+              &scene_.image_extension,
+              "File format of the photographs, .jpg or .png.");
+  options.Add("jpeg_quality",
+              &workspace_.jpeg_quality,
+              "Quality of JPEG files, 1 to 100.");
+  options.Add(
+      "num_points", &scene_.num_points, "Maximum number of sparse points.");
+  options.Add(
+      "observation_noise",
+      &scene_.observation_noise,
+      "Standard deviation in pixels of the observations of sparse points.");
   options.Add("reference_resolution",
               &scene_.reference.resolution,
-              "Cells of the reference mesh along its longest side");
+              "Number of cells along the longest side of the reference mesh.");
   options.AddEnum("Rig.kind",
                   &scene_.rig.kind,
                   {{"sphere", RigKind::kSphere},
                    {"rings", RigKind::kRings},
                    {"turntable", RigKind::kTurntable}},
-                  "How the cameras stand around the object");
+                  "Arrangement of the cameras around the object.");
   options.Add("Rig.min_elevation",
               &scene_.rig.min_elevation,
-              "Of the cameras above the object's horizon, degrees");
-  options.Add("Rig.max_elevation", &scene_.rig.max_elevation, "Degrees");
+              "Minimum elevation of the cameras above the horizon of the "
+              "object in degrees.");
+  options.Add("Rig.max_elevation",
+              &scene_.rig.max_elevation,
+              "Maximum elevation of the cameras above the horizon of the "
+              "object in degrees.");
   options.Add("Rig.focal_length",
               &scene_.rig.focal_length,
-              "In units of the image's larger side");
+              "Focal length relative to the larger side of the image.");
   options.Add("Rig.fill",
               &scene_.rig.fill,
-              "Size of the object in units of the image's smaller side");
+              "Size of the object relative to the smaller side of the image.");
   options.Add("Rig.far_factor",
               &scene_.rig.far_factor,
-              "Every second camera stands so many times as far");
-  options.Add("Rig.k1", &scene_.rig.k1, "Radial distortion (SIMPLE_RADIAL)");
+              "Factor by which every second camera is farther away.");
+  options.Add("Rig.k1",
+              &scene_.rig.k1,
+              "Coefficient of radial distortion (SIMPLE_RADIAL).");
   DeclareSurface(options, &scene_);
   DeclareDegradation(options, &scene_.degrade);
 }

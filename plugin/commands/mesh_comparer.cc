@@ -42,60 +42,70 @@ class MeshComparer : public Command {
 };
 
 void MeshComparer::DeclareOptions(OptionManager& options) {
-  options.AddRequiredRepeatable(
-      "input_path", &input_paths_, "Mesh to judge: .ply, .obj, .off or .stl");
-  options.AddRequired("reference_path", &reference_path_, "Mesh that is right");
-  options.Add("output_path", &output_path_, "JSON report; empty: none");
+  options.AddRequiredRepeatable("input_path",
+                                &input_paths_,
+                                "Mesh to compare (.ply, .obj, .off or .stl).");
+  options.AddRequired("reference_path",
+                      &reference_path_,
+                      "Reference mesh, which counts as correct.");
+  options.Add(
+      "output_path", &output_path_, "JSON report to write. Default: none.");
   options.Add("num_samples",
               &compare_.num_samples,
-              "Points on each surface whose distances are measured");
+              "Number of points on each surface whose distances are measured.");
   options.Add("thresholds",
               &compare_.thresholds,
-              "Of precision, recall and F-score, as fractions of the "
-              "reference's diagonal");
+              "Distance thresholds of precision, recall and F-score, as "
+              "fractions of the reference's bounding box diagonal.");
   options.Add("accuracy_fraction",
               &compare_.accuracy_fraction,
-              "Accuracy is the distance that this fraction of a mesh keeps");
+              "Fraction of a mesh that is used for its accuracy: accuracy is "
+              "the distance within which this fraction lies.");
   options.Add("completeness_threshold",
               &compare_.completeness_threshold,
-              "Completeness is the part of the reference within this fraction "
-              "of its diagonal");
+              "Distance threshold of completeness, as a fraction of the "
+              "reference's bounding box diagonal.");
   options.Add("self_intersections",
               &self_intersections_,
-              "1: count the triangles that intersect others of their mesh");
-  options.Add("views_path",
-              &views_path_,
-              "Folder of a sparse model in the reference's frame: only what "
-              "its cameras see of the reference counts; empty: all does");
+              "If 1, count the triangles of each mesh that intersect others of "
+              "the same mesh.");
+  options.Add(
+      "views_path",
+      &views_path_,
+      "Folder of a sparse model in the frame of the reference. If given, only "
+      "the part of the reference that its cameras see is compared.");
   options.Add("min_views",
               &seen_.min_views,
-              "With views_path: cameras that must see a point");
+              "Number of cameras that must see a point. Used with views_path.");
   options.Add("max_view_angle",
               &seen_.max_angle,
-              "With views_path: of a view to the normal, degrees");
+              "Maximum angle in degrees between viewing direction and surface "
+              "normal. Used with views_path.");
   options.Add("bounding_box",
               &bounding_box_,
-              "x0,y0,z0,x1,y1,z1 in the reference's frame: only what is in it "
-              "of the reference counts; empty: all does");
+              "Box x0,y0,z0,x1,y1,z1 in the frame of the reference. If given, "
+              "only the part of the reference inside it is compared.");
   options.Add("align",
               &compare_.align,
-              "1: move each mesh onto the reference first (ICP); the two must "
-              "nearly agree already");
-  options.Add("Alignment.num_samples",
-              &compare_.alignment.num_samples,
-              "Points on each surface");
+              "If 1, register each mesh with the reference first (ICP). Both "
+              "must be nearly aligned already.");
+  options.Add(
+      "Alignment.num_samples",
+      &compare_.alignment.num_samples,
+      "Number of points on each surface that are used for registration.");
   options.Add("Alignment.max_iterations",
               &compare_.alignment.max_iterations,
-              "At most so many");
+              "Maximum number of iterations.");
   options.Add("Alignment.kept_fraction",
               &compare_.alignment.kept_fraction,
-              "Of the pairs of points the closest ones, the rest is left out");
+              "Fraction of the point pairs that is kept, the closest ones.");
   options.Add("Alignment.estimate_scale",
               &compare_.alignment.estimate_scale,
-              "0: rotation and translation only");
+              "If 0, estimate only rotation and translation.");
   options.Add("Alignment.tolerance",
               &compare_.alignment.tolerance,
-              "Ends when nothing moves further, fraction of the size");
+              "Iteration stops when no point moves farther than this fraction "
+              "of the size.");
 }
 
 ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) const {
@@ -163,7 +173,7 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   }
   if (compare_.reference_filter) {
     environment.out << fmt::format(
-        "\njudged: {:.1f} % of the reference's area\n",
+        "\ncompared: {:.1f} % of the reference's area\n",
         100 * results.front().comparison->judged_share);
   }
   if (!output_path_.empty()) {

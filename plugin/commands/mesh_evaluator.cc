@@ -33,36 +33,41 @@ class MeshEvaluator : public Command {
 
 void MeshEvaluator::DeclareOptions(OptionManager& options) {
   DeclareLoadingOptions(options, &workspace_path_, &loading_);
-  options.AddRequiredRepeatable(
-      "mesh_path",
-      &mesh_paths_,
-      "Mesh to judge, in the frame of the sparse model: .ply, .obj, .off or "
-      ".stl");
-  options.Add("output_path", &output_path_, "JSON report; empty: none");
+  options.AddRequiredRepeatable("mesh_path",
+                                &mesh_paths_,
+                                "Mesh to evaluate (.ply, .obj, .off or .stl), "
+                                "in the frame of the sparse model.");
+  options.Add(
+      "output_path", &output_path_, "JSON report to write. Default: none.");
   options.Add("image_level",
               &image_level_,
-              "Images are held as fine as voxels of 2^-level of the region "
-              "need, never finer than they are; all pixels are theirs");
+              "Downsample the images as for (2^level)^3 voxels, 1 to 20. All "
+              "results in pixels refer to these images.");
   options.Add("self_intersections",
               &self_intersections_,
-              "1: count the triangles that intersect others of their mesh");
+              "If 1, count the triangles of each mesh that intersect others of "
+              "the same mesh.");
   options.Add("photometric",
               &evaluate_.photometric,
-              "0: silhouettes only, no photographs needed");
+              "If 0, evaluate only silhouettes, which needs no photographs.");
   options.Add("Reprojection.num_neighbors",
               &evaluate_.reprojection.num_neighbors,
-              "Views that each view is compared with");
-  options.Add("Reprojection.min_angle",
-              &evaluate_.reprojection.min_angle,
-              "Between the directions of such views, degrees");
+              "Number of neighbouring views that each view is compared with.");
   options.Add(
-      "Reprojection.max_angle", &evaluate_.reprojection.max_angle, "Degrees");
+      "Reprojection.min_angle",
+      &evaluate_.reprojection.min_angle,
+      "Minimum angle between the directions of neighbouring views in degrees.");
+  options.Add(
+      "Reprojection.max_angle",
+      &evaluate_.reprojection.max_angle,
+      "Maximum angle between the directions of neighbouring views in degrees.");
   options.Add("Reprojection.window_radius",
               &evaluate_.reprojection.window_radius,
-              "Of the windows of (2 r + 1)^2 pixels");
+              "Radius r in pixels of the windows of (2 r + 1)^2 pixels.");
   options.Add("Reprojection.min_contrast",
               &evaluate_.reprojection.min_contrast,
-              "Windows of less are plain and left out, grey levels");
+              "Minimum contrast of a window in grey levels. Windows with less "
+              "are ignored.");
 }
 
 std::vector<std::string> TableRow(const std::string& name,

@@ -41,12 +41,12 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
   workspace_.DeclareConfidence(options);
   options.Add("mesh_path",
               &mesh_path_,
-              "Closed mesh to refine, in the frame of the sparse model; "
-              "default: meshed-octahedral.ply in the workspace");
+              "Closed mesh to refine, in the frame of the sparse model. "
+              "Default: meshed-octahedral.ply in the workspace.");
   options.Add("OctahedralMeshing.target_level",
               &target_level_,
-              "Images are held as fine as voxels of 2^-level of the region "
-              "need");
+              "Level of the mesh. The images are downsampled as for "
+              "(2^level)^3 voxels.");
   // The windows of the images, which these decide, are to be the mesher's.
   workspace_.loading.region.mask_tolerance =
       ReconstructionOptions().mask_tolerance;
@@ -112,8 +112,8 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   report["verdict"] = VerdictToJson(verdict, words, loaded.scene.views);
   WriteReport(workspace_.report_path, report);
   environment.out << fmt::format(
-      "{}: {} of {} vertices moved, by {:.2f} pixels in the mean; agreement of "
-      "the views {:.3f}, was {:.3f}\n",
+      "{}: {} of {} vertices moved by {:.2f} pixels on average; agreement of "
+      "the views {:.3f} (before: {:.3f})\n",
       workspace_.output_path.string(),
       refined.summary.num_moved,
       refined.summary.num_vertices,

@@ -38,10 +38,12 @@ void OctahedralMesher::DeclareOptions(OptionManager& options) {
   workspace_.DeclareConfidence(options);
   options.Add("save_levels",
               &levels_path_,
-              "Folder for the hull's and every level's surface; empty: none");
-  options.Add("picture",
-              &picture_,
-              "1: a picture of the mesh beside a photograph, beside the mesh");
+              "Folder in which the visual hull and the surface of each level "
+              "are saved. Default: none.");
+  options.Add(
+      "picture",
+      &picture_,
+      "If 1, save a picture of a photograph and the mesh next to the mesh.");
   DeclareMeshingOptions(options, &meshing_);
 }
 
@@ -53,7 +55,7 @@ LevelObserver OctahedralMesher::LevelWriter() const {
   std::filesystem::create_directories(levels_path_, error);
   if (error) {
     throw InputError(
-        fmt::format("save_levels {}: the folder cannot be made ({})",
+        fmt::format("save_levels {}: the folder cannot be created ({})",
                     levels_path_.string(),
                     error.message()));
   }
@@ -82,7 +84,8 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
                                        meshing_.target_level,
                                        context);
   context.Info(fmt::format(
-      "{} views; the reconstruction needs some {:.1f} GB besides their pixels",
+      "The reconstruction from {} views needs about {:.1f} GB of memory in "
+      "addition to the images.",
       loaded.scene.views.size(),
       double(EstimateReconstructionBytes(loaded.scene, meshing_, context)) /
           1e9));

@@ -27,11 +27,11 @@ void VisualHullMesher::DeclareOptions(OptionManager& options) {
   workspace_.Declare(options);
   options.Add("OctahedralMeshing.hull_level",
               &options_.hull.hull_level,
-              "The hull has (2^level)^3 voxels");
+              "Level of the visual hull, which has (2^level)^3 voxels.");
   DeclareFillFalseGaps(options, &options_.fill_false_gaps);
   options.Add("Smoothing.iterations",
               &options_.smoothing.iterations,
-              "Of V <- V + 1/2 Laplacian(V)");
+              "Number of smoothing iterations V <- V + 1/2 Laplacian(V).");
 }
 
 void VisualHullMesher::Run(const CommandEnvironment& environment) {

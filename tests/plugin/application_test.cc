@@ -76,10 +76,11 @@ TEST(RunApplication, EveryFailureIsOneLineAndAnExitCode) {
   EXPECT_EQ(failure("input"), "ERROR: cameras.bin: truncated\n");
   EXPECT_EQ(failure("lines"), "ERROR: one two\n");
   EXPECT_EQ(failure("invariant"),
-            "ERROR: internal check failed, please report: not manifold\n");
+            "ERROR: an internal check failed, please report this as a bug: not "
+            "manifold\n");
   EXPECT_THAT(failure("memory"), HasSubstr("ERROR: out of memory"));
   EXPECT_EQ(failure("standard"), "ERROR: vector\n");
-  EXPECT_EQ(failure("other"), "ERROR: unknown failure\n");
+  EXPECT_EQ(failure("other"), "ERROR: unknown error\n");
 }
 
 TEST(RunApplication, ChecksOfStepsNameTheOption) {
@@ -101,7 +102,7 @@ TEST(RunApplication, FailsWhenOutputIsLost) {
   out.setstate(std::ios::badbit);
   const std::vector<std::string> arguments = {"failing_command"};
   EXPECT_EQ(RunApplication(arguments, kCommands, out, err, nullptr), 1);
-  EXPECT_EQ(err.str(), "ERROR: standard output cannot be written\n");
+  EXPECT_EQ(err.str(), "ERROR: cannot write to standard output\n");
 }
 
 TEST(RunApplication, HelpInAllItsForms) {

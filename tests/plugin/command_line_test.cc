@@ -77,7 +77,8 @@ TEST(CommandLine, MistakesAreOneLineAndExitOne) {
       {{"version", "--random_seed", "-1"}, "--random_seed = -1: must be"},
       {{"version", "--log_color", "maybe"}, "--log_color = maybe: must be"},
       {{"version", "extra"}, "unexpected argument `extra`"},
-      {{"version", "--project_path", "/gone.ini"}, "/gone.ini: cannot be"}};
+      {{"version", "--project_path", "/gone.ini"},
+       "/gone.ini: the file cannot be"}};
   for (const auto& [arguments, message] : cases) {
     const ProgramResult result = RunOctacut(arguments);
     EXPECT_EQ(result.exit_code, 1) << message;

@@ -101,11 +101,12 @@ TEST(ExampleCreator, NeverDestroysWhatIsNoExample) {
   const TemporaryFolder folder;
   folder.Write("thesis.tex", "years of work");
   std::vector<std::string> arguments = QuickExample(folder.Path());
-  EXPECT_THAT(RunOctacut(arguments).err, HasSubstr("no example of octacut"));
+  EXPECT_THAT(RunOctacut(arguments).err,
+              HasSubstr("not an example of octacut"));
   arguments.insert(arguments.end(), {"--overwrite", "1"});
   const ProgramResult result = RunOctacut(arguments);
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.err, HasSubstr("no example of octacut"));
+  EXPECT_THAT(result.err, HasSubstr("not an example of octacut"));
   EXPECT_EQ(ReadFile(folder / "thesis.tex"), "years of work");
 }
 

@@ -122,7 +122,7 @@ TEST_F(InputErrors, MissingMasks) {
       "(--skip_missing_masks 1");
   ExpectWarning("missing for 2 of 12 images", "missing_masks", 2, skip_masks_);
   fs::remove_all(Workspace() / "masks");
-  ExpectError("/masks: no folder of masks; --mask_path names it");
+  ExpectError("/masks: the folder of masks does not exist; use --mask_path");
 }
 
 TEST_F(InputErrors, MasksThatAreAllBackground) {
@@ -177,7 +177,8 @@ TEST_F(InputErrors, TruncatedModels) {
     WriteBytes(Model(name), whole);
   }
   fs::remove_all(Workspace() / "sparse");
-  ExpectError("/sparse: no folder of sparse models; --input_path names it");
+  ExpectError(
+      "/sparse: the folder of sparse models does not exist; use --input_path");
 }
 
 TEST_F(InputErrors, CameraModels) {
@@ -196,12 +197,12 @@ TEST_F(InputErrors, PathsThatCannotBeWritten) {
   ExpectError("/gone/x.json: cannot be written",
               {"--report_path", gone + "/x.json"});
   const std::string mesh = (Workspace() / "meshed-octahedral.ply").string();
-  ExpectError("--report_path = " + mesh + ": must be another file",
+  ExpectError("--report_path = " + mesh + ": must not be the same file",
               {"--report_path", mesh});
   const fs::path beside = Workspace() / "." / "meshed-octahedral.";
-  ExpectError("must be another file than the mesh",
+  ExpectError("must not be the same file as the mesh",
               {"--report_path", beside.string() + "ply"});
-  ExpectError("must be another file than the picture",
+  ExpectError("must not be the same file as the picture",
               {"--report_path", beside.string() + "png"});
   fs::create_directories(folder_ / "other.png");
   ExpectError("other.png", {"--output_path", (folder_ / "other.ply").string()});
@@ -221,13 +222,13 @@ TEST_F(InputErrors, MasksThatShowNothingOfABoundingBox) {
   cv::Mat mask = cv::Mat::zeros(kSmallHeight, kSmallWidth, CV_8UC1);
   mask(cv::Rect(1, 1, 4, 4)).setTo(255);
   ASSERT_TRUE(cv::imwrite(Mask(3).string(), mask));
-  ExpectError("but for that of view_003.jpg, which is wrong");
+  ExpectError("all masks except that of view_003.jpg fit");
   const ProgramResult result = RunMesher(
       {"--OctahedralMeshing.bounding_box", "-0.7,-0.7,-0.3,0.7,0.7,0.3"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err,
               HasSubstr("view_003.jpg.png: the mask shows no object within the "
-                        "region; 1 of 12 masks show none"));
+                        "bounding box; this holds for 1 of 12 masks"));
   EXPECT_THAT(result.err, HasSubstr("ERROR: the visual hull is empty"));
 }
 

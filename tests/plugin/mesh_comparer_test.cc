@@ -181,7 +181,7 @@ TEST_F(MeshComparerTest, MistakesAreNamed) {
       {{"--input_path", folder_ / "gone.ply", "--reference_path", mesh},
        "gone.ply: cannot be opened"},
       {{"--input_path", mesh, "--reference_path", points},
-       "points.obj: has no faces, only 2 vertices"},
+       "points.obj: the mesh has no faces, only 2 vertices"},
       {{"--input_path", broken, "--reference_path", mesh}, "broken.ply: "},
       {{"--input_path", mesh, "--reference_path", mesh, "--thresholds", "2"},
        "--thresholds = 2: must be"},

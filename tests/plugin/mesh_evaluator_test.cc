@@ -60,7 +60,7 @@ TEST_F(MeshEvaluatorTest, MistakesAreNamed) {
   const std::string points = folder_.Write("points.obj", "v 0 0 0\nv 1 1 1\n");
   EXPECT_THAT(Evaluate({}).err, HasSubstr("mesh_path"));
   EXPECT_THAT(Evaluate({"--mesh_path", points}).err,
-              HasSubstr("points.obj: has no faces"));
+              HasSubstr("points.obj: the mesh has no faces"));
   EXPECT_THAT(Evaluate({"--mesh_path", Truth(), "--output_path", Truth()}).err,
               HasSubstr("--output_path = "));
   EXPECT_THAT(

@@ -85,7 +85,7 @@ TEST_F(OctahedralMesher, LeavesMeshReportAndPicture) {
   EXPECT_GT(masks["covered"], 0.9);
   EXPECT_LT(masks["surely_exceeded"], 0.01);
   EXPECT_EQ(masks["views"].size(), size_t{testing::kSmallViews});
-  EXPECT_THAT(result.err, HasSubstr("silhouettes: the mesh covers "));
+  EXPECT_THAT(result.err, HasSubstr("Silhouettes: the mesh covers "));
   EXPECT_FALSE(cv::imread(Result(".png").string()).empty());
 }
 
@@ -155,7 +155,7 @@ TEST_F(OctahedralMesher, ConfidenceIsInTheMeshAndComparedOnRequest) {
                                                "--num_samples",
                                                "1000"});
   ASSERT_EQ(comparison.exit_code, 0) << comparison.err;
-  EXPECT_THAT(comparison.out, HasSubstr("least tenth"));
+  EXPECT_THAT(comparison.out, HasSubstr("least confident tenth"));
 
   const ProgramResult refused = RunMesher(
       {"--confidence", "1", "--output_path", (folder_ / "m.obj").string()});
@@ -244,7 +244,7 @@ TEST_F(OctahedralMesher, VisualHullAlone) {
       Json::parse(ReadFile(Workspace() / "meshed-visual-hull.json"));
   EXPECT_EQ(report["audit"]["triangles"], audit.num_triangles);
   EXPECT_GT(report["verdict"]["masks_as_repaired"]["covered"], 0.98);
-  EXPECT_THAT(result.err, HasSubstr("silhouettes: the mesh covers "));
+  EXPECT_THAT(result.err, HasSubstr("Silhouettes: the mesh covers "));
 }
 
 }  // namespace

@@ -98,7 +98,7 @@ TEST(OptionManager, RefusesWithOptionValueAndConstraint) {
   EXPECT_EQ(Bound().ErrorOf({"--Meshing.level", "--verbose", "1"}),
             "option --Meshing.level needs a value");
   EXPECT_EQ(Bound().ErrorOf({"--Meshing.level", "1", "--Meshing.level", "2"}),
-            "--Meshing.level is given 2 times, but takes one value");
+            "--Meshing.level is given 2 times, but accepts only one value");
   EXPECT_EQ(Bound().ErrorOf({"--level", "1"}),
             "unknown option `--level`; did you mean `--Meshing.level`?");
   EXPECT_EQ(Bound().ErrorOf({"--zzz", "1"}), "unknown option `--zzz`");
@@ -143,12 +143,12 @@ TEST(OptionManager, ProjectFileErrorsNameFileLineAndKey) {
   EXPECT_EQ(error_of("[Meshing]\nlevel=x\n"),
             ":2: Meshing.level = x: must be an integer");
   EXPECT_EQ(error_of("verbose=1\nverbose=0\n"),
-            ":1: verbose is given 2 times, but takes one value");
+            ":1: verbose is given 2 times, but accepts only one value");
   EXPECT_EQ(error_of("[ImageReader]\nx=1\n"),
             ":2: unknown key `ImageReader.x`");
   EXPECT_EQ(error_of("project_path=x\n").find(":1: unknown key"), 0u);
   EXPECT_EQ(Bound().ErrorOf({"--project_path", "/gone.ini"}),
-            "--project_path = /gone.ini: cannot be opened");
+            "--project_path = /gone.ini: the file cannot be opened");
 }
 
 TEST(OptionManager, JsonHoldsEveryOptionWithItsValue) {

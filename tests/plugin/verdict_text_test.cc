@@ -70,14 +70,15 @@ std::vector<std::string> WarningsOf(const MeshVerdict& verdict) {
 TEST(VerdictText, SaysWhatAGoodMeshRestsOn) {
   const VerdictText text = DescribeVerdict(GoodVerdict(), ThreeViews());
   EXPECT_THAT(text.warnings, IsEmpty());
-  EXPECT_THAT(text.findings,
-              ElementsAre(AllOf(HasSubstr("covers 99.50 %"),
-                                HasSubstr("0.50 % are uncovered"),
-                                HasSubstr("exceeds the masks by 0.10 %")),
-                          AllOf(HasSubstr("photographs decide 90.0 %"),
-                                HasSubstr("silhouettes 7.0 %, nothing 3.0 %"),
-                                HasSubstr("see, which is 98.0 %")),
-                          HasSubstr("nothing speaks against")));
+  EXPECT_THAT(
+      text.findings,
+      ElementsAre(AllOf(HasSubstr("covers 99.50 %"),
+                        HasSubstr("leaves 0.50 % uncovered"),
+                        HasSubstr("extends beyond the masks by 0.10 %")),
+                  AllOf(HasSubstr("90.0 % is determined by photographs"),
+                        HasSubstr("7.0 % by silhouettes and 3.0 % by neither"),
+                        HasSubstr("two views see 98.0 %")),
+                  HasSubstr("no problems found")));
 }
 
 TEST(VerdictText, SaysBothWhereMasksWereRepaired) {
@@ -86,8 +87,8 @@ TEST(VerdictText, SaysBothWhereMasksWereRepaired) {
   verdict.given_masks.total.covered -= 100;
   verdict.given_masks.total.exceeded += 100;
   EXPECT_THAT(DescribeVerdict(verdict, ThreeViews()).findings,
-              Contains(AllOf(HasSubstr("silhouettes as given"),
-                             HasSubstr("exceeds the masks by 3.55 %"))));
+              Contains(AllOf(HasSubstr("Silhouettes of the original masks"),
+                             HasSubstr("extends beyond the masks by 3.55 %"))));
 }
 
 TEST(VerdictText, NamesTheWorstViewsFirst) {
@@ -114,15 +115,15 @@ TEST(VerdictText, NamesTheMasksThatContradictOthers) {
   verdict.repaired_masks.denied_of_others = {0, 0, 45};
   EXPECT_THAT(WarningsOf(verdict),
               ElementsAre(AllOf(HasSubstr("masks contradict each other"),
-                                HasSubstr("to look at are those of c.jpg"))));
+                                HasSubstr("Check the masks of c.jpg"))));
 }
 
 TEST(VerdictText, SaysWhatMinComponentHasTaken) {
   MeshVerdict verdict = GoodVerdict();
   verdict.removed_pixels = {0, 7, 0};
   EXPECT_THAT(WarningsOf(verdict),
-              ElementsAre(AllOf(HasSubstr("leave 7 pixels uncovered"),
-                                HasSubstr("most in b.jpg"),
+              ElementsAre(AllOf(HasSubstr("leaves 7 pixels uncovered"),
+                                HasSubstr("most of them in b.jpg"),
                                 HasSubstr("min_component"))));
 }
 
@@ -141,7 +142,7 @@ TEST(VerdictText, NamesMasksThatTheMeshExceeds) {
   verdict.given_masks.views[2].surely_exceeded = 200;
   SumUp(&verdict.given_masks);
   EXPECT_THAT(WarningsOf(verdict),
-              ElementsAre(AllOf(HasSubstr("exceeds the masks as given"),
+              ElementsAre(AllOf(HasSubstr("extends beyond the original masks"),
                                 HasSubstr("c.jpg (20.00 %)"))));
 }
 
@@ -153,13 +154,13 @@ TEST(VerdictText, SaysFromWhereViewsAreMissing) {
   blind.hidden = 0.05;
   blind.nearest_view = 1;
   EXPECT_THAT(WarningsOf(verdict),
-              ElementsAre(AllOf(HasSubstr("20.0 % of the surface"),
+              ElementsAre(AllOf(HasSubstr("see 20.0 % of the surface"),
                                 HasSubstr("views from below"),
-                                HasSubstr("nearest view is b.jpg"))));
+                                HasSubstr("nearest existing view is b.jpg"))));
   blind.below = 0.05;
   blind.hidden = 0.15;
   EXPECT_THAT(WarningsOf(verdict),
-              ElementsAre(AllOf(HasSubstr("look into the object's hollows"),
+              ElementsAre(AllOf(HasSubstr("look into the concavities"),
                                 Not(HasSubstr("b.jpg")))));
 }
 
@@ -169,11 +170,11 @@ TEST(VerdictText, SaysWhereLightWouldHelp) {
   verdict.surface->silhouettes = 0.65;
   verdict.surface->nothing = 0.05;
   EXPECT_THAT(WarningsOf(verdict),
-              ElementsAre(AllOf(HasSubstr("decide only 31 %"),
+              ElementsAre(AllOf(HasSubstr("determine only 31 %"),
                                 HasSubstr("Diffuse light"))));
   verdict.surface->nothing = 0.2;
   EXPECT_THAT(WarningsOf(verdict),
-              Contains(HasSubstr("neither photographs nor silhouettes")));
+              Contains(HasSubstr("Neither photographs nor silhouettes")));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(DecideOnBadViews, ManyThatShowMoreThanTheObjectAreUsed) {
   ASSERT_EQ(summary.views.size(), 3u);
   EXPECT_FALSE(summary.views[0].is_left_out);
   ASSERT_EQ(recorder.warnings.size(), 3u);
-  EXPECT_THAT(recorder.warnings[0], HasSubstr("used all the same"));
+  EXPECT_THAT(recorder.warnings[0], HasSubstr("used nevertheless"));
 }
 
 TEST(DecideOnBadViews, NoneAreNoNews) {

@@ -41,7 +41,7 @@ TEST_F(ImageListTest, UnknownName) {
 
 TEST_F(ImageListTest, NothingListed) {
   EXPECT_THAT(InputErrorOf([&] { Keep(" \n"); }),
-              HasSubstr("list.txt: no image is listed"));
+              HasSubstr("list.txt: the file lists no images"));
   SparseModel model;
   EXPECT_THAT(
       InputErrorOf([&] { KeepListedImages(folder_ / "none.txt", &model); }),

@@ -183,7 +183,8 @@ TEST_F(LoadSceneTest, TakesMasksOfPhotographsInADenseFolder) {
 TEST_F(LoadSceneTest, NeedsNoImagesForMasksAlone) {
   fs::remove_all(folder_ / "images");
   LoadSceneOptions options;
-  EXPECT_THAT(ErrorOf(options), HasSubstr("no folder of images"));
+  EXPECT_THAT(ErrorOf(options),
+              HasSubstr("the folder of images does not exist"));
   options.load_images = false;
   const LoadedScene loaded = Load(options);
   ExpectSphere(loaded);

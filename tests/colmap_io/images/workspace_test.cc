@@ -103,7 +103,7 @@ TEST_F(WorkspaceTest, NamesThePartThatIsMissing) {
   EXPECT_THAT(InputErrorOf([&] { Open(); }), HasSubstr("--input_path"));
   fs::create_directories(folder_ / "sparse" / "0");
   EXPECT_THAT(InputErrorOf([&] { Open(); }),
-              HasSubstr("neither holds a sparse model"));
+              HasSubstr("nor its subfolders hold a sparse model"));
   WriteText(folder_ / "sparse" / "0" / "cameras.bin", "");
   EXPECT_THAT(InputErrorOf([&] { Open(); }), HasSubstr("sparse/0"));
   WriteSparseModelBinary(RingModel(kRadial, 4), folder_ / "sparse" / "0");
@@ -171,7 +171,7 @@ TEST_F(WorkspaceTest, MaskCamerasOfAProject) {
   EXPECT_THAT(InputErrorOf([&] {
                 MaskCameras(workspace, MaskGeometry::kAuto, folder_ / "sparse");
               }),
-              HasSubstr("is no dense folder"));
+              HasSubstr("is not a dense folder"));
 
   EXPECT_THAT(InputErrorOf([&] {
                 find(MaskGeometry::kAuto, {333, 222});
@@ -218,7 +218,7 @@ TEST_F(WorkspaceTest, MaskCamerasOfADenseFolder) {
   EXPECT_THAT(InputErrorOf([&] {
                 find(MaskGeometry::kAuto, {640, 480}, folder_ / "mistyped");
               }),
-              HasSubstr("mistyped: holds no sparse model"));
+              HasSubstr("mistyped: the folder holds no sparse model"));
 }
 
 // dense/1 is made of sparse/1, whatever lens sparse/0 has for its images.

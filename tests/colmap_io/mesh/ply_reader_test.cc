@@ -210,8 +210,8 @@ TEST(PlyReader, ErrorsOfTheHeader) {
   const auto error = [](const std::string& text) {
     return ReadError(text, MeshFormat::kPly);
   };
-  EXPECT_THAT(error(""), HasSubstr("no PLY file"));
-  EXPECT_THAT(error("solid\n"), HasSubstr("no PLY file"));
+  EXPECT_THAT(error(""), HasSubstr("not a PLY file"));
+  EXPECT_THAT(error("solid\n"), HasSubstr("not a PLY file"));
   EXPECT_THAT(error("ply\nformat ascii 1.0\nelement vertex 0\n"),
               HasSubstr("no end"));
   EXPECT_THAT(error("ply\nend_header\n"), HasSubstr("no format"));

@@ -42,10 +42,10 @@ TEST(CheckCamera, RefusesByName) {
   EXPECT_THAT(InputErrorOf([] { RequireCameraModel(17, "a.bin: camera 3"); }),
               ::testing::AllOf(HasSubstr("a.bin: camera 3"),
                                HasSubstr("EQUIRECTANGULAR"),
-                               HasSubstr("no perspective camera")));
+                               HasSubstr("not a perspective camera")));
   EXPECT_THAT(
       InputErrorOf([] { RequireCameraModel("EQUIRECTANGULAR", "a.txt"); }),
-      HasSubstr("no perspective camera"));
+      HasSubstr("not a perspective camera"));
   EXPECT_THAT(InputErrorOf([] { RequireCameraModel(99, "a.bin"); }),
               HasSubstr("camera model 99 is unknown"));
   EXPECT_THAT(InputErrorOf([] { RequireCameraModel("NIKON", "a.txt"); }),

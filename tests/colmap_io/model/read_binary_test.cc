@@ -96,7 +96,7 @@ TEST(ReadBinary, HugeCountsAreRefused) {
                                  uint64_t(part.bytes.size())}) {
       std::string bytes = part.bytes;
       std::memcpy(bytes.data(), &count, sizeof(count));
-      EXPECT_THAT(Message(part, bytes), HasSubstr("bytes left hold at most"));
+      EXPECT_THAT(Message(part, bytes), HasSubstr("bytes hold at most"));
     }
   }
   SparseModel model;

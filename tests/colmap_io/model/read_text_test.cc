@@ -99,7 +99,7 @@ TEST(ReadText, RefusalsNameFileLineFieldAndValue) {
       {InputErrorOf([] { Cameras("1 CRYSTAL_BALL 640 480 1"); }),
        "cameras.txt:1: camera 1: camera model \"CRYSTAL_BALL\" is unknown"},
       {InputErrorOf([] { Cameras("1 EQUIRECTANGULAR 640 320 640 320"); }),
-       "EQUIRECTANGULAR (17) is no perspective camera"},
+       "EQUIRECTANGULAR (17) is not a perspective camera"},
       {InputErrorOf([] { Cameras("1 PINHOLE 640"); }),
        "cameras.txt:1: the line ends before height"},
       {InputErrorOf([] { Images("1 1 0 0 0 1 2 3 1"); }),

@@ -28,8 +28,12 @@ constexpr float kRegionRadius = 8;
 // that a quarter and three fifths of the depths are wrong.
 constexpr float kSureShare = 1.0f / 6;
 constexpr float kDoubtfulShare = 0.4f;
+// Of all depths: where as many are contradicted, depths must be dense to be
+// relied upon. Few views have few depths, but those do not contradict each
+// other.
+constexpr float kManyShare = 0.25f;
 // Shares of the object's samples, over all views, that have a depth: up to the
-// first, which chance alone reaches on metal and porcelain, depths are not
+// first, which chance alone reaches on metal and porcelain, such depths are not
 // relied upon, from the second on they are. A hollow of a textured object has
 // few depths, and right ones, so regions are not asked.
 constexpr float kSparse = 0.3f;
@@ -258,7 +262,9 @@ TrustedDepths EstimateDepthTrust(const ViewSet& views,
   };
   result.contradicted_share = share(num_contradicted, num_depths);
   result.found_share = share(num_depths, num_samples);
-  const float trust = Ramp(float(result.found_share), kSparse, kDense);
+  const float trust =
+      std::max(Ramp(float(result.found_share), kSparse, kDense),
+               Ramp(float(result.contradicted_share), kManyShare, kSureShare));
   for (std::vector<float>& of_view : result.trust) {
     for (float& value : of_view) {
       value *= trust;

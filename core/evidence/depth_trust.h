@@ -25,11 +25,12 @@ struct TrustedDepths {
   std::vector<SweptDepthMap> maps;
   // trust[i][k] says how far a depth at sample k of map i can be relied upon: 1
   // where few of the depths around it in its view are contradicted, 0 where
-  // many are, or where depths are found for few samples of the object.
+  // many are; 0 all over where a quarter of all depths is contradicted and few
+  // samples of the object have any.
   std::vector<std::vector<float>> trust;
   double contradicted_share = 0;  // of all depths
-  double found_share =
-      0;  // of the samples within the silhouettes: with a depth
+  // Of the samples within the silhouettes, those with a depth.
+  double found_share = 0;
 };
 
 // `maps` holds confirmed depths, one map a view.

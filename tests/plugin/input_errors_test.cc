@@ -222,9 +222,18 @@ TEST_F(InputErrors, MasksThatShowNothingOfABoundingBox) {
   cv::Mat mask = cv::Mat::zeros(kSmallHeight, kSmallWidth, CV_8UC1);
   mask(cv::Rect(1, 1, 4, 4)).setTo(255);
   ASSERT_TRUE(cv::imwrite(Mask(3).string(), mask));
-  ExpectError("all masks except that of view_003.jpg fit");
-  const ProgramResult result = RunMesher(
-      {"--OctahedralMeshing.bounding_box", "-0.7,-0.7,-0.3,0.7,0.7,0.3"});
+  const ProgramResult left_out = RunMesher({});
+  EXPECT_EQ(left_out.exit_code, 0);
+  EXPECT_THAT(left_out.err,
+              HasSubstr("view_003.jpg.png: this mask or the pose of "
+                        "view_003.jpg contradicts the other views"));
+  const ProgramResult all = RunMesher({"--keep_all_views", "1"});
+  EXPECT_EQ(all.exit_code, 1);
+  EXPECT_THAT(all.err, HasSubstr("all masks except that of view_003.jpg fit"));
+  const ProgramResult result = RunMesher({"--keep_all_views",
+                                          "1",
+                                          "--OctahedralMeshing.bounding_box",
+                                          "-0.7,-0.7,-0.3,0.7,0.7,0.3"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err,
               HasSubstr("view_003.jpg.png: the mask shows no object within the "

@@ -71,7 +71,7 @@ TEST(ReadBinary, TruncatedAnywhereIsRefused) {
 TEST(ReadBinary, TrailingBytesAreRefused) {
   for (const Part& part : Parts(TestModel(3, 4, 6))) {
     EXPECT_THAT(Message(part, part.bytes + "x"),
-                HasSubstr("1 bytes follow the end"));
+                HasSubstr("1 bytes follow after the end"));
   }
 }
 

@@ -137,21 +137,40 @@ TEST(DepthTrust, IsNoneWhereMostDepthsContradictEachOther) {
   EXPECT_LT(sum / double(in_space.values.size()), 0.75);
 }
 
-// Porcelain: a depth here and there, which is chance even where nothing
-// contradicts it.
-TEST(DepthTrust, IsNoneWhereFewSamplesHaveADepth) {
-  Setting setting;
-  const TrustedDepths all = setting.Trust();
-  EXPECT_GT(all.found_share, 0.6);
-  for (SweptDepthMap& map : setting.maps) {
+// Every fifth depth.
+void ThinOut(Setting* setting) {
+  for (SweptDepthMap& map : setting->maps) {
     for (size_t k = 0; k < map.depths.size(); ++k) {
       map.depths[k] = k % 5 == 0 ? map.depths[k] : 0;
     }
   }
+}
+
+// Porcelain: a depth here and there, of which many are wrong.
+TEST(DepthTrust, IsNoneWhereDepthsAreFewAndContradictEachOther) {
+  Setting setting;
+  for (size_t i = 0; i < setting.maps.size(); i += 2) {
+    setting.PushBack(i, 9);
+  }
+  const TrustedDepths all = setting.Trust();
+  EXPECT_GT(all.contradicted_share, 0.25);
+  EXPECT_GT(all.found_share, 0.6);
+  EXPECT_GT(MeanTrust(setting.maps[1], all.trust[1]), 0.5f);
+  ThinOut(&setting);
   const TrustedDepths few = setting.Trust();
+  EXPECT_GT(few.contradicted_share, 0.25);
   EXPECT_NEAR(few.found_share, all.found_share / 5, 0.02);
   for (size_t i = 0; i < setting.maps.size(); ++i) {
     EXPECT_EQ(MeanTrust(setting.maps[i], few.trust[i]), 0) << i;
+  }
+}
+
+TEST(DepthTrust, IsFullWhereDepthsAreFewAndRight) {
+  Setting setting;
+  ThinOut(&setting);
+  const TrustedDepths few = setting.Trust();
+  for (size_t i = 0; i < setting.maps.size(); ++i) {
+    EXPECT_GT(MeanTrust(setting.maps[i], few.trust[i]), 0.98f) << i;
   }
 }
 

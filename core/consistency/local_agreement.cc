@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
+#include "core/base/ramp.h"
 #include "core/grid/voxel_walk.h"
 
 namespace octacut {
@@ -87,10 +88,7 @@ std::vector<float> AgreementOfRegions(const VoxelWalk& walk,
   }
   std::vector<float> in_region(near_voxel.size());
   for (size_t b = 0; b < walk.NumBricks(); ++b) {
-    const float value = std::clamp((sums[b] / counts[b] - kDoubtfulRegion) /
-                                       (kSureRegion - kDoubtfulRegion),
-                                   0.0f,
-                                   1.0f);
+    const float value = Ramp(sums[b] / counts[b], kDoubtfulRegion, kSureRegion);
     std::fill(in_region.begin() + walk.FirstVoxelOrEnd(b),
               in_region.begin() + walk.FirstVoxelOrEnd(b + 1),
               value);
@@ -106,8 +104,7 @@ LocalAgreement EstimateLocalAgreement(const VoxelGrid& voxels,
   const VoxelWalk walk(voxels, context);
   LocalAgreement agreement{LeastMeans(walk, phi, context), {}};
   for (float& value : agreement.near_voxel) {
-    value = std::clamp(
-        (kDoubtfulPhi - value) / (kDoubtfulPhi - kSurePhi), 0.0f, 1.0f);
+    value = Ramp(value, kDoubtfulPhi, kSurePhi);
   }
   agreement.in_region = AgreementOfRegions(walk, agreement.near_voxel);
   return agreement;

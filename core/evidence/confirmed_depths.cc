@@ -22,29 +22,6 @@ int CountLike(
   return count;
 }
 
-// Whether a point before `depth` on the ray, farther than depths may differ, is
-// in a solid voxel.
-bool IsBehindSolid(const VoxelGrid& hull,
-                   const std::vector<bool>& solid,
-                   const Eigen::Vector3f& origin,
-                   const Eigen::Vector3f& ray,
-                   float depth) {
-  const float resolution = float(hull.Resolution());
-  const float step = 0.5f / (resolution * ray.norm());
-  for (float d = depth - kDepthAgreement / resolution; d > 0; d -= step) {
-    const Eigen::Vector3f point = origin + d * ray;
-    if ((point.array() < 0).any() || (point.array() >= 1).any()) {
-      return false;  // the ray has left the cube towards the view
-    }
-    const VoxelGrid::Index index =
-        hull.Find(Eigen::Vector3i((point * resolution).cast<int>()));
-    if (index != VoxelGrid::kNone && solid[index]) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace
 
 std::vector<std::vector<uint8_t>> CountAgreeing(
@@ -107,7 +84,14 @@ std::vector<SweptDepthMap> KeepPlausible(const ViewSet& views,
           projection,
           [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
             if (CountLike(maps[i], x, y, depth, tolerance) < min_like ||
-                IsBehindSolid(hull, solid, projection.center, ray, depth)) {
+                AnyVoxelBefore(hull,
+                               projection.center,
+                               ray,
+                               depth,
+                               kDepthAgreement,
+                               [&](VoxelGrid::Index index) {
+                                 return bool(solid[index]);
+                               })) {
               kept[i].depths[size_t(y) * maps[i].width + x] = 0;
             }
           });

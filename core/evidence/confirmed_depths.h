@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <Eigen/Core>
 #include <vector>
 
 #include "core/base/context.h"
@@ -13,6 +14,32 @@ namespace octacut {
 
 // How far two depths may differ and still agree, in hull voxels.
 inline constexpr float kDepthAgreement = 1.5f;
+
+// Whether visit(index) is true for a voxel of the hull that the ray to `depth`
+// goes through at least `clearance` hull voxels before it, from there towards
+// the view until it leaves the root cube. Voxels may be visited more than once.
+template <typename Visit>
+bool AnyVoxelBefore(const VoxelGrid& hull,
+                    const Eigen::Vector3f& origin,
+                    const Eigen::Vector3f& ray,
+                    float depth,
+                    float clearance,
+                    const Visit& visit) {
+  const float resolution = float(hull.Resolution());
+  const float step = 0.5f / (resolution * ray.norm());
+  for (float d = depth - clearance / resolution; d > 0; d -= step) {
+    const Eigen::Vector3f point = origin + d * ray;
+    if ((point.array() < 0).any() || (point.array() >= 1).any()) {
+      return false;
+    }
+    const VoxelGrid::Index index =
+        hull.Find(Eigen::Vector3i((point * resolution).cast<int>()));
+    if (index != VoxelGrid::kNone && visit(index)) {
+      return true;
+    }
+  }
+  return false;
+}
 
 // How many of its view's neighbours confirm each sample's depth: their own at
 // that point is within kDepthAgreement. `voxel` is the side of a hull voxel,

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/base/ramp.h"
 #include "core/evidence/confirmed_depths.h"
 #include "core/grid/morphology.h"
 #include "core/grid/voxel_walk.h"
@@ -86,19 +87,10 @@ std::vector<uint16_t> CountSurfaces(const ViewSet& views,
   return counts;
 }
 
-// From 0 to 1.
-float Ramp(float value, float zero, float one) {
-  return std::clamp((value - zero) / (one - zero), 0.0f, 1.0f);
-}
-
-bool IsInCube(const Eigen::Vector3f& point) {
-  return (point.array() >= 0).all() && (point.array() < 1).all();
-}
-
 int CountAt(const VoxelGrid& hull,
             const std::vector<uint16_t>& counts,
             const Eigen::Vector3f& point) {
-  if (!IsInCube(point)) {
+  if ((point.array() < 0).any() || (point.array() >= 1).any()) {
     return 0;
   }
   const VoxelGrid::Index index = hull.Find(
@@ -112,16 +104,11 @@ int MostBefore(const VoxelGrid& hull,
                const Eigen::Vector3f& origin,
                const Eigen::Vector3f& ray,
                float depth) {
-  const float resolution = float(hull.Resolution());
-  const float step = 0.5f / (resolution * ray.norm());
   int most = 0;
-  for (float d = depth - kClear / resolution; d > 0; d -= step) {
-    const Eigen::Vector3f point = origin + d * ray;
-    if (!IsInCube(point)) {
-      break;  // the ray has left the cube towards the view
-    }
-    most = std::max(most, CountAt(hull, counts, point));
-  }
+  AnyVoxelBefore(hull, origin, ray, depth, kClear, [&](VoxelGrid::Index index) {
+    most = std::max(most, int(counts[index]));
+    return false;
+  });
   return most;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/ramp.h"
 #include "core/consistency/local_agreement.h"
 #include "core/grid/parallel_voxels.h"
 #include "core/visibility/surface_normals.h"
@@ -32,10 +33,6 @@ constexpr float kDecidedAround = 0.9f;
 constexpr int kFinerLevels = 2;
 // Trust in depths from which on agreement at coarser levels counts in full.
 constexpr float kEnoughTrust = 0.5f;
-
-float Ramp(float value, float from, float to) {
-  return std::clamp((value - from) / (to - from), 0.0f, 1.0f);
-}
 
 }  // namespace
 

@@ -28,6 +28,14 @@ NeighborValues ValuesAcross(const std::vector<float>& values,
   return result;
 }
 
+float MeanWith(float own, const NeighborValues& across) {
+  float sum = own;
+  for (const float value : across) {
+    sum += value;
+  }
+  return sum / float(1 + kNumFaces);
+}
+
 Eigen::Vector3f OutwardNormal(const NeighborValues& across) {
   const Eigen::Vector3f outward(
       across[0] - across[1], across[2] - across[3], across[4] - across[5]);
@@ -113,11 +121,7 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
     for_all_within(
         blur_steps - step,
         [&](size_t, VoxelGrid::Index index, const NeighborValues& across) {
-          float sum = values[index];
-          for (const float value : across) {
-            sum += value;
-          }
-          blurred[index] = sum / 7;
+          blurred[index] = MeanWith(values[index], across);
         });
     values.swap(blurred);
   }
@@ -142,11 +146,8 @@ std::vector<float> SmoothPrior(const VoxelGrid& voxels,
     ParallelFor(
         context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
           walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-            float sum = values[place.index];
-            for (const float value : ValuesAcross(values, ties, walk, place)) {
-              sum += value;
-            }
-            blurred[place.index] = sum / 7;
+            blurred[place.index] = MeanWith(
+                values[place.index], ValuesAcross(values, ties, walk, place));
           });
         });
     values.swap(blurred);

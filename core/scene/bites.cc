@@ -28,6 +28,8 @@ constexpr size_t kWitnessDivisor = 4;
 // Of the object.
 constexpr double kMaxShare = 0.05;
 constexpr int kRim = 3;
+// Radii of cells that a bite may go on in depth where it meets the mask.
+constexpr double kDepthMargin = 8;
 
 using CellNumbers = std::vector<size_t>;
 
@@ -215,7 +217,14 @@ class BiteFinder {
       depths.extend(
           Eigen::Matrix<double, 1, 1>((of.cam_from_world * center).z()));
     }
-    cv::Mat gap = Footprint(view, centers) & (of.mask < kObjectThreshold);
+    // What is that near to the mask counts as explained, so that the cells do
+    // not reach up to it.
+    const double reach =
+        2 * (CellRadius(of, centers.front(), cells_.radius) + kSlack) + kRim;
+    const cv::Mat object = of.mask >= kObjectThreshold;
+    const cv::Mat footprint = Footprint(view, centers);
+    cv::Mat gap =
+        (footprint | (Near(footprint, reach) & Near(object, reach))) & ~object;
     std::vector<cv::Point> pixels;
     cv::findNonZero(gap, pixels);
     for (const cv::Point& pixel : pixels) {
@@ -227,7 +236,7 @@ class BiteFinder {
     bite.view = view;
     KeepBites(view, &gap);
     bite.num_pixels = size_t(cv::countNonZero(gap));
-    bite.pixels = gap | (Near(gap, kRim) & (of.mask >= kObjectThreshold));
+    bite.pixels = gap | (Near(gap, kRim) & object);
     return bite;
   }
 
@@ -239,8 +248,9 @@ class BiteFinder {
     const Rigid3d world_from_cam = of.cam_from_world.Inverse();
     const Eigen::Vector3d ray =
         of.camera.Unproject({pixel.x + 0.5, pixel.y + 0.5});
-    const double first = depths.min().x() - cells_.radius;
-    const double last = depths.max().x() + cells_.radius;
+    const double margin = kDepthMargin * cells_.radius;
+    const double first = depths.min().x() - margin;
+    const double last = depths.max().x() + margin;
     for (double depth = first; depth <= last; depth += cells_.radius / 2) {
       const Eigen::Vector3d point = world_from_cam * (depth * ray);
       bool is_left = depth > 0;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "colmap_io/images/scene_points.h"
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/write_sparse_model.h"
@@ -296,6 +298,30 @@ TEST_F(LoadSceneTest, LeavesOutAMaskThatContradictsTheOthers) {
   EXPECT_EQ(Load(options).summary.num_views, 11u);
   options.keep_all_views = true;
   EXPECT_EQ(Load(options).summary.num_views, 12u);
+}
+
+// All twelve views have the top of the ball on their outline.
+TEST_F(LoadSceneTest, ABiteOutOfOneMaskCutsNothing) {
+  const LoadedScene exact = Load();
+  cv::Mat mask = cv::imread(MaskPath(3).string(), cv::IMREAD_GRAYSCALE);
+  const cv::Rect extent = cv::boundingRect(mask >= kObjectThreshold);
+  const int cut = extent.y + extent.height / 12;
+  mask.rowRange(0, cut).setTo(0);
+  WritePicture(MaskPath(3), mask);
+
+  LoadSceneOptions options;
+  const LoadedScene believed = Load(options);
+  EXPECT_EQ(believed.summary.num_filled_bites, 0u);
+  EXPECT_LT(believed.region.box.volume(), 0.97 * exact.region.box.volume());
+  options.fill_bites = true;
+  const LoadedScene filled = Load(options);
+  EXPECT_EQ(filled.summary.num_filled_bites, 1u);
+  EXPECT_NEAR(filled.region.box.volume() / exact.region.box.volume(), 1, 0.02);
+  const auto area = [](const LoadedScene& loaded) {
+    return cv::countNonZero(loaded.scene.views[3].mask >= kObjectThreshold);
+  };
+  EXPECT_LT(area(believed), 0.98 * area(exact));
+  EXPECT_NEAR(area(filled), area(exact), 0.02 * area(exact));
 }
 
 TEST_F(LoadSceneTest, RefusesManyMasksThatContradictTheOthers) {

@@ -93,7 +93,7 @@ TEST(FindBites, MasksOffByAPixelHaveNone) {
 
 TEST(FindBites, ARodKeepsItsTip) {
   const std::vector<View> exact = Views();
-  std::vector<View> views = exact;
+  std::vector<View> views = Views();
   const size_t bitten = ViewFromSide(views, 1);
   BiteOffTip(&views[bitten]);
   const double voxel = 1.2 / 64;

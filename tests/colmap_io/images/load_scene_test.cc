@@ -3,8 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <opencv2/imgproc.hpp>
-
+#include "colmap_io/images/filled_bites.h"
 #include "colmap_io/images/scene_points.h"
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/write_sparse_model.h"
@@ -300,28 +299,27 @@ TEST_F(LoadSceneTest, LeavesOutAMaskThatContradictsTheOthers) {
   EXPECT_EQ(Load(options).summary.num_views, 12u);
 }
 
-// All twelve views have the top of the ball on their outline.
-TEST_F(LoadSceneTest, ABiteOutOfOneMaskCutsNothing) {
-  const LoadedScene exact = Load();
-  cv::Mat mask = cv::imread(MaskPath(3).string(), cv::IMREAD_GRAYSCALE);
-  const cv::Rect extent = cv::boundingRect(mask >= kObjectThreshold);
-  const int cut = extent.y + extent.height / 12;
-  mask.rowRange(0, cut).setTo(0);
-  WritePicture(MaskPath(3), mask);
-
+TEST_F(LoadSceneTest, RightMasksHaveNoBites) {
   LoadSceneOptions options;
-  const LoadedScene believed = Load(options);
-  EXPECT_EQ(believed.summary.num_filled_bites, 0u);
-  EXPECT_LT(believed.region.box.volume(), 0.97 * exact.region.box.volume());
   options.fill_bites = true;
-  const LoadedScene filled = Load(options);
-  EXPECT_EQ(filled.summary.num_filled_bites, 1u);
-  EXPECT_NEAR(filled.region.box.volume() / exact.region.box.volume(), 1, 0.02);
-  const auto area = [](const LoadedScene& loaded) {
-    return cv::countNonZero(loaded.scene.views[3].mask >= kObjectThreshold);
-  };
-  EXPECT_LT(area(believed), 0.98 * area(exact));
-  EXPECT_NEAR(area(filled), area(exact), 0.02 * area(exact));
+  const LoadedScene loaded = Load(options);
+  EXPECT_EQ(loaded.summary.num_filled_bites, 0u);
+  ExpectSphere(loaded);
+}
+
+TEST(FilledBites, AreThoseOfTheSameLinesOfSight) {
+  const PinholeCamera reduced = {20, 10, 10, 10, 10, 5};
+  const PinholeCamera full = {30, 20, 20, 20, 15, 8};
+  cv::Mat pixels = cv::Mat::zeros(10, 20, CV_8UC1);
+  pixels.at<uint8_t>(5, 10) = 255;
+  cv::Mat mask = cv::Mat::zeros(20, 30, CV_8UC1);
+  FilledBites bites;
+  bites.Fill(full, &mask);
+  EXPECT_EQ(cv::countNonZero(mask), 0);
+  bites.Add(reduced, pixels);
+  bites.Fill(full, &mask);
+  EXPECT_EQ(cv::countNonZero(mask), 4);
+  EXPECT_EQ(cv::countNonZero(mask(cv::Rect(15, 8, 2, 2))), 4);
 }
 
 TEST_F(LoadSceneTest, RefusesManyMasksThatContradictTheOthers) {

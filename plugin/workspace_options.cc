@@ -171,6 +171,7 @@ Json LoadSummaryToJson(const LoadSceneSummary& summary, const Region& region) {
           {"missing_masks", summary.num_missing_masks},
           {"masks_without_outline", summary.num_masks_without_outline},
           {"contradicting_views", BadViewsToJson(summary.bad_views)},
+          {"filled_mask_bites", summary.num_filled_bites},
           {"views_elsewhere", summary.num_views_elsewhere},
           {"sparse_points", summary.num_points},
           {"pixel_bytes", summary.scene_bytes},

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "colmap_io/images/filled_bites.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/image_header.h"
@@ -22,6 +23,7 @@
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
+#include "core/scene/bites.h"
 #include "core/scene/contradictions.h"
 
 namespace octacut {
@@ -36,6 +38,7 @@ constexpr size_t kBytesPerPixel = 6;
 struct Candidate {
   ViewFiles files;
   MaskView mask;
+  FilledBites bites;
 };
 
 WorkspaceOptions WithImages(const LoadSceneOptions& options) {
@@ -75,6 +78,9 @@ class Loader {
       summary.bad_views.seconds = stopwatch.Lap();
     }
 
+    if (options_.fill_bites && !options_.region.bounding_box) {
+      FillReducedMasks();
+    }
     FindRegion();
     summary.region_seconds = stopwatch.Lap();
 
@@ -89,6 +95,7 @@ class Loader {
   void ReadReducedMasks();
   void LeaveOutMasksWithoutOutline();
   void LeaveOutBadViews();
+  void FillReducedMasks();
   void FindRegion();
   bool ShowsGivenRegion(const Candidate& candidate) const;
   void PlanWindows();
@@ -233,6 +240,28 @@ bool Loader::ShowsGivenRegion(const Candidate& candidate) const {
       .has_value();
 }
 
+// A given box may be that of one of several objects: what others explain is not
+// to be taken for bites, so they are found where the region is.
+void Loader::FillReducedMasks() {
+  std::vector<View> views;
+  for (const Candidate& candidate : candidates_) {
+    views.push_back(candidate.mask.view);
+  }
+  const std::vector<Bite> bites =
+      FindBites(views, options_.region.mask_tolerance, context_);
+  for (const Bite& bite : bites) {
+    Candidate& candidate = candidates_[bite.view];
+    candidate.bites.Add(candidate.mask.view.camera, bite.pixels);
+    candidate.mask.view.mask.setTo(255, bite.pixels);
+    context_.Info(fmt::format(
+        "{}: {} pixels of the mask's background are filled, since the other "
+        "masks show a piece of the object there",
+        candidate.files.mask_file.string(),
+        bite.num_pixels));
+  }
+  result_.summary.num_filled_bites = bites.size();
+}
+
 void Loader::FindRegion() {
   std::vector<View> views;
   for (Candidate& candidate : candidates_) {
@@ -291,6 +320,7 @@ void Loader::ReadView(const Candidate& candidate, View* view) const {
                          view->camera,
                          255,
                          alone);
+  candidate.bites.Fill(view->camera, &view->mask);
   if (!options_.load_images) {
     return;
   }

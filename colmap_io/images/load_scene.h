@@ -26,6 +26,9 @@ struct LoadSceneOptions {
   bool skip_missing_masks = false;
   // False: views that contradict the others are left out.
   bool keep_all_views = false;
+  // Bites out of masks (FindBites) are filled, before the region is found,
+  // which they would cut, unless it is given.
+  bool fill_bites = false;
   // False: the views get masks only, and images need not exist.
   bool load_images = true;
   RegionOptions region;
@@ -46,6 +49,7 @@ struct LoadSceneSummary {
   size_t num_missing_masks = 0;          // skipped
   size_t num_masks_without_outline = 0;  // skipped: all of one kind
   BadViewSummary bad_views;              // contradict the others
+  size_t num_filled_bites = 0;
   size_t num_views_elsewhere = 0;  // left out: they do not show the region
   size_t num_points = 0;           // of the scene
   size_t num_model_points = 0;

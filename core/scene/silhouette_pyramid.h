@@ -27,7 +27,10 @@ class SilhouettePyramid {
 
   // The silhouette touches no side of its frame. Since the object is one
   // piece, all of it is inside the frame, and what projects outside is
-  // background; other views say nothing about the outside of their frame.
+  // background; other views say nothing about the outside of their frame. The
+  // frame is the photograph's here. Silhouette, in core/views, never tells what
+  // is outside: its frame is a crop, clear of the object only as far as the
+  // region is right.
   bool IsClosed() const { return closed_; }
   bool HasObject() const { return max_x_ > min_x_; }
 

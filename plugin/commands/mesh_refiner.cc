@@ -75,6 +75,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   }
   workspace_.CheckReportIsNot(mesh_path_, "the mesh to refine");
   IndexedMesh mesh = ReadClosedMesh(context);
+  workspace_.loading.fill_bites = fill_false_gaps_;
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
   CheckFloatsResolve(loaded.region.cube, target_level_);

@@ -78,6 +78,7 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
     CheckFilePath(picture_path);
   }
   workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
+  workspace_.loading.fill_bites = meshing_.fill_false_gaps;
   const LevelObserver observer = LevelWriter();
   const LoadedScene loaded = LoadScene(workspace_.workspace_path,
                                        workspace_.loading,

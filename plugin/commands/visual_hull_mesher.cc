@@ -39,6 +39,7 @@ void VisualHullMesher::Run(const CommandEnvironment& environment) {
   options_.Check();
   workspace_.Complete("meshed-visual-hull.ply");
   workspace_.loading.load_images = false;
+  workspace_.loading.fill_bites = options_.fill_false_gaps;
   const LoadedScene loaded = LoadScene(workspace_.workspace_path,
                                        workspace_.loading,
                                        options_.hull.hull_level,

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_io/images/filled_bites.h"
 #include "colmap_io/images/scene_points.h"
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/write_sparse_model.h"
@@ -297,6 +298,29 @@ TEST_F(LoadSceneTest, LeavesOutAMaskThatContradictsTheOthers) {
   EXPECT_EQ(Load(options).summary.num_views, 11u);
   options.keep_all_views = true;
   EXPECT_EQ(Load(options).summary.num_views, 12u);
+}
+
+TEST_F(LoadSceneTest, RightMasksHaveNoBites) {
+  LoadSceneOptions options;
+  options.fill_bites = true;
+  const LoadedScene loaded = Load(options);
+  EXPECT_EQ(loaded.summary.num_filled_bites, 0u);
+  ExpectSphere(loaded);
+}
+
+TEST(FilledBites, AreThoseOfTheSameLinesOfSight) {
+  const PinholeCamera reduced = {20, 10, 10, 10, 10, 5};
+  const PinholeCamera full = {30, 20, 20, 20, 15, 8};
+  cv::Mat pixels = cv::Mat::zeros(10, 20, CV_8UC1);
+  pixels.at<uint8_t>(5, 10) = 255;
+  cv::Mat mask = cv::Mat::zeros(20, 30, CV_8UC1);
+  FilledBites bites;
+  bites.Fill(full, &mask);
+  EXPECT_EQ(cv::countNonZero(mask), 0);
+  bites.Add(reduced, pixels);
+  bites.Fill(full, &mask);
+  EXPECT_EQ(cv::countNonZero(mask), 4);
+  EXPECT_EQ(cv::countNonZero(mask(cv::Rect(15, 8, 2, 2))), 4);
 }
 
 TEST_F(LoadSceneTest, RefusesManyMasksThatContradictTheOthers) {

@@ -1,0 +1,44 @@
+#include "core/scene/outline_distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+namespace octacut {
+namespace {
+
+cv::Mat Distances(const cv::Mat& image) {
+  cv::Mat distances;
+  cv::distanceTransform(
+      image, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
+  return distances;
+}
+
+}  // namespace
+
+OutlineDistance::OutlineDistance(const View& view) {
+  const cv::Mat object = view.mask >= kObjectThreshold;
+  distances_ = Distances(~object) - Distances(object);
+  const cv::Rect extent = cv::boundingRect(object);
+  closed_ = extent.x > 0 && extent.y > 0 &&
+            extent.x + extent.width < object.cols &&
+            extent.y + extent.height < object.rows;
+}
+
+double OutlineDistance::At(const Eigen::Vector2d& pixel) const {
+  const double width = distances_.cols;
+  const double height = distances_.rows;
+  const double x = std::clamp(pixel.x(), 0.5, width - 0.5);
+  const double y = std::clamp(pixel.y(), 0.5, height - 0.5);
+  const double distance = distances_.at<float>(int(y), int(x));
+  const double beyond = std::hypot(pixel.x() - x, pixel.y() - y);
+  if (closed_) {
+    // The frame is convex and holds the object.
+    return beyond > 1 ? std::hypot(beyond, distance) : distance;
+  }
+  return beyond > 1 ? -beyond
+                    : std::min({distance, x, y, width - x, height - y});
+}
+
+}  // namespace octacut

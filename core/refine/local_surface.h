@@ -4,6 +4,7 @@
 // object is round).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Core>
 #include <vector>
@@ -32,6 +33,11 @@ struct LocalSurface {
   // Largest one at the center, either way, 1 / unit.
   float Curvature() const {
     return std::abs(uu + vv) + std::hypot(uu - vv, uv);
+  }
+  // Largest one at the center with which the surface turns away from whom it
+  // faces, at least 0, 1 / unit.
+  float ConvexCurvature() const {
+    return std::max(0.0f, std::hypot(uu - vv, uv) - (uu + vv));
   }
   // Outward, not of unit length.
   Eigen::Vector3f NormalAt(float x, float y) const {

@@ -28,6 +28,7 @@ LinesOfSight MakeLines(double edge,
                        const RefineOptions& options) {
   LinesOfSight lines;
   lines.clearance = kClearance * edge;
+  lines.patch_radius = options.patch.radius * look.scale * look.pixel;
   if (look.scale == 1) {
     lines.ring_radius = options.patch.radius + kRingMargin;
     lines.ring_clearance = kRingClearance * std::max(edge, look.pixel);

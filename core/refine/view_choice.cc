@@ -13,12 +13,25 @@ namespace {
 constexpr size_t kGrain = 1024;
 constexpr int kRingPoints = 8;
 
+// Views that a place should have, even if its patch bends away from them.
+constexpr int kEnoughViews = 4;
+
 float CosineOfDegrees(double degrees) {
   return float(std::cos(degrees * std::numbers::pi / 180));
 }
 
+// Of the angle at which views see all of a patch.
+float CosineOfPatch(const LocalSurface& surface,
+                    double radius,
+                    double max_angle) {
+  const double bend =
+      surface.ConvexCurvature() * radius * 180 / std::numbers::pi;
+  return CosineOfDegrees(std::max(max_angle - bend, 0.0));
+}
+
 struct Candidate {
   uint16_t view;
+  float cosine;  // to the normal
   float weight;
   float pixel;
   Eigen::Vector3f direction;  // to the camera
@@ -47,6 +60,7 @@ void FindCandidates(const ViewSet& views,
       const float own_pixel = p->depth / projection.focal_length;
       const float sharpness = std::min(1.0f, pixel / own_pixel);
       candidates->push_back({uint16_t(i),
+                             cosine,
                              cosine * sharpness * sharpness,
                              own_pixel,
                              direction,
@@ -103,12 +117,16 @@ ChosenViews Choose(const RayScene& rays,
                    const LocalSurface& surface,
                    const std::vector<Candidate>& candidates,
                    const LinesOfSight& lines,
+                   float patch_cosine,
                    int max_views,
                    float max_similarity) {
   ChosenViews chosen;
   float sum = 0;
   std::array<Eigen::Vector3f, ChosenViews::kMaxViews> directions;
   for (const Candidate& candidate : candidates) {
+    if (candidate.cosine < patch_cosine && chosen.count >= kEnoughViews) {
+      continue;
+    }
     const bool is_double = std::any_of(
         directions.begin(),
         directions.begin() + chosen.count,
@@ -164,12 +182,14 @@ std::vector<ChosenViews> ChooseViews(const ViewSet& views,
     std::vector<Candidate> candidates;
     for (size_t v = begin; v < end; ++v) {
       FindCandidates(views, surfaces[v], min_cosine, float(pixel), &candidates);
-      choices[v] = Choose(rays,
-                          surfaces[v],
-                          candidates,
-                          lines,
-                          options.max_views,
-                          max_similarity);
+      choices[v] = Choose(
+          rays,
+          surfaces[v],
+          candidates,
+          lines,
+          CosineOfPatch(surfaces[v], lines.patch_radius, options.max_angle),
+          options.max_views,
+          max_similarity);
     }
   });
   return choices;

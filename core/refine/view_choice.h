@@ -43,6 +43,11 @@ struct LinesOfSight {
   // towards what hides it, out of every furrow. 0: no ring.
   double ring_radius = 0;
   double ring_clearance = 0;
+  // Of patches, unit coordinates. Views to which not all of the patch is turned
+  // as ViewChoiceOptions::max_angle says, because the surface bends away, only
+  // count where others are few: they draw convex surfaces inward, by 3 pixels^2
+  // over the radius of curvature on plain objects (docs/refinement.md).
+  double patch_radius = 0;
 };
 
 // One choice a place. A view counts when the place is within its frame, on

@@ -65,7 +65,7 @@ TEST(MeasureBorderEdges, FindsTheShiftOfMasks) {
       const ViewSet views = {MakeView(shift, object, 0.2)};
       const auto edges = MeasureBorderEdges(views, Context(2));
       ASSERT_TRUE(edges) << shift;
-      EXPECT_NEAR(edges->shift, shift, 0.15) << shift << " " << object;
+      EXPECT_NEAR(edges->shift, shift, 0.05) << shift << " " << object;
       EXPECT_GT(edges->share, 0.9);
       EXPECT_LT(edges->deviation, 0.2);
     }

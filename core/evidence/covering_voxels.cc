@@ -49,8 +49,10 @@ std::vector<int> FromCoveredOutward(const SampleMap& map) {
   };
   for (int sample = 0; sample < int(map.Size()); ++sample) {
     bool is_first = false;
-    for_each_beside(
-        sample, [&](int beside) { is_first |= map.is_covered[beside] != 0; });
+    if (map.IsUncovered(size_t(sample))) {
+      for_each_beside(
+          sample, [&](int beside) { is_first |= map.is_covered[beside] != 0; });
+    }
     if (is_first) {
       add(sample);
     }

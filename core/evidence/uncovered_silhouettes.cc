@@ -32,13 +32,19 @@ UncoveredSilhouettes FindUncoveredSilhouettes(
     const std::vector<FaceLabels>& labels,
     const Context& context) {
   const std::vector<SampleMap> maps = MapSamples(views, hull, labels, context);
+  UncoveredSilhouettes found;
+  found.shares.resize(hull.Size());
+  const SampleCounts counts = CountSamples(maps);
+  if (counts.num_uncovered == 0) {
+    found.num_samples = counts.num_sure;
+    return found;
+  }
   std::vector<std::vector<uint16_t>> num_voxels(views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       num_voxels[i] = CountVoxels(views[i].projection, hull, maps[i]);
     }
   });
-  UncoveredSilhouettes found;
   for (size_t i = 0; i < maps.size(); ++i) {
     for (size_t s = 0; s < maps[i].Size(); ++s) {
       // No voxel of the hull: something else that a mask shows, or clipped.
@@ -48,7 +54,6 @@ UncoveredSilhouettes FindUncoveredSilhouettes(
       }
     }
   }
-  found.shares.resize(hull.Size());
   ParallelForVoxels(
       context, hull, [&](VoxelGrid::Index index, MortonCode code) {
         const Eigen::Vector3f center =

@@ -14,9 +14,9 @@
 namespace octacut {
 namespace {
 
-// Share of the silhouettes' samples that may stay without matter: masks have
-// a few wrong pixels.
-constexpr double kToleratedMiss = 1e-4;
+// Share of the silhouettes' samples up to which no round asks them back: that
+// much is not a part of the object, and CoverSilhouettes has it at once.
+constexpr double kToleratedMiss = 1e-3;
 
 Visibility EstimateVisibility(const ViewSet& views,
                               const VoxelGrid& surface,
@@ -84,8 +84,8 @@ void CoverSilhouettes(const ViewSet& views,
 
 // The cut of l0 by evidence alone. What all silhouettes show must not be cut
 // off: where it is, wrong depths have outvoted matter, so `evidence` gets the
-// word of those silhouettes until nearly all are covered; for the others, it
-// decides itself where on their rays there is matter.
+// word of those silhouettes until nearly all are covered. The others get matter
+// where it is likeliest on their rays.
 OctahedralCut CutByEvidence(const ViewSet& views,
                             const Crust& crust,
                             const std::vector<float>& hull_depth,

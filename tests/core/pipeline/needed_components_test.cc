@@ -11,10 +11,9 @@ using testing::MakeSphereViews;
 using testing::SphereViews;
 
 IndexedMesh BallAt(const Eigen::Vector3d& center, double radius) {
-  return testing::Sphere(
-      12, [&](const Eigen::Vector3d& direction) -> Eigen::Vector3d {
-        return center + radius * direction;
-      });
+  return Sphere(12, [&](const Eigen::Vector3d& direction) -> Eigen::Vector3d {
+    return center + radius * direction;
+  });
 }
 
 void Append(const IndexedMesh& part, IndexedMesh* mesh) {

@@ -98,7 +98,7 @@ class CoveringVoxelsTest : public ::testing::Test {
 };
 
 TEST_F(CoveringVoxelsTest, CoverEverythingAndHangTogether) {
-  ASSERT_GT(CountSamples(Maps(labels_)).num_uncovered, 100u);
+  ASSERT_GT(CountSamples(Maps(labels_)).num_uncovered, 30u);
   const CoveringVoxels covering = Find();
   EXPECT_EQ(covering.num_impossible, 0u);
   EXPECT_GT(covering.num_voxels, 0u);

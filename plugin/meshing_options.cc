@@ -29,7 +29,8 @@ void DeclareEvidenceOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.cover_rounds",
       &evidence->cover_rounds,
-      "Maximum number of rounds that restore uncovered object pixels, 0 to 8.");
+      "Maximum number of rounds that restore uncovered object pixels on the "
+      "first level, 0 to 8; 0 restores none on any level.");
   options.Add("OctahedralMeshing.min_agreeing_views",
               &evidence->min_agreeing_views,
               "Number of other views that must confirm a depth; see "
@@ -127,11 +128,13 @@ Json LevelToJson(const LevelSummary& level) {
           {"cover_rounds", level.num_cover_rounds},
           {"silhouettes_missed_before", level.missed_before},
           {"silhouettes_missed", level.missed_after},
+          {"cover_voxels", level.num_cover_voxels},
           {"border_voxels", level.num_border_voxels},
           {"crust_seconds", level.crust_seconds},
           {"visibility_seconds", level.visibility_seconds},
           {"consistency_seconds", level.consistency_seconds},
-          {"cut_seconds", level.cut_seconds}};
+          {"cut_seconds", level.cut_seconds},
+          {"cover_seconds", level.cover_seconds}};
 }
 
 }  // namespace
@@ -187,7 +190,8 @@ void DeclareMeshingOptions(OptionManager& options,
   options.Add("OctahedralMeshing.min_component",
               &meshing->min_component,
               "Remove components with less than this share of the largest "
-              "component's volume.");
+              "component's volume, except those that the masks of two or more "
+              "images require.");
   options.Add(
       "OctahedralMeshing.min_handle",
       &meshing->min_handle,

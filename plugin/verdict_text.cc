@@ -15,6 +15,8 @@ namespace {
 // Of the pixels that are surely object: as many as smoothing takes from the
 // tips of a good mesh.
 constexpr double kMaxMissed = 0.001;
+// Of those, for the sake of components that were removed.
+constexpr double kMaxRemoved = 0.001;
 // Of the object's pixels: a ring of one pixel around an object that is 400
 // across.
 constexpr double kMaxUnsure = 0.01;
@@ -163,7 +165,7 @@ class Writer {
     const std::vector<double> pixels(verdict_.removed_pixels.begin(),
                                      verdict_.removed_pixels.end());
     const double sum = std::accumulate(pixels.begin(), pixels.end(), 0.0);
-    if (sum > 0) {
+    if (sum > kMaxRemoved * double(verdict_.repaired_masks.total.Sure())) {
       text_.warnings.push_back(fmt::format(
           "Small components were removed, which leaves {} pixels uncovered "
           "that are certainly object, most of them in {}. A smaller "

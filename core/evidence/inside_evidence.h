@@ -41,7 +41,7 @@ struct InsideEvidenceOptions {
   // Where a labelling leaves the ray of an object's pixel empty: what that
   // pixel's word is worth to all hull voxels of its ray together. It doubles
   // with every round until nearly all are covered, `cover_rounds` times at
-  // most.
+  // most. 0: silhouettes are not asked on any level.
   double cover_weight = 1;
   int cover_rounds = 5;  // 0 .. 8
   void Check() const;

@@ -23,8 +23,7 @@ struct UncoveredSilhouettes {
 };
 
 // `labels` has one element a voxel of `hull`, as SolveOctahedralCut gives
-// them. Samples within a hull voxel of the silhouette's border do not count:
-// masks are wrong there.
+// them. Samples near the silhouette's border do not count, as MapSamples says.
 UncoveredSilhouettes FindUncoveredSilhouettes(
     const ViewSet& views,
     const VoxelGrid& hull,

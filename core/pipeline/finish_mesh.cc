@@ -15,6 +15,7 @@
 #include "core/mesh/normals.h"
 #include "core/mesh/smooth.h"
 #include "core/mesh/untangle.h"
+#include "core/pipeline/needed_components.h"
 
 namespace octacut {
 namespace {
@@ -84,6 +85,14 @@ FinishedMesh FinalMesh(const ViewSet& views,
   const double voxel_size = cube.VoxelSize(surface.voxels.Level());
   KeptComponents kept =
       KeepLargestComponents(std::move(placed.mesh), options.min_component);
+  const size_t num_needed =
+      RestoreNeededComponents(views, cube, context, &kept);
+  if (num_needed > 0) {
+    context.Info(fmt::format(
+        "{} components smaller than --OctahedralMeshing.min_component are "
+        "kept: the silhouettes are not covered without them.",
+        num_needed));
+  }
   summary->num_removed_components = kept.summary.num_removed;
   // Below a pixel the images cannot tell a handle from none.
   const double pixel =

@@ -7,15 +7,16 @@
 #include "core/crust/medial_voxels.h"
 #include "core/cut/fixed_point.h"
 #include "core/evidence/uncovered_silhouettes.h"
+#include "core/pipeline/cover_silhouettes.h"
 #include "core/pipeline/undecided_surface.h"
 #include "core/pipeline/voxel_terms.h"
 
 namespace octacut {
 namespace {
 
-// Share of the silhouettes' samples that may stay without matter: masks have
-// a few wrong pixels.
-constexpr double kToleratedMiss = 1e-4;
+// Share of the silhouettes' samples up to which no round asks them back: that
+// much is not a part of the object, and CoverSilhouettes has it at once.
+constexpr double kToleratedMiss = 1e-3;
 
 Visibility EstimateVisibility(const ViewSet& views,
                               const VoxelGrid& surface,
@@ -54,25 +55,57 @@ OctahedralCut CutCrust(const Crust& crust,
   return cut;
 }
 
+// Cuts again where `cut` leaves silhouettes uncovered that can be covered.
+void CoverSilhouettes(const ViewSet& views,
+                      const Crust& crust,
+                      const std::vector<float>& weights,
+                      const CoverPreference& preference,
+                      const ReconstructionOptions& options,
+                      const Context& context,
+                      OctahedralCutState* state,
+                      std::vector<float>* evidence,
+                      OctahedralCut* cut,
+                      LevelSummary* summary) {
+  if (options.evidence.cover_rounds == 0) {
+    return;
+  }
+  Stopwatch stopwatch;
+  const CoverDemand demand =
+      DemandCover(views, crust, cut->labels, preference, context, evidence);
+  summary->cover_seconds += stopwatch.Lap();
+  summary->missed_before = std::max(summary->missed_before, demand.uncovered);
+  summary->missed_after = demand.impossible;
+  summary->num_cover_voxels += demand.num_voxels;
+  if (demand.num_voxels > 0) {
+    *cut =
+        CutCrust(crust, weights, *evidence, options, context, summary, state);
+  }
+}
+
 // The cut of l0 by evidence alone. What all silhouettes show must not be cut
 // off: where it is, wrong depths have outvoted matter, so `evidence` gets the
-// word of those silhouettes until they are covered.
-OctahedralCut CutCoveringSilhouettes(const ViewSet& views,
-                                     const Crust& crust,
-                                     const ReconstructionOptions& options,
-                                     const Context& context,
-                                     std::vector<float>* evidence,
-                                     LevelSummary* summary) {
+// word of those silhouettes until nearly all are covered. The others get matter
+// where it is likeliest on their rays.
+OctahedralCut CutByEvidence(const ViewSet& views,
+                            const Crust& crust,
+                            const std::vector<float>& hull_depth,
+                            const ReconstructionOptions& options,
+                            const Context& context,
+                            std::vector<float>* evidence,
+                            LevelSummary* summary) {
   const std::vector<float> weights =
       EdgeWeights(std::vector<float>(crust.voxels.Size(),
                                      float(options.consistency.neutral)),
                   options.energy);
+  OctahedralCutState state;
   double weight = options.evidence.cover_weight;
   for (int round = 0;; ++round, weight *= 2) {
     OctahedralCut cut =
-        CutCrust(crust, weights, *evidence, options, context, summary);
+        CutCrust(crust, weights, *evidence, options, context, summary, &state);
+    Stopwatch stopwatch;
     const UncoveredSilhouettes missed =
         FindUncoveredSilhouettes(views, crust.voxels, cut.labels, context);
+    summary->cover_seconds += stopwatch.Lap();
     summary->missed_after = double(missed.num_uncovered) /
                             double(std::max<size_t>(missed.num_samples, 1));
     if (round == 0) {
@@ -81,6 +114,17 @@ OctahedralCut CutCoveringSilhouettes(const ViewSet& views,
     summary->num_cover_rounds = round;
     if (round == options.evidence.cover_rounds ||
         summary->missed_after <= kToleratedMiss) {
+      const std::vector<float> asked = *evidence;
+      CoverSilhouettes(views,
+                       crust,
+                       weights,
+                       {asked, hull_depth},
+                       options,
+                       context,
+                       &state,
+                       evidence,
+                       &cut,
+                       summary);
       return cut;
     }
     for (size_t i = 0; i < evidence->size(); ++i) {
@@ -121,15 +165,14 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
   Stopwatch stopwatch;
   Crust crust = InitialCrust(hull, context);
   summary->crust_seconds += stopwatch.Lap();
-  std::vector<float> prior =
-      EstimateSilhouetteTerms(
-          views, evidence.mask_trust, hull, options, context)
-          .evidence;
+  SilhouetteTerms silhouettes = EstimateSilhouetteTerms(
+      views, evidence.mask_trust, hull, options, context);
+  std::vector<float> prior = std::move(silhouettes.evidence);
   for (size_t i = 0; i < prior.size(); ++i) {
     prior[i] += evidence.values[i];
   }
-  OctahedralCut cut =
-      CutCoveringSilhouettes(views, crust, options, context, &prior, summary);
+  OctahedralCut cut = CutByEvidence(
+      views, crust, silhouettes.hull_depth, options, context, &prior, summary);
 
   stopwatch.Lap();
   for (size_t i = 0; i < crust.prior.size(); ++i) {
@@ -153,7 +196,18 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
       DecideByPhotographs(crust, terms.phi, evidence.depth_trust, context);
   std::vector<float> weights = EdgeWeights(terms.phi, options.energy);
   FlattenUndecidedWeights(decision, options, &weights);
-  cut = CutCrust(crust, weights, prior, options, context, summary);
+  OctahedralCutState state;
+  cut = CutCrust(crust, weights, prior, options, context, summary, &state);
+  CoverSilhouettes(views,
+                   crust,
+                   weights,
+                   {{}, terms.hull_depth},
+                   options,
+                   context,
+                   &state,
+                   &prior,
+                   &cut,
+                   summary);
   summary->decided_share = DecidedShare(cut.labels, decision);
   return {std::move(crust.voxels), std::move(cut.labels)};
 }
@@ -194,30 +248,35 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
     std::vector<float> held = terms.evidence;
     HoldUndecidedSurface(crust, decision, terms.hull_depth, context, &held);
     summary->crust_seconds += stopwatch.Lap();
+    OctahedralCutState* kept = options.max_grow_rounds > 0 ? &state : nullptr;
     OctahedralCut cut =
-        CutCrust(crust,
-                 weights,
-                 held,
-                 options,
-                 context,
-                 summary,
-                 options.max_grow_rounds > 0 ? &state : nullptr);
+        CutCrust(crust, weights, held, options, context, summary, kept);
     stopwatch.Lap();
     const std::vector<uint8_t> at_border =
         CutAtBorder(crust, cut.labels, context, &summary->num_border_voxels);
     summary->num_grow_rounds = round;
-    summary->decided_share = DecidedShare(cut.labels, decision);
-    if (round >= options.max_grow_rounds || summary->num_border_voxels == 0) {
-      summary->crust_seconds += stopwatch.Lap();
-      return {std::move(crust.voxels), std::move(cut.labels)};
+    if (round < options.max_grow_rounds && summary->num_border_voxels > 0) {
+      Crust grown = GrowCrust(
+          hierarchy, crust, at_border, options.crust.crust_dilation, context);
+      if (grown.voxels.Size() > crust.voxels.Size()) {
+        crust = std::move(grown);
+        summary->crust_seconds += stopwatch.Lap();
+        continue;
+      }
     }
-    Crust grown = GrowCrust(
-        hierarchy, crust, at_border, options.crust.crust_dilation, context);
     summary->crust_seconds += stopwatch.Lap();
-    if (grown.voxels.Size() == crust.voxels.Size()) {
-      return {std::move(crust.voxels), std::move(cut.labels)};
-    }
-    crust = std::move(grown);
+    CoverSilhouettes(views,
+                     crust,
+                     weights,
+                     {{}, terms.hull_depth},
+                     options,
+                     context,
+                     kept,
+                     &held,
+                     &cut,
+                     summary);
+    summary->decided_share = DecidedShare(cut.labels, decision);
+    return {std::move(crust.voxels), std::move(cut.labels)};
   }
 }
 

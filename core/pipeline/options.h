@@ -44,7 +44,8 @@ struct ReconstructionOptions {
   bool refine = true;  // the smoothed mesh, by the photographs
   RefineOptions refinement;
   // Components with less than this share of the largest one's volume are
-  // removed, cavities filled; 0 .. 1.
+  // removed, but for those that RestoreNeededComponents keeps, and cavities
+  // filled; 0 .. 1.
   double min_component = 0.1;
   // Handles around which a loop no longer than so many voxels goes, or pixels
   // of the views where those are larger, are removed: bridges cut, pinholes

@@ -34,16 +34,19 @@ struct LevelSummary {
   // Of the cut voxels, the share where photographs decided.
   double decided_share = 0;
   int num_grow_rounds = 0;
-  // Of the first level: rounds that asked back what silhouettes miss, the
-  // share of their samples missed before and after.
+  // Of the first level: rounds that asked back what silhouettes miss.
   int num_cover_rounds = 0;
+  // The share of the silhouettes' sure samples that a cut left uncovered, at
+  // most, and after the last one; voxels that had to be inside for them.
   double missed_before = 0;
   double missed_after = 0;
+  size_t num_cover_voxels = 0;
   size_t num_border_voxels = 0;  // cut voxels that touch the crust's border
   double crust_seconds = 0;
   double visibility_seconds = 0;
   double consistency_seconds = 0;
   double cut_seconds = 0;
+  double cover_seconds = 0;
 };
 
 struct ReconstructionSummary {

@@ -2,6 +2,7 @@
 // silhouettes and image pyramids. Built once, read by every step.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/base/context.h"
@@ -22,6 +23,13 @@ struct PreparedView {
   // Pixels by which the border of the mask lies outside the edges that the
   // photographs show (ShiftBordersToEdges).
   float border_shift = 0;
+
+  // Pixels within the border of the mask's object from which on it is surely
+  // object: what the mask is not known to, and a pixel for sampling, half for
+  // the mask's own and half for a ray's through the middle of a pixel.
+  float SureDepth() const {
+    return 1 + mask_tolerance + std::max(0.0f, border_shift);
+  }
 };
 
 using ViewSet = std::vector<PreparedView>;
@@ -34,8 +42,8 @@ ViewSet PrepareViews(const Scene& scene,
                      double mask_tolerance = 0);
 
 // Size of a pixel at a point, unit coordinates: the mean over the views that
-// have the point before them, weighted by the squares of their pixels a unit, so
-// that distant ones hardly count; 0 when none has.
+// have the point before them, weighted by the squares of their pixels a unit,
+// so that distant ones hardly count; 0 when none has.
 double PixelSize(const ViewSet& views, const Eigen::Vector3f& point);
 
 }  // namespace octacut

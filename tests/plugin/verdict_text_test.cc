@@ -120,6 +120,8 @@ TEST(VerdictText, NamesTheMasksThatContradictOthers) {
 
 TEST(VerdictText, SaysWhatMinComponentHasTaken) {
   MeshVerdict verdict = GoodVerdict();
+  verdict.removed_pixels = {0, 2, 0};
+  EXPECT_THAT(WarningsOf(verdict), IsEmpty());
   verdict.removed_pixels = {0, 7, 0};
   EXPECT_THAT(WarningsOf(verdict),
               ElementsAre(AllOf(HasSubstr("leaves 7 pixels uncovered"),

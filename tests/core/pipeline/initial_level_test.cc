@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/evidence/silhouette_samples.h"
 #include "core/hull/visual_hull.h"
 #include "core/pipeline/level_step.h"
 #include "tests/core/views/test_scene.h"
@@ -13,41 +14,64 @@ using testing::MakeTestScene;
 using testing::TestScene;
 
 // Wrong depths that say the upper part of a hand, thin fingers, is free space.
-TEST(InitialLevel, SilhouettesAskBackWhatWrongDepthsCutOff) {
-  const TestScene test = MakeTestScene("fingers", 200, 150, 16);
-  ReconstructionOptions options;
-  options.hull.hull_level = 5;
-  options.target_level = 5;
-  const VoxelGrid hull =
-      ComputeVisualHull(
-          test.views, TestScene::UnitBox(), options.hull, Context(2))
-          .voxels;
-  const Eigen::AlignedBox3d& box = test.synthetic.object.shape.box;
-  InsideEvidence evidence;
-  evidence.values.assign(hull.Size(), 0.1f);
-  evidence.mask_trust.assign(test.views.size(), 1.0f);
-  hull.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    const Eigen::Vector3d unit =
-        VoxelCenter(DecodeMorton(code), hull.Level()).cast<double>();
-    if (testing::ToWorld(test.region.cube, unit).z() >
-        box.max().z() - 0.4 * box.sizes().z()) {
-      evidence.values[index] = -1;
-    }
-  });
-  const auto solve = [&](int cover_rounds) {
-    options.evidence.cover_rounds = cover_rounds;
-    LevelSummary summary;
-    SolveInitialLevel(
-        test.views, hull, evidence, options, Context(2), &summary);
-    return summary;
-  };
-  const LevelSummary believed = solve(0);
-  EXPECT_EQ(believed.num_cover_rounds, 0);
-  EXPECT_GT(believed.missed_after, 0.02);
-  const LevelSummary covered = solve(8);
-  EXPECT_EQ(covered.missed_before, believed.missed_after);
-  EXPECT_GT(covered.num_cover_rounds, 0);
-  EXPECT_LT(covered.missed_after, 0.1 * covered.missed_before);
+class InitialLevelTest : public ::testing::Test {
+ protected:
+  InitialLevelTest() : test_(MakeTestScene("fingers", 200, 150, 16)) {
+    options_.hull.hull_level = 5;
+    options_.target_level = 5;
+    hull_ = ComputeVisualHull(
+                test_.views, TestScene::UnitBox(), options_.hull, Context(2))
+                .voxels;
+    evidence_.mask_trust.assign(test_.views.size(), 1.0f);
+  }
+
+  LabeledVoxels Solve(int cover_rounds, float free_space) {
+    const Eigen::AlignedBox3d& box = test_.synthetic.object.shape.box;
+    evidence_.values.assign(hull_.Size(), 0.1f);
+    hull_.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+      const Eigen::Vector3d unit =
+          VoxelCenter(DecodeMorton(code), hull_.Level()).cast<double>();
+      if (testing::ToWorld(test_.region.cube, unit).z() >
+          box.max().z() - 0.4 * box.sizes().z()) {
+        evidence_.values[index] = free_space;
+      }
+    });
+    options_.evidence.cover_rounds = cover_rounds;
+    summary_ = {};
+    return SolveInitialLevel(
+        test_.views, hull_, evidence_, options_, Context(2), &summary_);
+  }
+
+  double UncoveredShare(const LabeledVoxels& surface) const {
+    const SampleCounts counts = CountSamples(
+        MapSamples(test_.views, surface.voxels, surface.labels, Context(2)));
+    return double(counts.num_uncovered) / double(counts.num_sure);
+  }
+
+  TestScene test_;
+  ReconstructionOptions options_;
+  VoxelGrid hull_;
+  InsideEvidence evidence_;
+  LevelSummary summary_;
+};
+
+TEST_F(InitialLevelTest, SilhouettesAskBackWhatWrongDepthsCutOff) {
+  EXPECT_GT(UncoveredShare(Solve(0, -1)), 0.02);
+  EXPECT_EQ(summary_.num_cover_rounds, 0);
+  const double missed = summary_.missed_after;
+  EXPECT_GT(missed, 0.02);
+  EXPECT_EQ(UncoveredShare(Solve(8, -1)), summary_.missed_after);
+  EXPECT_EQ(summary_.missed_before, missed);
+  EXPECT_GT(summary_.num_cover_rounds, 0);
+  EXPECT_LT(summary_.missed_after, 1e-3);
+}
+
+// However sure depths are, the second cut covers what the first one has.
+TEST_F(InitialLevelTest, NoEvidenceIsStrongerThanSilhouettes) {
+  EXPECT_EQ(UncoveredShare(Solve(1, -100)), summary_.missed_after);
+  EXPECT_EQ(summary_.num_cover_rounds, 1);
+  EXPECT_GT(summary_.num_cover_voxels, 10u);
+  EXPECT_LT(summary_.missed_after, 1e-3);
 }
 
 }  // namespace

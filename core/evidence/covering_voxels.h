@@ -1,0 +1,49 @@
+// What has to be inside so that a labelling covers the silhouettes: each pixel
+// that a mask surely shows as object has matter somewhere on its ray (the
+// constraint of Cremers and Kolev, PAMI 2011).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/evidence/silhouette_samples.h"
+#include "core/grid/face.h"
+#include "core/grid/voxel_grid.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// How likely each voxel of a crust is to be matter, as far as a ray needs some.
+struct CoverCandidates {
+  // One a voxel, 0 .. 1; the highest of a ray is taken. Negative: not to be
+  // taken, since it is tied to the outside or other masks deny it.
+  std::vector<float> scores;
+  // One a voxel: inside by a coarser labelling or an earlier cut; empty for
+  // none.
+  std::vector<uint8_t> is_believed;
+};
+
+struct CoveringVoxels {
+  size_t num_voxels = 0;
+  std::vector<uint8_t> is_covering;  // one a voxel
+  // Samples that have no candidate on their rays.
+  size_t num_impossible = 0;
+};
+
+// The voxels of `crust` that have to be inside besides those of `labels` (one a
+// voxel) so that the samples of `maps`, which MapSamples has made of them, are
+// covered, but for impossible ones. They are believed voxels that lie on
+// uncovered rays of at least two views, so that a part that was lost comes back
+// as it was, and for each ray that still meets none of them the one with the
+// highest score, beside matter where there is one about as likely. Rays go from
+// what is covered outward, so that what covers them hangs together.
+CoveringVoxels FindCoveringVoxels(const ViewSet& views,
+                                  const VoxelGrid& crust,
+                                  const std::vector<FaceLabels>& labels,
+                                  const std::vector<SampleMap>& maps,
+                                  const CoverCandidates& candidates,
+                                  const Context& context);
+
+}  // namespace octacut

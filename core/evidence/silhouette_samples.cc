@@ -1,0 +1,124 @@
+#include "core/evidence/silhouette_samples.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+// Half the side of a voxel's footprint around its centre, in voxels, that
+// covers the middles of samples: more than half the diagonal of a face, so that
+// no ray slips between voxels of matter.
+constexpr float kReach = 0.75f;
+// Faces from which on the surface passes the middle of a voxel or beyond.
+constexpr int kHalfInside = kNumFaces / 2;
+
+void MarkCovered(const ViewProjection& projection,
+                 const Eigen::Vector3f& center,
+                 float voxel,
+                 SampleMap* map) {
+  const std::optional<ProjectedPoint> p = projection.Project(center);
+  if (!p) {
+    return;
+  }
+  const float reach =
+      kReach *
+      std::max(1.0f, projection.Footprint(voxel, p->depth) * map->scale);
+  // From the middle of the first sample.
+  const float x = p->u * map->scale - 0.5f;
+  const float y = p->v * map->scale - 0.5f;
+  // Written so that points far out of the frame need no integer.
+  if (!(x > -reach && y > -reach && x < float(map->width) + reach &&
+        y < float(map->height) + reach)) {
+    return;
+  }
+  const int x0 = std::max(0, int(std::ceil(x - reach)));
+  const int y0 = std::max(0, int(std::ceil(y - reach)));
+  const int x1 = std::min(map->width - 1, int(std::floor(x + reach)));
+  const int y1 = std::min(map->height - 1, int(std::floor(y + reach)));
+  for (int row = y0; row <= y1; ++row) {
+    for (int column = x0; column <= x1; ++column) {
+      map->is_covered[size_t(row) * map->width + column] = 1;
+    }
+  }
+}
+
+bool IsSure(const PreparedView& view, const SampleMap& map, int x, int y) {
+  return view.silhouette.Test(float(x - 1) / map.scale,
+                              float(y - 1) / map.scale,
+                              float(x + 2) / map.scale,
+                              float(y + 2) / map.scale) == Footprint::kObject &&
+         view.silhouette.SignedDistance((float(x) + 0.5f) / map.scale,
+                                        (float(y) + 0.5f) / map.scale) >
+             view.SureDepth();
+}
+
+}  // namespace
+
+int SampleMap::At(const ViewProjection& projection,
+                  const Eigen::Vector3f& point) const {
+  const std::optional<ProjectedPoint> p = projection.ProjectIntoFrame(point);
+  if (!p) {
+    return -1;
+  }
+  const int x = std::min(int(p->u * scale), width - 1);
+  const int y = std::min(int(p->v * scale), height - 1);
+  return y * width + x;
+}
+
+SampleMap MapSamples(const PreparedView& view,
+                     const VoxelGrid& voxels,
+                     const std::vector<FaceLabels>& labels) {
+  const ViewProjection& projection = view.projection;
+  const float voxel = 1.0f / float(voxels.Resolution());
+  SampleMap map;
+  map.scale = std::min(1.0f, 1 / projection.CenterFootprint(voxel));
+  map.width = std::max(1, int(float(projection.width) * map.scale));
+  map.height = std::max(1, int(float(projection.height) * map.scale));
+  map.is_sure.resize(size_t(map.width) * map.height);
+  map.is_covered.resize(map.is_sure.size());
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      map.is_sure[size_t(y) * map.width + x] = IsSure(view, map, x, y);
+    }
+  }
+  voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    if (std::popcount(labels[index]) >= kHalfInside) {
+      MarkCovered(projection,
+                  VoxelCenter(DecodeMorton(code), voxels.Level()),
+                  voxel,
+                  &map);
+    }
+  });
+  return map;
+}
+
+std::vector<SampleMap> MapSamples(const ViewSet& views,
+                                  const VoxelGrid& voxels,
+                                  const std::vector<FaceLabels>& labels,
+                                  const Context& context) {
+  std::vector<SampleMap> maps(views.size());
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      maps[i] = MapSamples(views[i], voxels, labels);
+    }
+  });
+  return maps;
+}
+
+SampleCounts CountSamples(const std::vector<SampleMap>& maps) {
+  SampleCounts counts;
+  for (const SampleMap& map : maps) {
+    for (size_t s = 0; s < map.Size(); ++s) {
+      counts.num_sure += map.is_sure[s];
+      counts.num_uncovered += map.IsUncovered(s);
+    }
+  }
+  return counts;
+}
+
+}  // namespace octacut

@@ -1,0 +1,83 @@
+#include "core/pipeline/cover_silhouettes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/cut/fixed_point.h"
+#include "core/evidence/covering_voxels.h"
+#include "core/evidence/silhouette_samples.h"
+#include "core/visibility/surface_normals.h"
+
+namespace octacut {
+namespace {
+
+// Averagings that take the steps of coarser voxels from what they have inside.
+constexpr int kBlurSteps = 4;
+// Share of the score that the depth in the hull has: it tells the middle of a
+// part from its border where averaging has everything inside.
+constexpr float kDepthShare = 0.2f;
+// Depth, voxels, from which on there is no more to tell.
+constexpr float kDeep = 20;
+
+CoverCandidates FindCandidates(const Crust& crust,
+                               const CoverPreference& preference,
+                               const Context& context) {
+  CoverCandidates candidates;
+  if (preference.evidence.empty()) {
+    candidates.scores =
+        SmoothPrior(crust.voxels, crust.ties, crust.prior, kBlurSteps, context);
+    candidates.is_believed.resize(candidates.scores.size());
+    for (size_t i = 0; i < candidates.scores.size(); ++i) {
+      candidates.is_believed[i] = candidates.scores[i] >= 0.5f;
+    }
+  } else {
+    for (const float e : preference.evidence) {
+      candidates.scores.push_back(0.5f + 0.5f * e / (1 + std::abs(e)));
+    }
+  }
+  constexpr FaceTies kOutside = (1u << kNumFaces) - 1;
+  for (size_t i = 0; i < candidates.scores.size(); ++i) {
+    const float depth = preference.hull_depth[i];
+    float& score = candidates.scores[i];
+    score = depth < 0 || (crust.ties[i] & kOutside) != 0
+                ? -1
+                : (1 - kDepthShare) * score +
+                      kDepthShare * std::min(depth / kDeep, 1.0f);
+  }
+  return candidates;
+}
+
+}  // namespace
+
+CoverDemand DemandCover(const ViewSet& views,
+                        const Crust& crust,
+                        const std::vector<FaceLabels>& labels,
+                        const CoverPreference& preference,
+                        const Context& context,
+                        std::vector<float>* evidence) {
+  const std::vector<SampleMap> maps =
+      MapSamples(views, crust.voxels, labels, context);
+  const SampleCounts counts = CountSamples(maps);
+  CoverDemand demand;
+  if (counts.num_uncovered == 0) {
+    return demand;
+  }
+  const CoveringVoxels covering =
+      FindCoveringVoxels(views,
+                         crust.voxels,
+                         labels,
+                         maps,
+                         FindCandidates(crust, preference, context),
+                         context);
+  for (size_t i = 0; i < evidence->size(); ++i) {
+    if (covering.is_covering[i]) {
+      (*evidence)[i] = kMaxEvidence;
+    }
+  }
+  demand.uncovered = double(counts.num_uncovered) / double(counts.num_sure);
+  demand.impossible = double(covering.num_impossible) / double(counts.num_sure);
+  demand.num_voxels = covering.num_voxels;
+  return demand;
+}
+
+}  // namespace octacut

@@ -270,6 +270,7 @@ CoveringVoxels FindCoveringVoxels(const ViewSet& views,
   CoverSearch search(crust, labels, candidates, &found);
   if (!candidates.is_believed.empty()) {
     search.TakeBelieved(rays, samples);
+    return found;
   }
   for (size_t i = 0; i < views.size(); ++i) {
     for (const int sample : samples[i]) {

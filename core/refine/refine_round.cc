@@ -14,6 +14,7 @@
 #include "core/refine/keep_valid.h"
 #include "core/refine/move_vertices.h"
 #include "core/refine/offset_search.h"
+#include "core/refine/offset_support.h"
 #include "core/refine/place_planes.h"
 #include "core/refine/rim_targets.h"
 #include "core/refine/seen_surface.h"
@@ -36,6 +37,9 @@ constexpr double kUsualDeviation = 0.15;
 // open, in units of the noise (docs/refinement.md).
 constexpr double kLimbBias = 1.5;
 constexpr double kLimbNoise = 2;
+// By how much offsets a few patches apart may differ and still mean the same
+// surface, pixels of the round.
+constexpr double kSupportTolerance = 1;
 // How far a place speaks of vertices, in distances between places.
 constexpr double kReach = 1.3;
 
@@ -89,6 +93,13 @@ std::vector<OffsetMeasurement> MeasureOffsets(const ViewSet& views,
                        &phase);
 }
 
+size_t NumMeasured(const std::vector<OffsetMeasurement>& measurements) {
+  return size_t(std::count_if(
+      measurements.begin(), measurements.end(), [](const auto& measurement) {
+        return measurement.weight > 0;
+      }));
+}
+
 // Lengths in pixels.
 OffsetProblem MakeProblem(const SeenSurface& seen,
                           const std::vector<OffsetMeasurement>& measurements,
@@ -101,8 +112,8 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
     problem.normals.push_back(seen.surfaces[i].normal);
     problem.targets.push_back(float(measurement.offset / pixel));
     problem.weights.push_back(float(measurement.weight / scale));
-    summary->num_measured += measurement.weight > 0 ? 1 : 0;
   }
+  summary->num_measured = NumMeasured(measurements);
   problem.is_free = Dilate(seen.is_seen, seen.places.neighbors, kBlendRings);
   return problem;
 }
@@ -157,8 +168,7 @@ void AddRims(const ViewSet& views,
                                                      plan.border_shift,
                                                      context);
   summary->num_rim_targets = rims.size();
-  // Where most places have no offset, those of the others are chance.
-  if (2 * summary->num_measured > summary->num_seen) {
+  if (summary->KnowsMost()) {
     summary->border_shift = FindBorderShift(
         rims, seen.surfaces, measurements, plan, options.border_noise);
   }
@@ -237,13 +247,24 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
     Align(seen, options, context, views, &summary);
   }
   summary.alignment_seconds = stopwatch.Lap();
-  const std::vector<OffsetMeasurement> measurements = MeasureOffsets(
+  std::vector<OffsetMeasurement> measurements = MeasureOffsets(
       *views,
       seen,
       plan,
       options,
       fmt::format("refinement: offsets up to {:.2g} pixels", summary.range),
       context);
+  if (plan.scale == 1) {
+    std::vector<OffsetMeasurement> supported = measurements;
+    WeighBySupport(seen.places.neighbors,
+                   seen.is_seen,
+                   kSupportTolerance * pixel,
+                   context,
+                   &supported);
+    if (2 * NumMeasured(supported) <= summary.num_seen) {
+      measurements = std::move(supported);
+    }
+  }
   OffsetProblem problem =
       MakeProblem(seen, measurements, pixel, plan.scale, &summary);
   summary.search_seconds = stopwatch.Lap();

@@ -154,6 +154,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   const double edge_shift = views->front().border_shift;
   summary.border_shift = edge_shift;
   for (RoundPlan plan : PlanRounds(options)) {
+    plan.aligns &= !summary.rounds.empty() && summary.rounds.back().KnowsMost();
     plan.edge_shift = edge_shift;
     plan.border_shift = summary.border_shift;
     RoundSummary round = RefineOnce(

@@ -31,7 +31,7 @@ struct CoverDemand {
 // Makes `evidence` so strong for the voxels that FindCoveringVoxels finds that
 // a cut of `crust` must have them inside. What `labels` has inside stays so,
 // since evidence for inside only takes from the outside: one more cut covers
-// all but what is impossible.
+// all that FindCoveringVoxels asks for.
 CoverDemand DemandCover(const ViewSet& views,
                         const Crust& crust,
                         const std::vector<FaceLabels>& labels,

@@ -1,7 +1,9 @@
 #include "core/refine/offset_support.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
@@ -55,39 +57,60 @@ class Surroundings {
   std::vector<uint32_t> next_;
 };
 
+// One a place; 1 of places without neighbours that far.
+std::vector<float> EstimateSupport(
+    const VertexCorners& neighbors,
+    const std::vector<uint8_t>& is_seen,
+    double tolerance,
+    const Context& context,
+    const std::vector<OffsetMeasurement>& measurements) {
+  std::vector<float> support(measurements.size(), 1);
+  ParallelFor(
+      context, measurements.size(), kGrain, [&](size_t begin, size_t end) {
+        Surroundings surroundings(neighbors, measurements.size());
+        for (size_t i = begin; i < end; ++i) {
+          int num_seen = 0;
+          int num_alike = 0;
+          surroundings.ForEach(uint32_t(i), [&](uint32_t other) {
+            const OffsetMeasurement& theirs = measurements[other];
+            num_seen += is_seen[other];
+            num_alike +=
+                theirs.weight > 0 &&
+                std::abs(theirs.offset - measurements[i].offset) <= tolerance;
+          });
+          if (num_seen > 0) {
+            support[i] =
+                Ramp(float(num_alike) / float(num_seen), kChance, kSupported);
+          }
+        }
+      });
+  return support;
+}
+
 }  // namespace
 
-void WeighBySupport(const VertexCorners& neighbors,
-                    const std::vector<uint8_t>& is_seen,
-                    double tolerance,
-                    const Context& context,
-                    std::vector<OffsetMeasurement>* measurements) {
-  const std::vector<OffsetMeasurement>& all = *measurements;
-  std::vector<float> support(all.size(), 1);
-  ParallelFor(context, all.size(), kGrain, [&](size_t begin, size_t end) {
-    Surroundings surroundings(neighbors, all.size());
-    for (size_t i = begin; i < end; ++i) {
-      if (!(all[i].weight > 0)) {
-        continue;
-      }
-      int num_seen = 0;
-      int num_alike = 0;
-      surroundings.ForEach(uint32_t(i), [&](uint32_t other) {
-        num_seen += is_seen[other];
-        num_alike +=
-            all[other].weight > 0 &&
-                    std::abs(all[other].offset - all[i].offset) <= tolerance
-                ? 1
-                : 0;
-      });
-      if (num_seen > 0) {
-        support[i] =
-            Ramp(float(num_alike) / float(num_seen), kChance, kSupported);
-      }
-    }
-  });
+size_t NumMeasured(const std::vector<OffsetMeasurement>& measurements) {
+  return size_t(std::count_if(
+      measurements.begin(), measurements.end(), [](const auto& measurement) {
+        return measurement.weight > 0;
+      }));
+}
+
+void DropChanceOffsets(const VertexCorners& neighbors,
+                       const std::vector<uint8_t>& is_seen,
+                       double tolerance,
+                       const Context& context,
+                       std::vector<OffsetMeasurement>* measurements) {
+  const std::vector<float> support =
+      EstimateSupport(neighbors, is_seen, tolerance, context, *measurements);
+  std::vector<OffsetMeasurement> supported = *measurements;
   for (size_t i = 0; i < support.size(); ++i) {
-    (*measurements)[i].weight *= support[i];
+    supported[i].weight *= support[i];
+  }
+  const size_t num_seen =
+      size_t(std::count(is_seen.begin(), is_seen.end(), uint8_t{1}));
+  if (2 * NumMeasured(supported) <= num_seen) {
+    *measurements = std::move(supported);
   }
 }
 

@@ -5,6 +5,7 @@
 // offsets that mean it are alike, also where their patches do not overlap.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,15 +15,20 @@
 
 namespace octacut {
 
-// Lowers the weight of each of `measurements`, one a place, by the share of the
+// Measured offsets, one a place.
+size_t NumMeasured(const std::vector<OffsetMeasurement>& measurements);
+
+// Where at most half of the seen places have an offset that others support,
+// lowers the weight of each of `measurements` by its support: the share of the
 // seen places around it, just beyond its own patch, whose offsets differ from
-// its own by no more than `tolerance` (unit coordinates): to nothing where few
-// do. Places without an offset support none. `neighbors` and `is_seen` are
-// those of SeenSurface. The same bytes for any number of threads.
-void WeighBySupport(const VertexCorners& neighbors,
-                    const std::vector<uint8_t>& is_seen,
-                    double tolerance,
-                    const Context& context,
-                    std::vector<OffsetMeasurement>* measurements);
+// its own by no more than `tolerance` (unit coordinates). Offsets that few
+// support get none. Elsewhere nothing changes: at creases and in hollows of a
+// textured object, offsets without support are right. `neighbors` and
+// `is_seen` are those of SeenSurface. The same for any number of threads.
+void DropChanceOffsets(const VertexCorners& neighbors,
+                       const std::vector<uint8_t>& is_seen,
+                       double tolerance,
+                       const Context& context,
+                       std::vector<OffsetMeasurement>* measurements);
 
 }  // namespace octacut

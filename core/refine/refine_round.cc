@@ -93,13 +93,6 @@ std::vector<OffsetMeasurement> MeasureOffsets(const ViewSet& views,
                        &phase);
 }
 
-size_t NumMeasured(const std::vector<OffsetMeasurement>& measurements) {
-  return size_t(std::count_if(
-      measurements.begin(), measurements.end(), [](const auto& measurement) {
-        return measurement.weight > 0;
-      }));
-}
-
 // Lengths in pixels.
 OffsetProblem MakeProblem(const SeenSurface& seen,
                           const std::vector<OffsetMeasurement>& measurements,
@@ -255,15 +248,11 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
       fmt::format("refinement: offsets up to {:.2g} pixels", summary.range),
       context);
   if (plan.scale == 1) {
-    std::vector<OffsetMeasurement> supported = measurements;
-    WeighBySupport(seen.places.neighbors,
-                   seen.is_seen,
-                   kSupportTolerance * pixel,
-                   context,
-                   &supported);
-    if (2 * NumMeasured(supported) <= summary.num_seen) {
-      measurements = std::move(supported);
-    }
+    DropChanceOffsets(seen.places.neighbors,
+                      seen.is_seen,
+                      kSupportTolerance * pixel,
+                      context,
+                      &measurements);
   }
   OffsetProblem problem =
       MakeProblem(seen, measurements, pixel, plan.scale, &summary);

@@ -82,6 +82,39 @@ TEST_F(ViewChoice, TakesTheMostFrontalViewsThatSee) {
   }
 }
 
+TEST_F(ViewChoice, PatchesThatBendAwayNeedFrontalViews) {
+  const IndexedMesh mesh =
+      scene_->ToUnitMesh(RefineScene::Mesh(20, [](const auto&) { return 0; }));
+  std::vector<LocalSurface> surfaces = Fit(mesh);
+  // A patch on a cylinder turns away by half a radian; one in a hollow does
+  // not.
+  const LinesOfSight lines = {.clearance = 0.02, .patch_radius = 0.05};
+  const auto choose = [&](float height) {
+    for (LocalSurface& surface : surfaces) {
+      surface.uu = height;
+      surface.uv = surface.vv = 0;
+    }
+    return Choose(mesh, surfaces, {}, lines);
+  };
+  const std::vector<ChosenViews> flat = choose(0);
+  const std::vector<ChosenViews> convex = choose(-5);
+  const std::vector<ChosenViews> concave = choose(5);
+  size_t num_fewer = 0;
+  for (size_t v = 0; v < surfaces.size(); ++v) {
+    EXPECT_EQ(concave[v].count, flat[v].count);
+    EXPECT_GE(convex[v].count, std::min<int>(flat[v].count, 4));
+    num_fewer += convex[v].count < flat[v].count;
+    for (int i = 4; i < convex[v].count; ++i) {
+      const Eigen::Vector3f direction =
+          (Views()[convex[v].views[i]].projection.center - surfaces[v].center)
+              .normalized();
+      // 80 degrees without half a radian.
+      EXPECT_GE(direction.dot(surfaces[v].normal), 0.62f);
+    }
+  }
+  EXPECT_GT(num_fewer, surfaces.size() / 10);
+}
+
 TEST_F(ViewChoice, KeepsViewsApart) {
   const IndexedMesh mesh =
       scene_->ToUnitMesh(RefineScene::Mesh(8, [](const auto&) { return 0; }));

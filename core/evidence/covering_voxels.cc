@@ -16,7 +16,7 @@ constexpr float kStep = 0.5f;
 // Score that a voxel beside matter may lack: less than half a voxel's worth
 // where the score is a labelling that has been averaged over some voxels.
 constexpr float kBesideMatter = 0.1f;
-// Views that show a believed voxel to be missing. One alone is no witness: near
+// Views that show a voxel to be missing. One alone is no witness: near
 // the border of its mask its ray grazes what the finer surface has left.
 constexpr uint8_t kWitnesses = 2;
 // Voxels that are looked at for a way to the object: all within some eight.
@@ -126,26 +126,14 @@ class CoverSearch {
   // The believed voxels that at least two views miss.
   void TakeBelieved(const std::vector<SampleRays>& rays,
                     const std::vector<std::vector<int>>& samples) {
-    std::vector<uint16_t> last_view(crust_.Size());
-    std::vector<uint8_t> num_views(crust_.Size());
+    CountWitnesses(rays, samples);
     std::vector<Eigen::Vector3i> taken;
-    for (size_t view = 0; view < rays.size(); ++view) {
-      for (const int sample : samples[view]) {
-        rays[view].ForEachVoxel(
-            sample, [&](VoxelGrid::Index index, const Eigen::Vector3i& voxel) {
-              if (candidates_.scores[index] >= 0 &&
-                  candidates_.is_believed[index] &&
-                  last_view[index] != view + 1 &&
-                  num_views[index] < kWitnesses) {
-                last_view[index] = uint16_t(view + 1);
-                if (++num_views[index] == kWitnesses) {
-                  Take(index);
-                  taken.push_back(voxel);
-                }
-              }
-            });
+    crust_.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+      if (candidates_.is_believed[index] && IsWitnessed(index)) {
+        Take(index);
+        taken.push_back(DecodeMorton(code));
       }
-    }
+    });
     for (const Eigen::Vector3i& voxel : taken) {
       Attach(voxel);
     }
@@ -159,7 +147,8 @@ class CoverSearch {
     rays.ForEachVoxel(
         sample, [&](VoxelGrid::Index index, const Eigen::Vector3i& voxel) {
           is_covered |= found_->is_covering[index] != 0;
-          if (candidates_.scores[index] >= 0) {
+          if (candidates_.scores[index] >= 0 && IsWitnessed(index) &&
+              (num_witnesses_.empty() || IsBesideMatter(voxel))) {
             on_ray_.emplace_back(index, voxel);
             best = std::max(best, candidates_.scores[index]);
           }
@@ -193,6 +182,31 @@ class CoverSearch {
     found_->is_covering[index] = 1;
   }
 
+  // How many views have an uncovered ray through each candidate, up to two.
+  void CountWitnesses(const std::vector<SampleRays>& rays,
+                      const std::vector<std::vector<int>>& samples) {
+    std::vector<uint16_t> last_view(crust_.Size());
+    num_witnesses_.resize(crust_.Size());
+    for (size_t view = 0; view < rays.size(); ++view) {
+      for (const int sample : samples[view]) {
+        rays[view].ForEachVoxel(
+            sample, [&](VoxelGrid::Index index, const Eigen::Vector3i&) {
+              if (candidates_.scores[index] >= 0 &&
+                  last_view[index] != view + 1 &&
+                  num_witnesses_[index] < kWitnesses) {
+                last_view[index] = uint16_t(view + 1);
+                ++num_witnesses_[index];
+              }
+            });
+      }
+    }
+  }
+
+  // All are where nothing is believed.
+  bool IsWitnessed(VoxelGrid::Index index) const {
+    return num_witnesses_.empty() || num_witnesses_[index] >= kWitnesses;
+  }
+
   bool IsBesideMatter(const Eigen::Vector3i& voxel) const {
     for (int i = 0; i < 27; ++i) {
       const VoxelGrid::Index beside = crust_.Find(
@@ -211,6 +225,7 @@ class CoverSearch {
   const VoxelGrid& crust_;
   const CoverCandidates& candidates_;
   std::vector<uint8_t> is_attached_;
+  std::vector<uint8_t> num_witnesses_;  // one a voxel
   std::vector<std::pair<VoxelGrid::Index, Eigen::Vector3i>> on_ray_;
   CoveringVoxels* found_;
 };
@@ -270,7 +285,6 @@ CoveringVoxels FindCoveringVoxels(const ViewSet& views,
   CoverSearch search(crust, labels, candidates, &found);
   if (!candidates.is_believed.empty()) {
     search.TakeBelieved(rays, samples);
-    return found;
   }
   for (size_t i = 0; i < views.size(); ++i) {
     for (const int sample : samples[i]) {

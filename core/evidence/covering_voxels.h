@@ -34,13 +34,14 @@ struct CoveringVoxels {
 
 // The voxels of `crust` that have to be inside besides those of `labels` (one a
 // voxel) so that the samples of `maps`, which MapSamples has made of them, are
-// covered, but for impossible ones. Where something is believed, they are the
-// believed voxels that lie on uncovered rays of at least two views, so that a
-// part that was lost comes back as it was; what one view alone misses does not,
-// since masks that contradict each other would make holes and fins of it. Else
-// they are, for each ray that meets none of them, the one with the highest
-// score, beside matter where there is one about as likely. Rays go from what is
-// covered outward, so that what covers them hangs together.
+// covered, but for impossible ones. Where something is believed, only voxels on
+// uncovered rays of at least two views count: the believed ones, so that a part
+// that was lost comes back as it was, and for each ray that meets none of them
+// one beside matter, so that it grows back from there. What one view alone
+// misses stays, and so does what could only be joined by a bridge: masks that
+// contradict each other would make fins and holes of it. Where nothing is
+// believed, they are for each ray the one with the highest score, joined to the
+// object. Rays go from what is covered outward.
 CoveringVoxels FindCoveringVoxels(const ViewSet& views,
                                   const VoxelGrid& crust,
                                   const std::vector<FaceLabels>& labels,

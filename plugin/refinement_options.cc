@@ -20,6 +20,7 @@ Json RoundToJson(const RoundSummary& round) {
           {"silhouette_seconds", round.silhouette_seconds},
           {"solve_seconds", round.solve_seconds},
           {"withdrawn_vertices", round.num_withdrawn},
+          {"hull_tolerance", round.hull_tolerance},
           {"validity_seconds", round.validity_seconds}};
 }
 
@@ -75,11 +76,6 @@ void DeclareRefinementOptions(OptionManager& options,
               &refinement->border_noise,
               "Expected error in pixels of the estimate of how much all masks "
               "are too large or too small; 1000 takes the masks as they are.");
-  options.Add(
-      "Refinement.hull_tolerance",
-      &refinement->hull_tolerance,
-      "Distance in pixels by which the surface may leave a silhouette, in "
-      "addition to that by which masks are estimated to be too small.");
   options.Add("Refinement.pixel_noise",
               &refinement->patch.pixel_noise,
               "Standard deviation of the image noise in grey levels (0 to "

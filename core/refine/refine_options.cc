@@ -60,10 +60,6 @@ void RefineOptions::Check() const {
               "refinement.border_noise",
               border_noise,
               "must be at least 0");
-  CheckOption(hull_tolerance >= 0,
-              "refinement.hull_tolerance",
-              hull_tolerance,
-              "must be at least 0");
 }
 
 }  // namespace octacut

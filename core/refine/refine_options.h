@@ -41,9 +41,6 @@ struct RefineOptions {
   // as a whole, less where all rims say the same: much smaller shifts are taken
   // for noise. Large: masks are right.
   double border_noise = 0.3;
-  // Pixels by which vertices may leave a silhouette, and by as many more as
-  // the masks are found to be too small.
-  double hull_tolerance = 1.5;
   void Check() const;
 };
 

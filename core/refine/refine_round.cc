@@ -3,20 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 #include <string_view>
 #include <utility>
 
 #include "core/base/stopwatch.h"
 #include "core/refine/align_views.h"
-#include "core/refine/border_shift.h"
+#include "core/refine/border_terms.h"
 #include "core/refine/keep_valid.h"
 #include "core/refine/move_vertices.h"
 #include "core/refine/offset_search.h"
 #include "core/refine/offset_support.h"
 #include "core/refine/place_planes.h"
-#include "core/refine/rim_targets.h"
 #include "core/refine/seen_surface.h"
 #include "core/refine/solve_offsets.h"
 
@@ -25,18 +22,6 @@ namespace {
 
 // Rings of unseen places around seen ones that may move along with them.
 constexpr int kBlendRings = 2;
-// Coarser pixels are too large to tell where a border is.
-constexpr double kMaxBorderScale = 2;
-// Nor can limbs as thin as patches: of the surface, pixels of the round.
-constexpr double kMinBorderRadius = 6;
-// Of the rims from their median, pixels: those that agree better tell a shift
-// that much better than to the border's noise.
-constexpr double kUsualDeviation = 0.15;
-// Where there is nothing else: by how much their offsets are measured too far
-// inside, pixels of the round times pixels of radius, and what that leaves
-// open, in units of the noise (docs/refinement.md).
-constexpr double kLimbBias = 1.5;
-constexpr double kLimbNoise = 2;
 // By how much offsets a few patches apart may differ and still mean the same
 // surface, pixels of the round.
 constexpr double kSupportTolerance = 1;
@@ -109,67 +94,6 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
   summary->num_measured = NumMeasured(measurements);
   problem.is_free = Dilate(seen.is_seen, seen.places.neighbors, kBlendRings);
   return problem;
-}
-
-// Pixels to which what the rims say can be known: no better than they agree
-// with one another.
-double NoiseOf(const BorderExcess& excess, double border_noise) {
-  const double share = std::min(1.0, excess.deviation / kUsualDeviation);
-  return std::max(share * border_noise, excess.deviation);
-}
-
-// Of the masks' borders, pixels, in all: the plan's and what the rims tell of
-// the rest.
-double FindBorderShift(const std::vector<RimTarget>& rims,
-                       const std::vector<LocalSurface>& surfaces,
-                       const std::vector<OffsetMeasurement>& measurements,
-                       const RoundPlan& plan,
-                       double border_noise) {
-  if (plan.scale > kMaxBorderScale) {
-    return plan.border_shift;
-  }
-  if (const std::optional<BorderExcess> excess = MedianExcess(
-          rims, surfaces, measurements, kMinBorderRadius * plan.scale, 0)) {
-    return plan.edge_shift +
-           ShrinkShift(plan.border_shift + excess->median - plan.edge_shift,
-                       NoiseOf(*excess, border_noise));
-  }
-  // Only limbs are there to tell.
-  if (const std::optional<BorderExcess> excess = MedianExcess(
-          rims, surfaces, measurements, 0, kLimbBias * plan.scale)) {
-    return plan.edge_shift +
-           ShrinkShift(plan.border_shift + excess->median - plan.edge_shift,
-                       kLimbNoise * std::max(border_noise, excess->deviation));
-  }
-  return plan.border_shift;
-}
-
-void AddRims(const ViewSet& views,
-             const SeenSurface& seen,
-             const std::vector<OffsetMeasurement>& measurements,
-             double pixel,
-             const RoundPlan& plan,
-             const RefineOptions& options,
-             const Context& context,
-             OffsetProblem* problem,
-             RoundSummary* summary) {
-  const std::vector<RimTarget> rims = FindRimTargets(views,
-                                                     seen.rays,
-                                                     seen.surfaces,
-                                                     seen.places.neighbors,
-                                                     summary->range,
-                                                     plan.border_shift,
-                                                     context);
-  summary->num_rim_targets = rims.size();
-  if (summary->KnowsMost()) {
-    summary->border_shift = FindBorderShift(
-        rims, seen.surfaces, measurements, plan, options.border_noise);
-  }
-  for (const RimTarget& rim : rims) {
-    EdgeTarget& target = problem->edge_targets.emplace_back(rim.edge);
-    target.target = float(target.target / pixel);
-    target.weight = float(options.silhouette_weight);
-  }
 }
 
 // Solves, and moves the vertices along.
@@ -247,27 +171,26 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
       options,
       fmt::format("refinement: offsets up to {:.2g} pixels", summary.range),
       context);
-  if (plan.scale == 1) {
-    DropChanceOffsets(seen.places.neighbors,
-                      seen.is_seen,
-                      kSupportTolerance * pixel,
-                      context,
-                      &measurements);
-  }
+  DropChanceOffsets(seen.places.neighbors,
+                    seen.is_seen,
+                    kSupportTolerance * plan.scale * pixel,
+                    context,
+                    &measurements);
   OffsetProblem problem =
       MakeProblem(seen, measurements, pixel, plan.scale, &summary);
   summary.search_seconds = stopwatch.Lap();
   summary.border_shift = plan.border_shift;
+  summary.hull_tolerance = kLargestHullTolerance;
   if (options.silhouette_weight > 0) {
-    AddRims(*views,
-            seen,
-            measurements,
-            pixel,
-            plan,
-            options,
-            context,
-            &problem,
-            &summary);
+    AddBorderTerms(*views,
+                   seen,
+                   measurements,
+                   pixel,
+                   plan,
+                   options,
+                   context,
+                   &problem,
+                   &summary);
   }
   summary.silhouette_seconds = stopwatch.Lap();
   MovePlaces(std::move(seen),
@@ -282,7 +205,7 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   // In each round: what is moved back would stay a pit, and the next round
   // makes it smooth.
   const double tolerance =
-      options.hull_tolerance + std::max(0.0, -summary.border_shift);
+      summary.hull_tolerance + std::max(0.0, -summary.border_shift);
   summary.num_withdrawn = KeepValid(
       *views, neighbors, start, before, tolerance, pixel, context, mesh);
   summary.validity_seconds = stopwatch.Lap();

@@ -22,6 +22,8 @@ struct RoundSummary {
   // Pixels by which the masks' borders are taken to lie too far outside, after
   // the round; shrunk by the noise of what it measured.
   double border_shift = 0;
+  // Pixels by which vertices may leave a mask.
+  double hull_tolerance = 0;
   double mean_displacement = 0;  // of the vertices that may move, pixels
   size_t num_aligned = 0;        // views, in the last step
   // Vertices that were moved back: into the hull, or for the sake of

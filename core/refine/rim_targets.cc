@@ -1,9 +1,11 @@
 #include "core/refine/rim_targets.h"
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "core/base/parallel.h"
 
@@ -145,6 +147,20 @@ std::vector<RimTarget> FindRimTargets(const ViewSet& views,
     targets.insert(targets.end(), of_view.begin(), of_view.end());
   }
   return targets;
+}
+
+std::optional<double> MedianDistance(const std::vector<RimTarget>& rims) {
+  if (rims.empty()) {
+    return std::nullopt;
+  }
+  std::vector<float> distances;
+  distances.reserve(rims.size());
+  for (const RimTarget& rim : rims) {
+    distances.push_back(std::abs(rim.edge.target * rim.pixels_per_unit));
+  }
+  const auto middle = distances.begin() + distances.size() / 2;
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
 }
 
 }  // namespace octacut

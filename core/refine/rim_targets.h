@@ -2,6 +2,7 @@
 // view, it ends at the border of the view's mask.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/base/context.h"
@@ -33,5 +34,11 @@ std::vector<RimTarget> FindRimTargets(const ViewSet& views,
                                       double range,
                                       double border_shift,
                                       const Context& context);
+
+// The median distance of the surface's rims from where the borders of the masks
+// want them, pixels of the views; nothing without rims. Where masks and poses
+// agree with one another it is a fraction of a pixel, since a surface can end
+// at all borders at once; where they do not, no surface can.
+std::optional<double> MedianDistance(const std::vector<RimTarget>& rims);
 
 }  // namespace octacut

@@ -117,6 +117,31 @@ double BorderShiftAfter(double scale,
       .border_shift;
 }
 
+// Pixels by which the last round lets vertices leave the masks.
+double HullToleranceOf(ViewSet views, const RefineScene& scene) {
+  RefineOptions options;
+  options.coarse_rounds = 1;
+  return RefineSurface(BumpyMesh(scene),
+                       scene.test.region.cube,
+                       options,
+                       Context(2),
+                       &views)
+      .summary.rounds.back()
+      .hull_tolerance;
+}
+
+TEST(RefineSurface, LetsVerticesLeaveMasksThatContradictOneAnother) {
+  const RefineScene exact = testing::MakeRefineScene();
+  EXPECT_EQ(HullToleranceOf(exact.test.views, exact), 0.5);
+  // Every second mask is 2 pixels larger than the others.
+  const RefineScene larger = testing::MakeSceneWithMasksOff(2);
+  ViewSet views = exact.test.views;
+  for (size_t i = 0; i < views.size(); i += 2) {
+    views[i].silhouette = larger.test.views[i].silhouette;
+  }
+  EXPECT_GT(HullToleranceOf(views, exact), 1);
+}
+
 TEST(RefineOnce, MeasuresBordersWherePixelsAreSmall) {
   EXPECT_NEAR(BorderShiftAfter(2, 0, 0.3), 2, 0.5);
   EXPECT_NEAR(BorderShiftAfter(2, 0.7, 0.3), 2, 0.5);
@@ -303,7 +328,6 @@ TEST(RefineOptions, AreChecked) {
   refused([](RefineOptions& o) { o.outlier_scale = 0; });
   refused([](RefineOptions& o) { o.silhouette_weight = -1; });
   refused([](RefineOptions& o) { o.border_noise = -1; });
-  refused([](RefineOptions& o) { o.hull_tolerance = -1; });
 }
 
 }  // namespace

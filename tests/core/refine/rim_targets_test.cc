@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 #include "tests/core/refine/refine_scene.h"
 
@@ -54,6 +55,17 @@ TEST_F(RimTargets, LeadToTheBordersOfTheMasks) {
                     scene_->Pixel(),
                 -pixels,
                 0.2);
+  }
+}
+
+TEST_F(RimTargets, AreAsFarAsTheMeshIsFromTheBorders) {
+  EXPECT_EQ(MedianDistance({}), std::nullopt);
+  for (const double pixels : {-1.5, 0.0, 1.0}) {
+    const IndexedMesh mesh = Larger(pixels);
+    const std::optional<double> distance =
+        MedianDistance(Find(mesh, RayScene(mesh)));
+    ASSERT_TRUE(distance);
+    EXPECT_NEAR(*distance, std::abs(pixels), 0.2);
   }
 }
 

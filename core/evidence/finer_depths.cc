@@ -17,14 +17,21 @@ namespace {
 // The range of depths, voxels: before the present surface, as far as its crust
 // reached, and behind it.
 constexpr float kBefore = 3;
-constexpr float kBehind = 24;
+constexpr float kBehind = 20;
 // A peak within so many planes of an end of the range may belong to one beyond.
 constexpr float kEndPlanes = 0.75f;
 // Side of the squares of samples that are swept at once, each over the range of
 // its own surface.
 constexpr int kTile = 32;
-// Samples between those that tell whether the depths around are relied upon.
-constexpr int kTrustStep = 8;
+// Samples between those that tell where a tile is.
+constexpr int kStep = 8;
+// Where folds are filled must be known before all is swept again: of blocks of
+// so many voxels one in kSampleShare, a power of two, is looked at first.
+constexpr float kBlock = 32;
+constexpr int kSampleShare = 4;
+// Share of the confirmed depths there that lie behind the surface's crust, from
+// which on the rest is swept. Wrong depths reach a tenth of that.
+constexpr double kPays = 1e-3;
 constexpr float kRatherRight = 0.5f;
 // Voxels behind a depth, and beside the way to it, that a crust needs.
 constexpr float kReachBehind = 4;
@@ -40,13 +47,6 @@ VoxelGrid CutVoxels(const LabeledVoxels& surface) {
   return Subset(surface.voxels, cut);
 }
 
-// A view's samples around the present surface.
-struct Tile {
-  ViewProjection projection;
-  SweepView view;
-  bool is_empty = true;
-};
-
 class ViewSweeper {
  public:
   ViewSweeper(const std::vector<SweepView>& views,
@@ -59,55 +59,54 @@ class ViewSweeper {
         voxel_(1.0f / float(1 << level)),
         options_(options) {}
 
-  SweptDepthMap Sweep(int index, const std::vector<int>& neighbors) const {
-    const SweepView& view = views_[index];
-    SweptDepthMap map;
-    map.width = view.grey.cols;
-    map.height = view.grey.rows;
-    map.scale = view.scale;
-    map.depths.assign(size_t(map.width) * map.height, 0);
+  // Adds the depths of the tiles that show blocks of the sample, or of all
+  // others.
+  void Sweep(int index,
+             const std::vector<int>& neighbors,
+             bool of_sample,
+             SweptDepthMap* map) const {
     if (neighbors.size() < 2) {
-      return map;  // one alone cannot tell an occlusion from a mismatch
+      return;  // one alone cannot tell an occlusion from a mismatch
     }
+    const SweepView& view = views_[index];
     std::vector<SweepView> compared(1);
     std::vector<int> others;
     for (const int j : neighbors) {
       compared.push_back(views_[j]);
       others.push_back(int(compared.size()) - 1);
     }
-    for (int y = 0; y < map.height; y += kTile) {
-      for (int x = 0; x < map.width; x += kTile) {
-        if (IsTrusted(view, x, y)) {
-          SweepTile(view, x, y, others, &compared, &map);
+    for (int y = 0; y < map->height; y += kTile) {
+      for (int x = 0; x < map->width; x += kTile) {
+        if (IsWanted(view, x, y, of_sample)) {
+          SweepTile(view, x, y, others, &compared, map);
         }
       }
     }
-    return map;
   }
 
  private:
-  // Whether depths are relied upon where the present surface shows in a tile.
-  bool IsTrusted(const SweepView& view, int x0, int y0) const {
+  // Whether most of the present surface that a tile shows has depths that are
+  // relied upon; and whether any of it lies in a block of the sample.
+  bool IsWanted(const SweepView& view, int x0, int y0, bool of_sample) const {
     const Eigen::Matrix3f rays = view.projection->linear.inverse();
     int balance = 0;
-    for (int y = y0; y < std::min(view.grey.rows, y0 + kTile);
-         y += kTrustStep) {
-      for (int x = x0; x < std::min(view.grey.cols, x0 + kTile);
-           x += kTrustStep) {
+    bool in_sample = false;
+    for (int y = y0; y < std::min(view.grey.rows, y0 + kTile); y += kStep) {
+      for (int x = x0; x < std::min(view.grey.cols, x0 + kTile); x += kStep) {
         if (!(view.far_depth(y, x) > 0)) {
           continue;
         }
-        const Eigen::Vector3f pixel((float(x) + 0.5f) / view.scale,
-                                    (float(y) + 0.5f) / view.scale,
-                                    1);
-        balance += TrustAt(view.projection->center +
-                           view.near_depth(y, x) * (rays * pixel)) >=
-                           kRatherRight
-                       ? 1
-                       : -1;
+        const Eigen::Vector3f pixel(
+            (float(x) + 0.5f) / view.scale, (float(y) + 0.5f) / view.scale, 1);
+        const Eigen::Vector3f point =
+            view.projection->center + view.near_depth(y, x) * (rays * pixel);
+        balance += TrustAt(point) >= kRatherRight ? 1 : -1;
+        const Eigen::Vector3i block =
+            (point / (kBlock * voxel_)).array().floor().cast<int>();
+        in_sample |= (block.sum() & (kSampleShare - 1)) == 0;
       }
     }
-    return balance > 0;
+    return balance > 0 && in_sample == of_sample;
   }
 
   float TrustAt(const Eigen::Vector3f& point) const {
@@ -166,7 +165,11 @@ class ViewSweeper {
       return;
     }
     const ScoreVolume volume =
-        ScorePlanes(*compared, 0, others, voxel_ / float(options_.planes_per_voxel), radius);
+        ScorePlanes(*compared,
+                    0,
+                    others,
+                    voxel_ / float(options_.planes_per_voxel),
+                    radius);
     const SweptDepthMap depths =
         PickDepths(tile, volume, float(options_.min_score));
     const float margin = kEndPlanes * volume.spacing;
@@ -188,34 +191,6 @@ class ViewSweeper {
   float voxel_;
   const DepthSweepOptions& options_;
 };
-
-std::vector<SweptDepthMap> SweepNearSurface(
-    const ViewSet& views,
-    const LabeledVoxels& surface,
-    const VoxelValues& depth_trust,
-    const DepthSweepOptions& options,
-    const std::vector<std::vector<int>>& neighbors,
-    const Context& context) {
-  Phase phase(context, "finer depth sweep", 2 * views.size());
-  const VoxelGrid cut = CutVoxels(surface);
-  std::vector<SweepView> reduced(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      reduced[i] = ReduceForSweep(views[i], cut, options.samples_per_voxel);
-      phase.Advance();
-    }
-  });
-  const ViewSweeper sweeper(
-      reduced, depth_trust, surface.voxels.Level(), options);
-  std::vector<SweptDepthMap> maps(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      maps[i] = sweeper.Sweep(int(i), neighbors[i]);
-      phase.Advance();
-    }
-  });
-  return maps;
-}
 
 // The voxels between a crust and the depths behind it, with what is around
 // them.
@@ -299,16 +274,76 @@ void LimitTrust(const ViewSet& views,
             if ((point.array() >= 0).all() &&
                 (point.array() < float(resolution)).all()) {
               float& trust = depths->trust[i][size_t(y) * map.width + x];
-              trust = std::min(
-                  trust,
-                  depth_trust.At(
-                      EncodeMorton(Eigen::Vector3i(point.cast<int>())),
-                      level,
-                      1));
+              trust =
+                  std::min(trust,
+                           depth_trust.At(
+                               EncodeMorton(Eigen::Vector3i(point.cast<int>())),
+                               level,
+                               1));
             }
           });
     }
   });
+}
+
+struct FinerMaps {
+  std::vector<SweptDepthMap> swept;
+  std::vector<std::vector<uint8_t>> counts;  // of confirming neighbours
+  std::vector<SweptDepthMap> agreeing;
+  VoxelGrid beyond;  // as VoxelsBeyond has them
+  size_t num_depths = 0;
+  size_t num_beyond = 0;
+};
+
+// Empty where a sample of the surface says that it does not pay.
+FinerMaps SweepNearSurface(const ViewSet& views,
+                           const LabeledVoxels& surface,
+                           const VoxelValues& depth_trust,
+                           const InsideEvidenceOptions& options,
+                           const Context& context) {
+  const DepthSweepOptions& sweep = options.sweep;
+  const std::vector<std::vector<int>> neighbors = SelectNeighborViews(
+      views, sweep.num_neighbors, sweep.min_angle, sweep.max_angle);
+  Phase phase(context, "finer depth sweep", 3 * views.size());
+  const VoxelGrid cut = CutVoxels(surface);
+  std::vector<SweepView> reduced(views.size());
+  FinerMaps maps;
+  maps.swept.resize(views.size());
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      reduced[i] = ReduceForSweep(views[i], cut, sweep.samples_per_voxel);
+      SweptDepthMap& map = maps.swept[i];
+      map.width = reduced[i].grey.cols;
+      map.height = reduced[i].grey.rows;
+      map.scale = reduced[i].scale;
+      map.depths.assign(size_t(map.width) * map.height, 0);
+      phase.Advance();
+    }
+  });
+  const ViewSweeper sweeper(
+      reduced, depth_trust, surface.voxels.Level(), sweep);
+  for (const bool of_sample : {true, false}) {
+    ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        sweeper.Sweep(int(i), neighbors[i], of_sample, &maps.swept[i]);
+        phase.Advance();
+      }
+    });
+    maps.counts = CountAgreeing(views,
+                                maps.swept,
+                                neighbors,
+                                1.0f / float(surface.voxels.Resolution()),
+                                context);
+    maps.agreeing =
+        KeepAgreeing(maps.swept, maps.counts, options.min_agreeing_views);
+    maps.num_depths = CountDepths(maps.agreeing);
+    maps.beyond = VoxelsBeyond(
+        views, surface.voxels, maps.agreeing, context, &maps.num_beyond);
+    if (double(maps.num_beyond) <= kPays * double(maps.num_depths)) {
+      return {};
+    }
+  }
+  return maps;
 }
 
 }  // namespace
@@ -318,28 +353,18 @@ FinerEvidence FindFinerDepths(const ViewSet& views,
                               const VoxelValues& depth_trust,
                               const InsideEvidenceOptions& options,
                               const Context& context) {
-  const int level = surface.voxels.Level();
-  const float voxel = 1.0f / float(surface.voxels.Resolution());
-  const std::vector<std::vector<int>> neighbors =
-      SelectNeighborViews(views,
-                          options.sweep.num_neighbors,
-                          options.sweep.min_angle,
-                          options.sweep.max_angle);
-  const std::vector<SweptDepthMap> swept = SweepNearSurface(
-      views, surface, depth_trust, options.sweep, neighbors, context);
-  const std::vector<std::vector<uint8_t>> counts =
-      CountAgreeing(views, swept, neighbors, voxel, context);
-  const std::vector<SweptDepthMap> agreeing =
-      KeepAgreeing(swept, counts, options.min_agreeing_views);
+  FinerMaps maps =
+      SweepNearSurface(views, surface, depth_trust, options, context);
   FinerEvidence finer;
-  finer.num_depths = CountDepths(agreeing);
-  finer.voxels =
-      Union(surface.voxels,
-            VoxelsBeyond(
-                views, surface.voxels, agreeing, context, &finer.num_beyond));
+  finer.num_depths = maps.num_depths;
+  finer.num_beyond = maps.num_beyond;
+  if (maps.num_beyond == 0) {
+    return finer;
+  }
+  finer.voxels = Union(surface.voxels, maps.beyond);
   TrustedDepths depths =
-      EstimateDepthTrust(views, finer.voxels, agreeing, context);
-  LimitTrust(views, depth_trust, level, context, &depths);
+      EstimateDepthTrust(views, finer.voxels, maps.agreeing, context);
+  LimitTrust(views, depth_trust, surface.voxels.Level(), context, &depths);
   InsideEvidenceOptions without_ballooning = options;
   without_ballooning.ballooning = 0;
   finer.values =
@@ -347,7 +372,7 @@ FinerEvidence FindFinerDepths(const ViewSet& views,
   if (options.min_agreeing_views > 1 && options.min_like_samples <= 8) {
     AddPlausible(views,
                  finer.voxels,
-                 KeepAgreeing(swept, counts, 1),
+                 KeepAgreeing(std::move(maps.swept), maps.counts, 1),
                  finer.values,
                  without_ballooning,
                  context,

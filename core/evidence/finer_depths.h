@@ -19,7 +19,7 @@ namespace octacut {
 
 struct FinerEvidence {
   // The surface's crust, and what lies between it and confirmed depths behind
-  // it.
+  // it; empty where hardly any depth lies there.
   VoxelGrid voxels;
   // One a voxel, as InsideEvidence has it without ballooning: 0 where no depth
   // says anything.

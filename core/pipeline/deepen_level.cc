@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/stopwatch.h"
 #include "core/crust/crust.h"
 #include "core/cut/octahedral_cut.h"
@@ -15,7 +17,11 @@ namespace {
 
 // Evidence for the present surface where finer depths say nothing, units of the
 // weights.
-constexpr float kPresentWeight = 0.2f;
+constexpr float kPresentWeight = 0.03f;
+// What counts of finer depths beside photo-consistency: free space, so that no
+// fold closes again. Their matter would push the surface outward by as much as
+// depths are too near beside contours.
+constexpr float kFreeSpaceShare = 0.3f;
 
 std::vector<FaceLabels> Cut(const Crust& crust,
                             const std::vector<float>& weights,
@@ -52,11 +58,16 @@ LabeledVoxels DeepenLevel(const ViewSet& views,
   const FinerEvidence finer = FindFinerDepths(
       views, solved, evidence.depth_trust, options.evidence, context);
   summary->crust_seconds += stopwatch.Lap();
-  context.Info(fmt::format("finer depths: {} confirmed, {} beyond, voxels {} -> {}",
-                           finer.num_depths,
-                           finer.num_beyond,
-                           solved.voxels.Size(),
-                           finer.voxels.Size()));
+  if (finer.voxels.Empty()) {
+    return solved;
+  }
+  context.Info(
+      fmt::format("Level {}: finer depths lead into the surface; its crust "
+                  "grows from {} to "
+                  "{} voxels.",
+                  solved.voxels.Level(),
+                  solved.voxels.Size(),
+                  finer.voxels.Size()));
   Crust crust = WidenCrust(hierarchy, solved, finer.voxels, context);
   // By evidence alone, as l0.
   std::vector<float> weights =
@@ -96,7 +107,7 @@ LabeledVoxels DeepenLevel(const ViewSet& views,
   held = terms.evidence;
   HoldUndecidedSurface(crust, decision, terms.hull_depth, context, &held);
   for (size_t i = 0; i < held.size(); ++i) {
-    held[i] += finer.values[i];
+    held[i] += kFreeSpaceShare * std::min(finer.values[i], 0.0f);
   }
   solved.labels = Cut(crust, weights, held, options, context, summary);
   solved.voxels = std::move(crust.voxels);

@@ -22,9 +22,10 @@ constexpr float kEndPlanes = 0.75f;
 constexpr int kSide = 32;
 // Samples between those that tell where a square's surface is.
 constexpr int kStep = 8;
-// Side of the blocks of space, voxels; one of kSampleShare, a power of two, is
-// in the sample.
-constexpr float kBlock = 32;
+// Side of the blocks of space, voxels, four squares, so that most of what they
+// show is found in neighbouring views as well; one of kSampleShare, a power of
+// two, is in the sample.
+constexpr float kBlock = 64;
 constexpr int kSampleShare = 4;
 constexpr float kRatherRight = 0.5f;
 // Depth of rays that are part of windows alone.
@@ -94,12 +95,13 @@ void SurfaceSweep::AddDepths(int view,
   }
 }
 
+// Views have the near depth of the nearest cut voxel, less a voxel.
 bool SurfaceSweep::IsWanted(const SweepView& view,
                             const Square& square,
                             bool of_sample) const {
   const Eigen::Matrix3f rays = view.projection->linear.inverse();
   int balance = 0;
-  bool in_sample = false;
+  int sample_balance = 0;
   for (int y = square.y0; y < square.y1; y += kStep) {
     for (int x = square.x0; x < square.x1; x += kStep) {
       if (!(view.far_depth(y, x) > 0)) {
@@ -108,14 +110,15 @@ bool SurfaceSweep::IsWanted(const SweepView& view,
       const Eigen::Vector3f pixel(
           (float(x) + 0.5f) / view.scale, (float(y) + 0.5f) / view.scale, 1);
       const Eigen::Vector3f point =
-          view.projection->center + view.near_depth(y, x) * (rays * pixel);
+          view.projection->center +
+          (view.near_depth(y, x) + voxel_) * (rays * pixel);
       balance += TrustAt(point) >= kRatherRight ? 1 : -1;
       const Eigen::Vector3i block =
           (point / (kBlock * voxel_)).array().floor().cast<int>();
-      in_sample |= (block.sum() & (kSampleShare - 1)) == 0;
+      sample_balance += (block.sum() & (kSampleShare - 1)) == 0 ? 1 : -1;
     }
   }
-  return balance > 0 && in_sample == of_sample;
+  return balance > 0 && (sample_balance > 0) == of_sample;
 }
 
 float SurfaceSweep::TrustAt(const Eigen::Vector3f& point) const {
@@ -153,7 +156,6 @@ void SurfaceSweep::SweepSquare(const SweepView& view,
     for (int x = square.x0; x < square.x1; ++x) {
       const float far = view.far_depth(y, x);
       if (far > 0) {
-        // The nearest cut voxel's, less a voxel.
         const float surface = view.near_depth(y, x) + voxel_;
         crop.near_depth(y - top, x - left) =
             std::max(surface - kBefore * voxel_, 0.5f * surface);

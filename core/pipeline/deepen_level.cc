@@ -6,8 +6,8 @@
 
 #include "core/base/stopwatch.h"
 #include "core/crust/crust.h"
-#include "core/cut/octahedral_cut.h"
 #include "core/evidence/finer_depths.h"
+#include "core/pipeline/cut_crust.h"
 #include "core/pipeline/undecided_surface.h"
 #include "core/pipeline/voxel_terms.h"
 #include "core/visibility/visibility.h"
@@ -23,25 +23,42 @@ constexpr float kPresentWeight = 0.03f;
 // depths are too near beside contours.
 constexpr float kFreeSpaceShare = 0.3f;
 
-std::vector<FaceLabels> Cut(const Crust& crust,
-                            const std::vector<float>& weights,
-                            const std::vector<float>& evidence,
-                            const ReconstructionOptions& options,
-                            const Context& context,
-                            LevelSummary* summary) {
+// The first cut of `crust` is by evidence alone, as that of l0; where there is
+// none the present surface, which crust.prior holds, is the best guess.
+std::vector<FaceLabels> CutByFinerDepths(const ViewSet& views,
+                                         const std::vector<float>& mask_trust,
+                                         const Crust& crust,
+                                         const std::vector<float>& finer,
+                                         const ReconstructionOptions& options,
+                                         const Context& context,
+                                         LevelSummary* summary) {
+  const std::vector<float> weights =
+      EdgeWeights(std::vector<float>(crust.voxels.Size(),
+                                     float(options.consistency.neutral)),
+                  options.energy);
+  std::vector<float> held = finer;
+  for (size_t i = 0; i < held.size(); ++i) {
+    if (held[i] == 0) {
+      held[i] = kPresentWeight * (2 * crust.prior[i] - 1);
+    }
+  }
   Stopwatch stopwatch;
-  OctahedralCutProblem problem;
-  problem.crust = &crust.voxels;
-  problem.weights = weights;
-  problem.ties = crust.ties;
-  problem.evidence = evidence;
-  OctahedralCut cut = SolveOctahedralCut(problem, options.cut, context);
-  summary->cut_seconds += stopwatch.Lap();
-  summary->cut_cost = cut.cost;
-  summary->num_cut_voxels = cut.num_cut_voxels;
-  summary->num_graph_nodes = cut.num_nodes;
-  summary->num_crust_voxels = crust.voxels.Size();
-  summary->num_medial_voxels = crust.num_medial_voxels;
+  const SilhouetteTerms silhouettes = EstimateSilhouetteTerms(
+      views, mask_trust, crust.voxels, options, context);
+  summary->crust_seconds += stopwatch.Lap();
+  OctahedralCutState state;
+  OctahedralCut cut =
+      CutCrust(crust, weights, held, options, context, summary, &state);
+  CoverSilhouettes(views,
+                   crust,
+                   weights,
+                   {{}, silhouettes.hull_depth},
+                   options,
+                   context,
+                   &state,
+                   &held,
+                   &cut,
+                   summary);
   return std::move(cut.labels);
 }
 
@@ -69,24 +86,19 @@ LabeledVoxels DeepenLevel(const ViewSet& views,
                   solved.voxels.Size(),
                   finer.voxels.Size()));
   Crust crust = WidenCrust(hierarchy, solved, finer.voxels, context);
-  // By evidence alone, as l0.
-  std::vector<float> weights =
-      EdgeWeights(std::vector<float>(crust.voxels.Size(),
-                                     float(options.consistency.neutral)),
-                  options.energy);
-  std::vector<float> held = finer.values;
-  for (size_t i = 0; i < held.size(); ++i) {
-    if (held[i] == 0) {
-      held[i] = kPresentWeight * (2 * crust.prior[i] - 1);
-    }
-  }
-  solved.labels = Cut(crust, weights, held, options, context, summary);
+  const std::vector<FaceLabels> deepened = CutByFinerDepths(views,
+                                                            evidence.mask_trust,
+                                                            crust,
+                                                            finer.values,
+                                                            options,
+                                                            context,
+                                                            summary);
   stopwatch.Lap();
-  AdoptCut(solved.labels, context, &crust);
+  AdoptCut(deepened, context, &crust);
   summary->crust_seconds += stopwatch.Lap();
   const Visibility visibility = Visibility::Estimate(views,
                                                      crust.voxels,
-                                                     solved.labels,
+                                                     deepened,
                                                      crust.voxels.Level(),
                                                      options.visibility,
                                                      context);
@@ -102,16 +114,28 @@ LabeledVoxels DeepenLevel(const ViewSet& views,
               summary);
   const Decision decision =
       DecideByPhotographs(crust, terms.phi, evidence.depth_trust, context);
-  weights = EdgeWeights(terms.phi, options.energy);
+  std::vector<float> weights = EdgeWeights(terms.phi, options.energy);
   FlattenUndecidedWeights(decision, options, &weights);
-  held = terms.evidence;
+  std::vector<float> held = terms.evidence;
   HoldUndecidedSurface(crust, decision, terms.hull_depth, context, &held);
   for (size_t i = 0; i < held.size(); ++i) {
     held[i] += kFreeSpaceShare * std::min(finer.values[i], 0.0f);
   }
-  solved.labels = Cut(crust, weights, held, options, context, summary);
-  solved.voxels = std::move(crust.voxels);
-  return solved;
+  OctahedralCutState state;
+  OctahedralCut cut =
+      CutCrust(crust, weights, held, options, context, summary, &state);
+  CoverSilhouettes(views,
+                   crust,
+                   weights,
+                   {{}, terms.hull_depth},
+                   options,
+                   context,
+                   &state,
+                   &held,
+                   &cut,
+                   summary);
+  summary->decided_share = DecidedShare(cut.labels, decision);
+  return {std::move(crust.voxels), std::move(cut.labels)};
 }
 
 }  // namespace octacut

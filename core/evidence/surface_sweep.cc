@@ -26,7 +26,7 @@ constexpr int kStep = 8;
 // show is found in neighbouring views as well; one of kSampleShare, a power of
 // two, is in the sample.
 constexpr float kBlock = 64;
-constexpr int kSampleShare = 4;
+constexpr int kSampleShare = 8;
 constexpr float kRatherRight = 0.5f;
 // Depth of rays that are part of windows alone.
 constexpr float kNoDepth = 1e-12f;

@@ -24,7 +24,7 @@ class SurfaceSweep {
   // Without depths, for AddDepths.
   SweptDepthMap EmptyMap(int view) const;
   // Depths of the squares that show the surface where depths are rather right
-  // than wrong; in a sample of space (a quarter of its blocks), or in the rest.
+  // than wrong; in a sample of space (an eighth of its blocks), or in the rest.
   // `neighbors` of the view are compared with it.
   void AddDepths(int view,
                  const std::vector<int>& neighbors,

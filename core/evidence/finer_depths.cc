@@ -16,8 +16,8 @@ namespace {
 // A sweep pays where more than this share of the confirmed depths leads beyond
 // the surface's crust: some depths in ten thousand are wrong though confirmed.
 constexpr double kPays = 5e-4;
-// Voxels that such a depth lies farther than the crust: what is nearer is within
-// the error of depths, and the crust grows there by itself.
+// Voxels that such a depth lies farther than the crust: what is nearer is
+// within the error of depths, and the crust grows there by itself.
 constexpr int kClearlyBeyond = 2;
 // Voxels from a depth to the crust in which its ray has met the surface: as far
 // as the sweep reaches. Others lie beside an outline.

@@ -25,12 +25,12 @@ struct FinerEvidence {
   // says anything.
   std::vector<float> values;
   size_t num_depths = 0;  // confirmed
-  size_t num_beyond = 0;  // of them, behind all of the surface's crust
+  size_t num_beyond = 0;  // of them, clearly behind the surface's crust
 };
 
 // `surface` is the labelled crust of the level whose voxels the depths are
 // found in; `depth_trust` as that of InsideEvidence. Where that is less than a
-// half nothing is looked for: finer windows see the same reflections. A quarter
+// half nothing is looked for: finer windows see the same reflections. An eighth
 // of space is looked at first, and where hardly any depth leads into the
 // surface there, that is all.
 FinerEvidence FindFinerDepths(const ViewSet& views,

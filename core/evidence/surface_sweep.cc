@@ -24,7 +24,7 @@ constexpr int kSide = 32;
 constexpr int kStep = 8;
 // Side of the blocks of space, voxels, four squares, so that most of what they
 // show is found in neighbouring views as well; one of kSampleShare, a power of
-// two, is in the sample.
+// two, is in the sample, scattered evenly.
 constexpr float kBlock = 64;
 constexpr int kSampleShare = 8;
 constexpr float kRatherRight = 0.5f;
@@ -115,7 +115,9 @@ bool SurfaceSweep::IsWanted(const SweepView& view,
       balance += TrustAt(point) >= kRatherRight ? 1 : -1;
       const Eigen::Vector3i block =
           (point / (kBlock * voxel_)).array().floor().cast<int>();
-      sample_balance += (block.sum() & (kSampleShare - 1)) == 0 ? 1 : -1;
+      sample_balance +=
+          (block.dot(Eigen::Vector3i(1, 2, 5)) & (kSampleShare - 1)) == 0 ? 1
+                                                                          : -1;
     }
   }
   return balance > 0 && (sample_balance > 0) == of_sample;
@@ -165,7 +167,7 @@ void SurfaceSweep::SweepSquare(const SweepView& view,
     }
   }
   const ScoreVolume volume =
-      ScorePlanes(*compared, 0, others, kSpacing * voxel_, radius);
+      ScorePlanes(*compared, 0, others, kSpacing * voxel_, radius, true);
   const SweptDepthMap depths =
       PickDepths(crop, volume, float(options_.min_score));
   const float margin = kEndPlanes * volume.spacing;

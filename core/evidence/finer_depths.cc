@@ -20,8 +20,8 @@ constexpr double kPays = 5e-4;
 // within the error of depths, and the crust grows there by itself.
 constexpr int kClearlyBeyond = 2;
 // Voxels from a depth to the crust in which its ray has met the surface: as far
-// as the sweep reaches. Others lie beside an outline.
-constexpr int kLongestWay = 25;
+// as the sweep reaches, aslant. Others lie beside an outline.
+constexpr int kLongestWay = 40;
 // Voxels behind a depth, and beside the way to it, that a crust needs.
 constexpr int kReachBehind = 4;
 constexpr int kReachBeside = 2;

@@ -10,10 +10,11 @@ namespace octacut {
 namespace {
 
 // The range of depths, voxels: before the present surface, as far as its crust
-// reached, and behind it. Folds that are wider than half of it are within reach
-// of the first sweep.
+// reached, and behind it. Folds as wide as half of it are three windows of the
+// first sweep wide: their floors are within its reach if they are no deeper
+// than twice their width.
 constexpr float kBefore = 3;
-constexpr float kBehind = 20;
+constexpr float kBehind = 32;
 // Between planes, voxels: neighbours at 15 degrees move by 0.8 samples.
 constexpr float kSpacing = 1.5f;
 // A peak within so many planes of an end of the range may belong to one beyond.
@@ -22,10 +23,10 @@ constexpr float kEndPlanes = 0.75f;
 constexpr int kSide = 32;
 // Samples between those that tell where a square's surface is.
 constexpr int kStep = 8;
-// Side of the blocks of space, voxels, four squares, so that most of what they
-// show is found in neighbouring views as well; one of kSampleShare, a power of
+// Side of the blocks of space, voxels: two squares, so that much of what they
+// show is found in neighbouring views as well. One of kSampleShare, a power of
 // two, is in the sample, scattered evenly.
-constexpr float kBlock = 64;
+constexpr float kBlock = 32;
 constexpr int kSampleShare = 8;
 constexpr float kRatherRight = 0.5f;
 // Depth of rays that are part of windows alone.

@@ -21,7 +21,7 @@ constexpr double kPays = 5e-4;
 constexpr int kClearlyBeyond = 2;
 // Voxels from a depth to the crust in which its ray has met the surface: as far
 // as the sweep reaches, aslant. Others lie beside an outline.
-constexpr int kLongestWay = 40;
+constexpr int kLongestWay = 25;
 // Voxels behind a depth, and beside the way to it, that a crust needs.
 constexpr int kReachBehind = 4;
 constexpr int kReachBeside = 2;

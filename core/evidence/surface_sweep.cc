@@ -10,11 +10,10 @@ namespace octacut {
 namespace {
 
 // The range of depths, voxels: before the present surface, as far as its crust
-// reached, and behind it. Folds as wide as half of it are three windows of the
-// first sweep wide: their floors are within its reach if they are no deeper
-// than twice their width.
+// reached, and behind it: the floors of folds twice as deep as two windows of
+// the first sweep are wide.
 constexpr float kBefore = 3;
-constexpr float kBehind = 32;
+constexpr float kBehind = 20;
 // Between planes, voxels: neighbours at 15 degrees move by 0.8 samples.
 constexpr float kSpacing = 1.5f;
 // A peak within so many planes of an end of the range may belong to one beyond.

@@ -1,5 +1,7 @@
 #include "core/crust/crust.h"
 
+#include <bit>
+
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/crust/medial_voxels.h"
@@ -51,6 +53,10 @@ void EstimatePrior(const LabelHierarchy& hierarchy,
         crust->prior[index] =
             hierarchy.InsideFraction(DecodeMorton(code), voxels.Level());
       });
+}
+
+float InsideShare(FaceLabels labels) {
+  return float(std::popcount(labels)) / kNumFaces;
 }
 
 Crust MakeCrust(const LabelHierarchy& hierarchy,
@@ -130,6 +136,34 @@ Crust GrowCrust(const LabelHierarchy& hierarchy,
       hierarchy,
       Union(crust.voxels, Dilate(Subset(crust.voxels, from), steps, context)),
       context);
+}
+
+Crust WidenCrust(const LabelHierarchy& hierarchy,
+                 const LabeledVoxels& solved,
+                 VoxelGrid voxels,
+                 const Context& context) {
+  Crust crust;
+  crust.voxels = std::move(voxels);
+  TieInterfaces(hierarchy, context, &crust);
+  EstimatePrior(hierarchy, context, &crust);
+  ParallelForVoxels(
+      context, crust.voxels, [&](VoxelGrid::Index index, MortonCode code) {
+        const VoxelGrid::Index before = solved.voxels.Find(code);
+        if (before != VoxelGrid::kNone) {
+          crust.prior[index] = InsideShare(solved.labels[before]);
+        }
+      });
+  return crust;
+}
+
+void AdoptCut(const std::vector<FaceLabels>& labels,
+              const Context& context,
+              Crust* crust) {
+  for (size_t i = 0; i < labels.size(); ++i) {
+    crust->prior[i] = InsideShare(labels[i]);
+  }
+  crust->num_medial_voxels =
+      TieMedialVoxels(crust->voxels, crust->prior, context, &crust->ties);
 }
 
 }  // namespace octacut

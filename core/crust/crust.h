@@ -55,4 +55,18 @@ Crust GrowCrust(const LabelHierarchy& hierarchy,
                 int steps,
                 const Context& context);
 
+// A crust of the same level as `solved`, whose voxels `voxels` holds: `prior`
+// is what was solved, beyond that what coarser levels know. No medial voxels
+// are tied.
+Crust WidenCrust(const LabelHierarchy& hierarchy,
+                 const LabeledVoxels& solved,
+                 VoxelGrid voxels,
+                 const Context& context);
+
+// Takes a cut of the crust for what is known of inside and outside, and ties
+// the medial voxels of what is thin by it.
+void AdoptCut(const std::vector<FaceLabels>& labels,
+              const Context& context,
+              Crust* crust);
+
 }  // namespace octacut

@@ -6,6 +6,7 @@
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/evidence/neighbor_views.h"
+#include "core/evidence/pick_depths.h"
 #include "core/evidence/score_volume.h"
 #include "core/evidence/sweep_view.h"
 
@@ -44,6 +45,8 @@ float PickDepth(const std::vector<float>& scores,
          (float(best) + std::clamp(offset, -0.5f, 0.5f)) * volume.spacing;
 }
 
+}  // namespace
+
 SweptDepthMap PickDepths(const SweepView& view,
                          const ScoreVolume& volume,
                          float min_score) {
@@ -65,8 +68,6 @@ SweptDepthMap PickDepths(const SweepView& view,
   }
   return map;
 }
-
-}  // namespace
 
 void DepthSweepOptions::Check() const {
   CheckOption(num_neighbors >= 2 && num_neighbors <= 8,

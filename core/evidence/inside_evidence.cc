@@ -7,6 +7,7 @@
 
 #include "core/base/check_option.h"
 #include "core/evidence/confirmed_depths.h"
+#include "core/evidence/depth_evidence.h"
 #include "core/evidence/depth_trust.h"
 #include "core/evidence/mask_trust.h"
 #include "core/grid/parallel_voxels.h"
@@ -27,15 +28,6 @@ constexpr float kMaxVotes = 4;
 constexpr float kSingleView = 0.5f;
 // Evidence, in words of views for matter, beyond which a voxel is solid.
 constexpr double kSolidViews = 0.8;
-
-size_t CountDepths(const std::vector<SweptDepthMap>& maps) {
-  size_t count = 0;
-  for (const SweptDepthMap& map : maps) {
-    count += map.depths.size() -
-             size_t(std::count(map.depths.begin(), map.depths.end(), 0.0f));
-  }
-  return count;
-}
 
 // Depths that are wrong lie behind the surface, nearly all of them: what a
 // doubtful depth says of matter is right or does no harm, what it says of free
@@ -75,6 +67,17 @@ float EvidenceAt(const ViewSet& views,
              std::clamp(free_space - kSingleView, 0.0f, 2 * kMaxVotes);
 }
 
+}  // namespace
+
+size_t CountDepths(const std::vector<SweptDepthMap>& maps) {
+  size_t count = 0;
+  for (const SweptDepthMap& map : maps) {
+    count += map.depths.size() -
+             size_t(std::count(map.depths.begin(), map.depths.end(), 0.0f));
+  }
+  return count;
+}
+
 std::vector<float> EvidenceOf(const ViewSet& views,
                               const VoxelGrid& hull,
                               const TrustedDepths& depths,
@@ -93,8 +96,6 @@ std::vector<float> EvidenceOf(const ViewSet& views,
   return values;
 }
 
-// Adds to `maps` the plausible ones of those depths of `paired` that they lack.
-// `values` is the evidence of `maps`.
 void AddPlausible(const ViewSet& views,
                   const VoxelGrid& hull,
                   std::vector<SweptDepthMap> paired,
@@ -117,6 +118,8 @@ void AddPlausible(const ViewSet& views,
     }
   }
 }
+
+namespace {
 
 // The depths that are rather right than wrong.
 std::vector<SweptDepthMap> KeepTrusted(const TrustedDepths& depths) {

@@ -169,7 +169,8 @@ void CorrelatePlane(const Reference& reference,
 }
 
 // Mean of the best half of the neighbours' scores, ray by ray: with up to half
-// of the neighbours occluded the rest still agrees. Sorts the scores.
+// of the neighbours occluded the rest still agrees. Sorts the scores, so that
+// the first are the best.
 void MeanOfBestHalf(std::vector<std::vector<float>>* scores, float* out) {
   const size_t keep = (scores->size() + 1) / 2;
   const size_t num_rays = (*scores)[0].size();
@@ -196,7 +197,8 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
                         int reference_index,
                         const std::vector<int>& neighbors,
                         float plane_spacing,
-                        int window_radius) {
+                        int window_radius,
+                        bool one_is_enough) {
   const SweepView& view = views[reference_index];
   double near, far;
   cv::minMaxLoc(view.near_depth, &near, nullptr);
@@ -226,6 +228,9 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
     }
     float* out = volume.scores.data() + size_t(plane) * volume.num_rays;
     MeanOfBestHalf(&scores, out);
+    for (size_t ray = 0; one_is_enough && ray < volume.num_rays; ++ray) {
+      out[ray] = std::max(out[ray], scores[0][ray] - kBestAlone);
+    }
     const float* near_depth = view.near_depth[0];
     const float* far_depth = view.far_depth[0];
     for (size_t ray = 0; ray < volume.num_rays; ++ray) {

@@ -7,7 +7,7 @@
 #include "core/crust/medial_voxels.h"
 #include "core/cut/fixed_point.h"
 #include "core/evidence/uncovered_silhouettes.h"
-#include "core/pipeline/cover_silhouettes.h"
+#include "core/pipeline/cut_crust.h"
 #include "core/pipeline/undecided_surface.h"
 #include "core/pipeline/voxel_terms.h"
 
@@ -30,56 +30,6 @@ Visibility EstimateVisibility(const ViewSet& views,
       views, surface, labels, level, options.visibility, context);
   summary->visibility_seconds += stopwatch.Lap();
   return visibility;
-}
-
-OctahedralCut CutCrust(const Crust& crust,
-                       const std::vector<float>& weights,
-                       const std::vector<float>& evidence,
-                       const ReconstructionOptions& options,
-                       const Context& context,
-                       LevelSummary* summary,
-                       OctahedralCutState* state = nullptr) {
-  Stopwatch stopwatch;
-  OctahedralCutProblem problem;
-  problem.crust = &crust.voxels;
-  problem.weights = weights;
-  problem.ties = crust.ties;
-  problem.evidence = evidence;
-  OctahedralCut cut = SolveOctahedralCut(problem, options.cut, context, state);
-  summary->cut_seconds += stopwatch.Lap();
-  summary->cut_cost = cut.cost;
-  summary->num_cut_voxels = cut.num_cut_voxels;
-  summary->num_graph_nodes = cut.num_nodes;
-  summary->num_crust_voxels = crust.voxels.Size();
-  summary->num_medial_voxels = crust.num_medial_voxels;
-  return cut;
-}
-
-// Cuts again where `cut` leaves silhouettes uncovered that can be covered.
-void CoverSilhouettes(const ViewSet& views,
-                      const Crust& crust,
-                      const std::vector<float>& weights,
-                      const CoverPreference& preference,
-                      const ReconstructionOptions& options,
-                      const Context& context,
-                      OctahedralCutState* state,
-                      std::vector<float>* evidence,
-                      OctahedralCut* cut,
-                      LevelSummary* summary) {
-  if (options.evidence.cover_rounds == 0) {
-    return;
-  }
-  Stopwatch stopwatch;
-  const CoverDemand demand =
-      DemandCover(views, crust, cut->labels, preference, context, evidence);
-  summary->cover_seconds += stopwatch.Lap();
-  summary->missed_before = std::max(summary->missed_before, demand.uncovered);
-  summary->missed_after = demand.impossible;
-  summary->num_cover_voxels += demand.num_voxels;
-  if (demand.num_voxels > 0) {
-    *cut =
-        CutCrust(crust, weights, *evidence, options, context, summary, state);
-  }
 }
 
 // The cut of l0 by evidence alone. What all silhouettes show must not be cut
@@ -132,20 +82,6 @@ OctahedralCut CutByEvidence(const ViewSet& views,
           (*evidence)[i] + float(weight) * missed.shares[i], kMaxEvidence);
     }
   }
-}
-
-// Of the cut voxels, how much of them the photographs decide.
-double DecidedShare(const std::vector<FaceLabels>& labels,
-                    const Decision& decision) {
-  double sum = 0;
-  size_t count = 0;
-  for (size_t i = 0; i < labels.size(); ++i) {
-    if (IsCut(labels[i])) {
-      sum += decision.here[i];
-      ++count;
-    }
-  }
-  return sum / double(std::max<size_t>(count, 1));
 }
 
 void BeginLevel(int level, LevelSummary* summary) {

@@ -11,6 +11,7 @@
 #include "core/evidence/trim_hull.h"
 #include "core/hull/false_gaps.h"
 #include "core/hull/hull_surface.h"
+#include "core/pipeline/deepen_level.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/level_step.h"
 #include "core/views/border_edges.h"
@@ -113,12 +114,22 @@ Reconstruction Reconstruct(const Scene& scene,
   for (int level = options.hull.hull_level; level <= options.target_level;
        ++level) {
     LevelSummary& step = summary.levels.emplace_back();
-    hierarchy.Add(
+    LabeledVoxels solved =
         hierarchy.Empty()
             ? SolveInitialLevel(
                   views, hull.voxels, evidence, options, context, &step)
             : SolveFinerLevel(
-                  views, evidence, hierarchy, options, context, &step));
+                  views, evidence, hierarchy, options, context, &step);
+    if (level == options.hull.hull_level + 1) {
+      solved = DeepenLevel(views,
+                           evidence,
+                           hierarchy,
+                           std::move(solved),
+                           options,
+                           context,
+                           &step);
+    }
+    hierarchy.Add(std::move(solved));
     ReportLevel(step, context);
     if (observer) {
       observer(level, PlacedMesh(hierarchy.Finest(), region.cube, context));

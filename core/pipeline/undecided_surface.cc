@@ -60,6 +60,19 @@ Decision DecideByPhotographs(const Crust& crust,
   return decision;
 }
 
+double DecidedShare(const std::vector<FaceLabels>& labels,
+                    const Decision& decision) {
+  double sum = 0;
+  size_t count = 0;
+  for (size_t i = 0; i < labels.size(); ++i) {
+    if (IsCut(labels[i])) {
+      sum += decision.here[i];
+      ++count;
+    }
+  }
+  return sum / double(std::max<size_t>(count, 1));
+}
+
 void FlattenUndecidedWeights(const Decision& decision,
                              const ReconstructionOptions& options,
                              std::vector<float>* weights) {

@@ -11,6 +11,7 @@
 
 #include "core/base/context.h"
 #include "core/crust/crust.h"
+#include "core/grid/face.h"
 #include "core/grid/voxel_values.h"
 #include "core/pipeline/options.h"
 #include "core/pipeline/voxel_terms.h"
@@ -31,6 +32,10 @@ Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
                              const VoxelValues& depth_trust,
                              const Context& context);
+
+// Of the cut voxels, how much of them the photographs decide.
+double DecidedShare(const std::vector<FaceLabels>& labels,
+                    const Decision& decision);
 
 // `weights`, as EdgeWeights makes them of photo-consistency, approach those of
 // voxels that nobody sees where nothing is decided.

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <queue>
 
 #include "core/base/error.h"
@@ -264,6 +265,42 @@ TEST(GrowCrust, GrowsWhereTheCutTouchesTheBorder) {
           .Codes());
   ExpectTiesAgree(grown);
   ExpectCrustSeparates(grown);
+}
+
+// A solved ball with a tunnel of voxels that leads into it.
+TEST(WidenCrust, KnowsWhatWasSolvedAndWhatCoarserLevelsKnow) {
+  const Solid ball = Ball({0.5, 0.5, 0.5}, 0.3);
+  const LabelHierarchy hierarchy = OneLevel(ball, 4);
+  const LabeledVoxels solved = LabelSolid(ball, 5, 2);
+  std::vector<MortonCode> tunnel;
+  for (int x = 16; x < 32; ++x) {
+    tunnel.push_back(EncodeMorton(Eigen::Vector3i(x, 16, 16)));
+  }
+  const VoxelGrid voxels =
+      Union(solved.voxels, VoxelGrid::FromCodes(5, tunnel));
+  ASSERT_GT(voxels.Size(), solved.voxels.Size());
+  const Crust crust = WidenCrust(hierarchy, solved, voxels, Context(2));
+  EXPECT_EQ(crust.voxels.Codes(), voxels.Codes());
+  EXPECT_EQ(crust.num_medial_voxels, 0u);
+  ExpectTiesAgree(crust);
+  ExpectCrustSeparates(crust);
+  voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    EXPECT_NEAR(crust.prior[index],
+                std::popcount(LabelsOf(ball, DecodeMorton(code), 5)) / 6.0,
+                solved.voxels.Contains(DecodeMorton(code)) ? 1e-6 : 0.5);
+  });
+}
+
+TEST(AdoptCut, TakesTheCutForWhatIsKnown) {
+  const LabelHierarchy hierarchy = OneLevel(Ball({0.5, 0.5, 0.5}, 0.3), 4);
+  Crust crust = RefineCrust(hierarchy, Dilation(2), Context(2));
+  const std::vector<FaceLabels> labels =
+      LabelsOf(Ball({0.5, 0.5, 0.5}, 0.28), crust.voxels);
+  AdoptCut(labels, Context(2), &crust);
+  for (size_t i = 0; i < labels.size(); ++i) {
+    EXPECT_EQ(crust.prior[i], float(std::popcount(labels[i])) / kNumFaces);
+  }
+  ExpectTiesAgree(crust);
 }
 
 }  // namespace

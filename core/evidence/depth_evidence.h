@@ -1,0 +1,34 @@
+// What confirmed depths say of voxels, of any level. For core/evidence alone.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/evidence/depth_trust.h"
+#include "core/evidence/inside_evidence.h"
+#include "core/grid/voxel_grid.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+size_t CountDepths(const std::vector<SweptDepthMap>& maps);
+
+// Evidence of each voxel, in units of the graph's weights; > 0 for inside.
+std::vector<float> EvidenceOf(const ViewSet& views,
+                              const VoxelGrid& voxels,
+                              const TrustedDepths& depths,
+                              const InsideEvidenceOptions& options,
+                              const Context& context);
+
+// Adds to `maps` the plausible ones of those depths of `paired` that they lack.
+// `values` is the evidence of `maps`.
+void AddPlausible(const ViewSet& views,
+                  const VoxelGrid& voxels,
+                  std::vector<SweptDepthMap> paired,
+                  const std::vector<float>& values,
+                  const InsideEvidenceOptions& options,
+                  const Context& context,
+                  std::vector<SweptDepthMap>* maps);
+
+}  // namespace octacut

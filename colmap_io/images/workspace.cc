@@ -172,7 +172,9 @@ Workspace OpenWorkspace(const fs::path& path,
                               std::all_of(workspace.model.cameras.begin(),
                                           workspace.model.cameras.end(),
                                           IsPinhole);
-  workspace.mask_path = FindMasks(workspace, options.mask_path, context);
+  if (options.needs_masks) {
+    workspace.mask_path = FindMasks(workspace, options.mask_path, context);
+  }
   return workspace;
 }
 

@@ -1,0 +1,206 @@
+#include "core/segment/segment_object.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/segment/appearance.h"
+#include "core/segment/label_cut.h"
+#include "core/segment/labels.h"
+#include "core/segment/occupancy.h"
+#include "core/segment/pixel_features.h"
+
+namespace octacut {
+namespace {
+
+constexpr int kCoarseResolution = 96;
+constexpr int kFineResolution = 128;
+constexpr int kCoarseRounds = 4;
+constexpr int kFineRounds = 3;
+// The middle and the outside, in radii of the search region.
+constexpr double kMiddle = 0.5;
+constexpr double kOutside = 1;
+// Space around the object in the finer grid, in edges of its box.
+constexpr double kMargin = 0.15;
+// Log odds beyond which a pixel is taken for sure and learned from.
+constexpr float kSure = 1;
+constexpr float kSmoothness = 4;
+constexpr float kInsideDoubt = 2;
+constexpr float kFirstDoubt = 1.5f;
+
+class Segmenter {
+ public:
+  Segmenter(const SegmentationInput& input, const Context& context)
+      : input_(input), context_(context) {
+    for (const UnsegmentedView& view : input.views) {
+      poses_.push_back(view.pose);
+    }
+    result_.region = FindSearchRegion(poses_, input.box);
+    const size_t count = input.views.size();
+    features_.resize(count);
+    labels_.resize(count);
+    colours_.resize(count);
+    result_.views.resize(count);
+  }
+
+  Segmentation Run();
+
+ private:
+  void ForEachView(const std::function<void(size_t)>& body) const {
+    ParallelFor(context_, poses_.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        body(i);
+      }
+    });
+  }
+  cv::Mat FirstLabels(size_t view) const;
+  void Learn(bool own_objects);
+  void Round(const BoundingCube& cube, int resolution);
+  void Relabel(size_t view);
+  void CutView(size_t view);
+  void ApplySaid(size_t view, cv::Mat* labels) const;
+
+  const SegmentationInput& input_;
+  const Context& context_;
+  std::vector<Pose> poses_;
+  std::vector<cv::Mat> features_;
+  std::vector<cv::Mat> labels_;
+  std::vector<cv::Mat> colours_;  // log odds from colours
+  Segmentation result_;
+};
+
+// Middle and outside by the distances of rays from the centre.
+cv::Mat Segmenter::FirstLabels(size_t view) const {
+  const Pose& pose = poses_[view];
+  const SearchRegion& region = result_.region;
+  const Eigen::Vector3d center = pose.cam_from_world * region.center;
+  cv::Mat labels(pose.camera.height, pose.camera.width, CV_8U);
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) {
+      const Eigen::Vector3d ray =
+          pose.camera.Unproject({x + 0.5, y + 0.5}).normalized();
+      const double distance =
+          (center - ray * ray.dot(center)).norm() / region.radius;
+      labels.at<uint8_t>(y, x) = distance < kMiddle    ? kObject
+                                 : distance < kOutside ? kNothingSaid
+                                                       : kSurroundings;
+    }
+  }
+  return labels;
+}
+
+void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
+  const cv::Mat& said = input_.views[view].labels;
+  if (!said.empty()) {
+    said.copyTo(*labels, said != kNothingSaid);
+  }
+}
+
+void Segmenter::Learn(bool own_objects) {
+  const Appearance appearance(features_, labels_, own_objects, context_);
+  ForEachView([&](size_t i) {
+    colours_[i] = appearance.LogOdds(i, features_[i]);
+    cv::Mat& colours = colours_[i];
+    if (!own_objects) {
+      colours -= kFirstDoubt;
+    }
+    cv::min(colours, kOneViewsWord, colours);
+    cv::max(colours, -kOneViewsWord, colours);
+    const cv::Mat& said = input_.views[i].labels;
+    if (!said.empty()) {
+      colours.setTo(2 * kOneViewsWord, said == kObject);
+      colours.setTo(-2 * kOneViewsWord, said == kSurroundings);
+    }
+  });
+}
+
+void Segmenter::Relabel(size_t view) {
+  const cv::Mat& log_odds = result_.views[view].log_odds;
+  cv::Mat& labels = labels_[view];
+  labels.setTo(kNothingSaid);
+  labels.setTo(kObject, log_odds > kSure);
+  labels.setTo(kSurroundings, log_odds < -kSure);
+  ApplySaid(view, &labels);
+}
+
+void Segmenter::Round(const BoundingCube& cube, int resolution) {
+  OccupancyGrid grid(
+      cube, resolution, input_.box, poses_, colours_, context_);
+  if (!grid.KeepThingAt(result_.region.center, result_.region.radius)) {
+    throw InputError(
+        "the photographs: nothing that the cameras look at differs from its "
+        "surroundings in all of them; --OctahedralMeshing.bounding_box or "
+        "--strokes_path can help");
+  }
+  result_.object_box = grid.ObjectBox();
+  ForEachView([&](size_t i) {
+    SegmentedView& view = result_.views[i];
+    view.others = grid.WordOfOthers(i);
+    for (float& value : cv::Mat_<float>(view.others)) {
+      value = std::tanh(value / kOneViewsWord);
+    }
+    cv::Mat smooth;
+    cv::GaussianBlur(colours_[i], smooth, cv::Size(), 1);
+    cv::Mat positive;
+    cv::max(view.others, 0, positive);
+    view.log_odds =
+        smooth + kOneViewsWord * view.others - kInsideDoubt * positive;
+    Relabel(i);
+  });
+}
+
+void Segmenter::CutView(size_t i) {
+  SegmentedView& view = result_.views[i];
+  cv::Mat positive;
+  cv::max(view.others, 0, positive);
+  view.log_odds =
+      colours_[i] + kOneViewsWord * view.others - kInsideDoubt * positive;
+  view.mask.create(view.log_odds.size(), CV_8U);
+  view.mask.setTo(kNothingSaid);
+  view.mask.setTo(kSurroundings, view.others < -0.95f);
+  ApplySaid(i, &view.mask);
+  CutLabels(input_.views[i].image, view.log_odds, kSmoothness, &view.mask);
+}
+
+BoundingCube CubeAround(const Eigen::AlignedBox3d& box) {
+  BoundingCube cube;
+  cube.edge = box.sizes().maxCoeff() * (1 + 2 * kMargin);
+  cube.min_corner = box.center() - Eigen::Vector3d::Constant(cube.edge / 2);
+  return cube;
+}
+
+Segmentation Segmenter::Run() {
+  Phase phase(context_, "finding the object", kCoarseRounds + kFineRounds);
+  ForEachView([&](size_t i) {
+    features_[i] = PixelFeatures(input_.views[i].image);
+    labels_[i] = FirstLabels(i);
+    ApplySaid(i, &labels_[i]);
+  });
+  for (int round = 0; round < kCoarseRounds; ++round) {
+    Learn(round > 0);
+    Round(result_.region.cube, kCoarseResolution);
+    phase.Advance();
+  }
+  const BoundingCube cube = CubeAround(result_.object_box);
+  for (int round = 0; round < kFineRounds; ++round) {
+    Learn(true);
+    Round(cube, kFineResolution);
+    phase.Advance();
+  }
+  ForEachView([&](size_t i) { CutView(i); });
+  return std::move(result_);
+}
+
+}  // namespace
+
+Segmentation SegmentObject(const SegmentationInput& input,
+                           const Context& context) {
+  return Segmenter(input, context).Run();
+}
+
+}  // namespace octacut

@@ -23,8 +23,8 @@ constexpr int kFineResolution = 128;
 constexpr int kCoarseRounds = 4;
 constexpr int kFineRounds = 3;
 // The middle and the outside, in radii of the search region.
-constexpr double kMiddle = 0.5;
-constexpr double kOutside = 1;
+constexpr double kMiddle = 0.25;
+constexpr double kOutside = 0.5;
 // Space around the object in the finer grid, in edges of its box.
 constexpr double kMargin = 0.15;
 // Log odds beyond which a pixel is taken for sure and learned from.

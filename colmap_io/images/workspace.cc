@@ -107,8 +107,10 @@ fs::path FindMasks(const Workspace& workspace,
     }
   }
   throw InputError(fmt::format(
-      "{}: the folder of masks does not exist; use --mask_path to name it",
-      here.string()));
+      "{}: the folder of masks does not exist; use --mask_path to name it, or "
+      "make masks: octacut mask_extractor --workspace_path {}",
+      here.string(),
+      workspace.path.string()));
 }
 
 }  // namespace

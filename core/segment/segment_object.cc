@@ -160,6 +160,7 @@ void Segmenter::CutView(size_t i) {
   cv::max(view.others, 0, positive);
   view.log_odds =
       colours_[i] + kOneViewsWord * view.others - kInsideDoubt * positive;
+  view.colours = colours_[i];
   view.mask.create(view.log_odds.size(), CV_8U);
   view.mask.setTo(kNothingSaid);
   view.mask.setTo(kSurroundings, view.others < -0.95f);

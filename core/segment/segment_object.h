@@ -40,6 +40,9 @@ struct SegmentedView {
   // CV_32F of the view's size: log odds of object against background from
   // colours and from the other views.
   cv::Mat log_odds;
+  // CV_32F: log odds from the view's colours alone, within +-kOneViewsWord but
+  // where labels say more.
+  cv::Mat colours;
   // CV_32F: what the other views alone say, in [-1, 1]; 1 is object.
   cv::Mat others;
   // CV_8UC1 of that size, 0 or 255: the minimal cut by those log odds.

@@ -21,7 +21,7 @@ constexpr auto kTopFolders =
 
 // Beside the data flow: nothing of core includes them.
 constexpr auto kCoreBeside =
-    std::to_array<std::string_view>({"compare", "evaluate", "synthetic"});
+    std::to_array<std::string_view>({"compare", "evaluate", "segment", "synthetic"});
 constexpr auto kBesideMayInclude = std::to_array<std::string_view>(
     {"base", "scene", "mesh", "raycast", "grid"});
 

@@ -7,14 +7,14 @@
 #include <vector>
 
 #include "colmap_io/images/image_file.h"
+#include "colmap_io/images/mask_list.h"
 #include "core/base/error.h"
 #include "core/scene/scene.h"
 
 namespace octacut {
+namespace {
 
 namespace fs = std::filesystem;
-
-namespace {
 
 // The mask's names in the order of precedence.
 std::vector<fs::path> MaskNames(const std::string& image_name) {
@@ -31,11 +31,15 @@ std::vector<fs::path> MaskNames(const std::string& image_name) {
       names.emplace_back(name + extension);
     }
   }
-  names.insert(names.begin() + 5, image_name);
+  // The very same name comes after those with .png.
+  names.insert(names.begin() + ptrdiff_t(names.size() / 3), image_name);
   return names;
 }
 
 bool SayTheSame(const fs::path& a, const fs::path& b) {
+  if (ReadBytes(a) == ReadBytes(b)) {
+    return true;
+  }
   const cv::Mat mask_a = ReadMask(a) >= kObjectThreshold;
   const cv::Mat mask_b = ReadMask(b) >= kObjectThreshold;
   return mask_a.size() == mask_b.size() &&
@@ -44,9 +48,10 @@ bool SayTheSame(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-std::optional<fs::path> FindMaskFile(const fs::path& mask_path,
-                                     const std::string& image_name,
-                                     const fs::path& image_path) {
+std::optional<std::filesystem::path> FindMaskFile(
+    const std::filesystem::path& mask_path,
+    const std::string& image_name,
+    const std::filesystem::path& image_path) {
   std::optional<fs::path> found;
   std::error_code ignored;
   for (const fs::path& name : MaskNames(image_name)) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/segment/shadows.h"
 
 namespace octacut {
 namespace {
@@ -60,9 +61,11 @@ Appearance::Appearance(std::span<const cv::Mat> features,
       objects[i] = Samples(features[i], labels[i], kObject, kOwnSamples);
       surroundings[i] =
           Samples(features[i], labels[i], kSurroundings, kOwnSamples);
+      const size_t num_surroundings = surroundings[i].size();
+      AddShadows(&surroundings[i]);
       Models& own = own_[i];
       own.has_object = own_objects && objects[i].size() >= kLeastOwnSamples;
-      own.has_surroundings = surroundings[i].size() >= kLeastOwnSamples;
+      own.has_surroundings = num_surroundings >= kLeastOwnSamples;
       if (own.has_object) {
         own.object = ColourMixture(objects[i], kOwnComponents);
       }

@@ -9,6 +9,7 @@
 #include "core/segment/label_cut.h"
 #include "core/segment/labels.h"
 #include "core/segment/pixel_features.h"
+#include "core/segment/shadows.h"
 
 namespace octacut {
 namespace {
@@ -64,9 +65,10 @@ void CutBand(const cv::Mat& image, double reach, cv::Mat* mask) {
   const cv::Mat features = PixelFeatures(image);
   const ColourMixture object(
       SamplesOf(features, (inside > reach) & (inside < learned)), kComponents);
-  const ColourMixture surroundings(
-      SamplesOf(features, (outside > reach) & (outside < learned)),
-      kComponents);
+  std::vector<PixelFeature> outer =
+      SamplesOf(features, (outside > reach) & (outside < learned));
+  AddShadows(&outer);
+  const ColourMixture surroundings(outer, kComponents);
   cv::Mat log_odds(image.size(), CV_32F, cv::Scalar(0));
   for (int y = 0; y < image.rows; ++y) {
     for (int x = 0; x < image.cols; ++x) {

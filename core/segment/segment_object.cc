@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <opencv2/imgproc.hpp>
@@ -22,15 +23,22 @@ constexpr int kCoarseResolution = 96;
 constexpr int kFineResolution = 128;
 constexpr int kCoarseRounds = 4;
 constexpr int kFineRounds = 3;
-// The middle and the outside, in radii of the search region.
-constexpr double kMiddle = 0.25;
-constexpr double kOutside = 0.5;
+// The middle, in radii of the search region; the outside begins at twice that.
+// A plate under the object, which the frames show whole as well, is left out by
+// the first one. An object with a hole where the cameras look needs the second.
+constexpr std::array<double, 2> kMiddles = {0.25, 0.5};
 // Space around the object in the finer grid, in edges of its box.
 constexpr double kMargin = 0.15;
 // Log odds beyond which a pixel is taken for sure and learned from.
 constexpr float kSure = 1;
-constexpr float kSmoothness = 4;
+// Of the cut in each view: a border of one pixel's length costs what one view
+// says for sure.
+constexpr float kSmoothness = kOneViewsWord;
+// What the others hold for object need not be: they leave more than there is.
+// So their word for it counts by this much less than that against it.
 constexpr float kInsideDoubt = 2;
+// Before the object is known, the middle shows surroundings as well, so colours
+// count for object only where they are this much more frequent in it.
 constexpr float kFirstDoubt = 1.5f;
 
 class Segmenter {
@@ -58,9 +66,10 @@ class Segmenter {
       }
     });
   }
-  cv::Mat FirstLabels(size_t view) const;
+  cv::Mat FirstLabels(size_t view, double middle) const;
+  bool FindObject(double middle);
   void Learn(bool own_objects);
-  void Round(const BoundingCube& cube, int resolution);
+  bool Round(const BoundingCube& cube, int resolution);
   void Relabel(size_t view);
   void CutView(size_t view);
   void ApplySaid(size_t view, cv::Mat* labels) const;
@@ -75,7 +84,7 @@ class Segmenter {
 };
 
 // Middle and outside by the distances of rays from the centre.
-cv::Mat Segmenter::FirstLabels(size_t view) const {
+cv::Mat Segmenter::FirstLabels(size_t view, double middle) const {
   const Pose& pose = poses_[view];
   const SearchRegion& region = result_.region;
   const Eigen::Vector3d center = pose.cam_from_world * region.center;
@@ -86,9 +95,9 @@ cv::Mat Segmenter::FirstLabels(size_t view) const {
           pose.camera.Unproject({x + 0.5, y + 0.5}).normalized();
       const double distance =
           (center - ray * ray.dot(center)).norm() / region.radius;
-      labels.at<uint8_t>(y, x) = distance < kMiddle    ? kObject
-                                 : distance < kOutside ? kNothingSaid
-                                                       : kSurroundings;
+      labels.at<uint8_t>(y, x) = distance < middle       ? kObject
+                                 : distance < 2 * middle ? kNothingSaid
+                                                         : kSurroundings;
     }
   }
   return labels;
@@ -128,14 +137,11 @@ void Segmenter::Relabel(size_t view) {
   ApplySaid(view, &labels);
 }
 
-void Segmenter::Round(const BoundingCube& cube, int resolution) {
+bool Segmenter::Round(const BoundingCube& cube, int resolution) {
   OccupancyGrid grid(
       cube, resolution, input_.box, poses_, colours_, context_);
   if (!grid.KeepThingAt(result_.region.center, result_.region.radius)) {
-    throw InputError(
-        "the photographs: nothing that the cameras look at differs from its "
-        "surroundings in all of them; --OctahedralMeshing.bounding_box or "
-        "--strokes_path can help");
+    return false;
   }
   result_.object_box = grid.ObjectBox();
   ForEachView([&](size_t i) {
@@ -152,6 +158,7 @@ void Segmenter::Round(const BoundingCube& cube, int resolution) {
         smooth + kOneViewsWord * view.others - kInsideDoubt * positive;
     Relabel(i);
   });
+  return true;
 }
 
 void Segmenter::CutView(size_t i) {
@@ -175,23 +182,40 @@ BoundingCube CubeAround(const Eigen::AlignedBox3d& box) {
   return cube;
 }
 
-Segmentation Segmenter::Run() {
+bool Segmenter::FindObject(double middle) {
   Phase phase(context_, "finding the object", kCoarseRounds + kFineRounds);
   ForEachView([&](size_t i) {
-    features_[i] = PixelFeatures(input_.views[i].image);
-    labels_[i] = FirstLabels(i);
+    labels_[i] = FirstLabels(i, middle);
     ApplySaid(i, &labels_[i]);
   });
   for (int round = 0; round < kCoarseRounds; ++round) {
     Learn(round > 0);
-    Round(result_.region.cube, kCoarseResolution);
+    if (!Round(result_.region.cube, kCoarseResolution)) {
+      return false;
+    }
     phase.Advance();
   }
   const BoundingCube cube = CubeAround(result_.object_box);
   for (int round = 0; round < kFineRounds; ++round) {
     Learn(true);
-    Round(cube, kFineResolution);
+    if (!Round(cube, kFineResolution)) {
+      return false;
+    }
     phase.Advance();
+  }
+  return true;
+}
+
+Segmentation Segmenter::Run() {
+  ForEachView(
+      [&](size_t i) { features_[i] = PixelFeatures(input_.views[i].image); });
+  if (std::none_of(kMiddles.begin(), kMiddles.end(), [&](double middle) {
+        return FindObject(middle);
+      })) {
+    throw InputError(
+        "the photographs: nothing that the cameras look at differs from its "
+        "surroundings in all of them; --OctahedralMeshing.bounding_box or "
+        "--strokes_path can help");
   }
   ForEachView([&](size_t i) { CutView(i); });
   return std::move(result_);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <opencv2/imgproc.hpp>
+#include <optional>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -15,6 +17,7 @@
 #include "core/segment/labels.h"
 #include "core/segment/occupancy.h"
 #include "core/segment/pixel_features.h"
+#include "core/segment/view_confidence.h"
 
 namespace octacut {
 namespace {
@@ -25,8 +28,11 @@ constexpr int kCoarseRounds = 4;
 constexpr int kFineRounds = 3;
 // The middle, in radii of the search region; the outside begins at twice that.
 // A plate under the object, which the frames show whole as well, is left out by
-// the first one. An object with a hole where the cameras look needs the second.
+// the first one. An object with a hole where the cameras look needs the second,
+// which is tried where the first one leaves more than this part of the views in
+// doubt.
 constexpr std::array<double, 2> kMiddles = {0.25, 0.5};
+constexpr double kFewDoubts = 0.1;
 // Space around the object in the finer grid, in edges of its box.
 constexpr double kMargin = 0.15;
 // Log odds beyond which a pixel is taken for sure and learned from.
@@ -68,6 +74,8 @@ class Segmenter {
   }
   cv::Mat FirstLabels(size_t view, double middle) const;
   bool FindObject(double middle);
+  size_t CountDoubts() const;
+  bool IsObjectSaid() const;
   void Learn(bool own_objects);
   bool Round(const BoundingCube& cube, int resolution);
   void Relabel(size_t view);
@@ -182,10 +190,22 @@ BoundingCube CubeAround(const Eigen::AlignedBox3d& box) {
   return cube;
 }
 
+bool Segmenter::IsObjectSaid() const {
+  return std::any_of(
+      input_.views.begin(), input_.views.end(), [](const auto& view) {
+        return !view.labels.empty() &&
+               cv::countNonZero(view.labels == kObject) > 0;
+      });
+}
+
 bool Segmenter::FindObject(double middle) {
   Phase phase(context_, "finding the object", kCoarseRounds + kFineRounds);
+  const bool is_said = IsObjectSaid();
   ForEachView([&](size_t i) {
     labels_[i] = FirstLabels(i, middle);
+    if (is_said) {  // better than a guess
+      labels_[i].setTo(kNothingSaid, labels_[i] == kObject);
+    }
     ApplySaid(i, &labels_[i]);
   });
   for (int round = 0; round < kCoarseRounds; ++round) {
@@ -206,19 +226,46 @@ bool Segmenter::FindObject(double middle) {
   return true;
 }
 
+size_t Segmenter::CountDoubts() const {
+  std::vector<cv::Mat> masks;
+  for (const SegmentedView& view : result_.views) {
+    masks.push_back(view.mask);
+  }
+  const std::vector<ViewConfidence> judged = JudgeViews(result_, masks);
+  return size_t(std::count_if(
+      judged.begin(), judged.end(), [](const ViewConfidence& view) {
+        return !view.doubt.empty();
+      }));
+}
+
 Segmentation Segmenter::Run() {
   ForEachView(
       [&](size_t i) { features_[i] = PixelFeatures(input_.views[i].image); });
-  if (std::none_of(kMiddles.begin(), kMiddles.end(), [&](double middle) {
-        return FindObject(middle);
-      })) {
+  std::optional<Segmentation> best;
+  size_t fewest = 0;
+  for (const double middle : kMiddles) {
+    if (!FindObject(middle)) {
+      continue;
+    }
+    ForEachView([&](size_t i) { CutView(i); });
+    const size_t doubts = CountDoubts();
+    if (!best || doubts < fewest) {
+      best = std::exchange(
+          result_, Segmentation{{}, result_.region, result_.object_box});
+      result_.views.resize(poses_.size());
+      fewest = doubts;
+    }
+    if (double(fewest) <= kFewDoubts * double(poses_.size())) {
+      break;
+    }
+  }
+  if (!best) {
     throw InputError(
         "the photographs: nothing that the cameras look at differs from its "
         "surroundings in all of them; --OctahedralMeshing.bounding_box or "
         "--strokes_path can help");
   }
-  ForEachView([&](size_t i) { CutView(i); });
-  return std::move(result_);
+  return *std::move(best);
 }
 
 }  // namespace

@@ -47,16 +47,15 @@ cv::Mat DrawTile(const cv::Mat& image,
   std::vector<std::vector<cv::Point>> outlines;
   cv::findContours(object, outlines, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
   cv::drawContours(picture, outlines, -1, ColourOf(listed.status), 1);
-  picture.copyTo(tile(cv::Rect(
-      cv::Point(0, kTextHeight),
-      picture.size())));
+  picture.copyTo(tile(cv::Rect(cv::Point(0, kTextHeight), picture.size())));
   const std::string text =
       listed.status == MaskStatus::kGiven
           ? fmt::format("{}  given", listed.image)
-          : fmt::format("{}  {:.2f}{}",
-                        listed.image,
-                        listed.confidence,
-                        listed.status == MaskStatus::kUnsure ? "  no mask" : "");
+          : fmt::format(
+                "{}  {:.2f}{}",
+                listed.image,
+                listed.confidence,
+                listed.status == MaskStatus::kUnsure ? "  no mask" : "");
   cv::putText(tile,
               text,
               {2, kTextHeight - 5},
@@ -87,17 +86,13 @@ cv::Mat DrawContactSheet(std::span<const UnsegmentedView> views,
   for (const UnsegmentedView& view : views) {
     height = std::max(height, SizeOnSheet(view.image).height + kTextHeight);
   }
-  cv::Mat sheet(rows * height,
-                kColumns * kTile,
-                CV_8UC3,
-                cv::Scalar::all(255));
+  cv::Mat sheet(rows * height, kColumns * kTile, CV_8UC3, cv::Scalar::all(255));
   for (size_t k = 0; k < order.size(); ++k) {
     const size_t i = order[k];
-    const cv::Mat tile = 
+    const cv::Mat tile =
         DrawTile(views[i].image, masks[i], list.views[i], height);
     tile.copyTo(sheet(cv::Rect(
-        cv::Point(int(k) % kColumns * kTile,
-                  int(k) / kColumns * height),
+        cv::Point(int(k) % kColumns * kTile, int(k) / kColumns * height),
         tile.size())));
   }
   return sheet;

@@ -65,11 +65,11 @@ class Extractor {
   void RemoveDoubtedMasks(const std::optional<MaskList>& before) const;
   bool IsInPlace(size_t view) const {
     std::error_code ignored;
-    return fs::equivalent(files_.files[view].given_mask.parent_path(),
-                          fs::path(options_.output_path /
-                                   files_.files[view].image->name)
-                              .parent_path(),
-                          ignored);
+    return fs::equivalent(
+        files_.files[view].given_mask.parent_path(),
+        fs::path(options_.output_path / files_.files[view].image->name)
+            .parent_path(),
+        ignored);
   }
 
   const MaskExtractionOptions& options_;
@@ -95,22 +95,22 @@ cv::Mat Extractor::RefinedMask(size_t view) const {
 }
 
 void Extractor::RefineAll() {
-  ForEachFile({.count = files_.files.size(),
-               .bytes_per_file = BytesOfLargest(files_.files, kBytesPerPixel),
-               .byte_budget = kDecodeBudget},
-              "refining borders",
-              context_,
-              [&](size_t i) {
-                const SegmentationFile& file = files_.files[i];
-                const cv::Mat mask = file.given_mask.empty()
-                                         ? RefinedMask(i)
-                                         : ReadMask(file.given_mask);
-                cv::imencode(".png", mask, encoded_[i]);
-                reduced_[i] = ReduceView(mask,
-                                         *file.camera,
-                                         files_.input.views[i].pose.camera) >=
-                              kObjectThreshold;
-              });
+  ForEachFile(
+      {.count = files_.files.size(),
+       .bytes_per_file = BytesOfLargest(files_.files, kBytesPerPixel),
+       .byte_budget = kDecodeBudget},
+      "refining borders",
+      context_,
+      [&](size_t i) {
+        const SegmentationFile& file = files_.files[i];
+        const cv::Mat mask = file.given_mask.empty()
+                                 ? RefinedMask(i)
+                                 : ReadMask(file.given_mask);
+        cv::imencode(".png", mask, encoded_[i]);
+        reduced_[i] =
+            ReduceView(mask, *file.camera, files_.input.views[i].pose.camera) >=
+            kObjectThreshold;
+      });
 }
 
 void Extractor::Judge() {
@@ -138,8 +138,8 @@ void Extractor::Judge() {
       listed.hash = HashOfBytes(ReadBytes(file.given_mask));
     } else {
       listed.mask = file.image->name + ".png";
-      listed.hash = HashOfBytes({reinterpret_cast<char*>(encoded_[i].data()),
-                                 encoded_[i].size()});
+      listed.hash = HashOfBytes(
+          {reinterpret_cast<char*>(encoded_[i].data()), encoded_[i].size()});
     }
   }
 }
@@ -149,8 +149,7 @@ void Extractor::Write() const {
   AtomicFiles files;
   for (size_t i = 0; i < files_.files.size(); ++i) {
     const ListedMask& listed = result_.list.views[i];
-    const bool stays =
-        listed.status == MaskStatus::kGiven && IsInPlace(i);
+    const bool stays = listed.status == MaskStatus::kGiven && IsInPlace(i);
     if (listed.status == MaskStatus::kUnsure || stays) {
       continue;
     }

@@ -66,8 +66,8 @@ Json MaskToJson(const ListedMask& mask) {
 }  // namespace
 
 const ListedMask* MaskList::Find(const std::string& image) const {
-  const auto found = std::find_if(
-      views.begin(), views.end(), [&](const ListedMask& mask) {
+  const auto found =
+      std::find_if(views.begin(), views.end(), [&](const ListedMask& mask) {
         return mask.image == image;
       });
   return found == views.end() ? nullptr : &*found;

@@ -22,10 +22,10 @@ enum class MaskStatus {
 struct ListedMask {
   std::string image;  // name as the model has it
   MaskStatus status = MaskStatus::kExtracted;
-  std::string mask;        // file in the folder; empty for an unsure view
-  std::string hash;        // HashOfBytes of that file
-  double confidence = 0;   // 0 to 1; 1 for a given mask
-  std::string doubt;       // why a view is unsure
+  std::string mask;       // file in the folder; empty for an unsure view
+  std::string hash;       // HashOfBytes of that file
+  double confidence = 0;  // 0 to 1; 1 for a given mask
+  std::string doubt;      // why a view is unsure
 };
 
 struct MaskList {

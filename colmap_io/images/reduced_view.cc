@@ -36,8 +36,7 @@ cv::Mat ReduceView(const cv::Mat& photograph,
                    const SparseCamera& camera,
                    const PinholeCamera& target) {
   const CameraProjector projector(camera);
-  const double reduction =
-      std::max(1.0, projector.Intrinsics().fx / target.fx);
+  const double reduction = std::max(1.0, projector.Intrinsics().fx / target.fx);
   const cv::Size size(
       std::max(1, int(std::lround(photograph.cols / reduction))),
       std::max(1, int(std::lround(photograph.rows / reduction))));
@@ -71,12 +70,12 @@ cv::Mat CarryBack(const cv::Mat& values,
   cv::Mat coarse(rows / kLensStep + 2, columns / kLensStep + 2, CV_32FC2);
   for (int j = 0; j < coarse.rows; ++j) {
     for (int i = 0; i < coarse.cols; ++i) {
-      const auto ray = projector.CamFromImg(
-          {std::min(i * kLensStep, columns) + 0.5,
-           std::min(j * kLensStep, rows) + 0.5});
-      const Eigen::Vector2d pixel =
-          ray && ray->z() > 0 ? reduced.Project(*ray)
-                              : Eigen::Vector2d::Constant(-1);
+      const auto ray =
+          projector.CamFromImg({std::min(i * kLensStep, columns) + 0.5,
+                                std::min(j * kLensStep, rows) + 0.5});
+      const Eigen::Vector2d pixel = ray && ray->z() > 0
+                                        ? reduced.Project(*ray)
+                                        : Eigen::Vector2d::Constant(-1);
       coarse.at<cv::Vec2f>(j, i) = {float(pixel.x() - 0.5),
                                     float(pixel.y() - 0.5)};
     }

@@ -74,9 +74,10 @@ std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
     std::error_code ignored;
     if (!fs::is_regular_file(file.photograph, ignored)) {
       if (!options.skip_missing_images) {
-        throw InputError(fmt::format("{}: no such image (--skip_missing_images "
-                                     "1 leaves out such images)",
-                                     file.photograph.string()));
+        throw InputError(
+            fmt::format("{}: no such image (--skip_missing_images "
+                        "1 leaves out such images)",
+                        file.photograph.string()));
       }
       ++num_missing;
       continue;
@@ -112,12 +113,12 @@ void RequireSize(const fs::path& path,
 
 cv::Mat ReadStrokes(const SegmentationFile& file,
                     const PinholeCamera& reduced) {
-  const cv::Mat strokes = cv::imread(
-      file.strokes.string(),
-      cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+  const cv::Mat strokes =
+      cv::imread(file.strokes.string(),
+                 cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
   if (strokes.empty()) {
-    throw InputError(fmt::format("{}: the strokes cannot be read",
-                                 file.strokes.string()));
+    throw InputError(
+        fmt::format("{}: the strokes cannot be read", file.strokes.string()));
   }
   RequireSize(file.strokes, strokes, *file.camera);
   cv::Mat labels(
@@ -125,10 +126,8 @@ cv::Mat ReadStrokes(const SegmentationFile& file,
   // A JPEG file does not keep the values to the last bit.
   const cv::Mat background =
       ReduceView(strokes < kNothingSaid / 2, *file.camera, reduced);
-  const cv::Mat object =
-      ReduceView(strokes > kNothingSaid + kNothingSaid / 2,
-                 *file.camera,
-                 reduced);
+  const cv::Mat object = ReduceView(
+      strokes > kNothingSaid + kNothingSaid / 2, *file.camera, reduced);
   labels.setTo(kSurroundings, background > kStrokeCoverage);
   labels.setTo(kObject, object > kStrokeCoverage);
   return labels;

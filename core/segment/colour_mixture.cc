@@ -1,8 +1,8 @@
 #include "core/segment/colour_mixture.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <Eigen/Cholesky>
 #include <limits>
 #include <numbers>
 
@@ -37,9 +37,8 @@ Means SpreadMeans(std::span<const PixelFeature> samples, int count) {
   while (int(means.size()) < count) {
     double sum = 0;
     for (size_t i = 0; i < samples.size(); ++i) {
-      distances[i] =
-          std::min(distances[i],
-                   (AsVector(samples[i]) - means.back()).squaredNorm());
+      distances[i] = std::min(
+          distances[i], (AsVector(samples[i]) - means.back()).squaredNorm());
       sum += distances[i];
     }
     double left = HashUniform(HashBits(means.size(), samples.size())) * sum;

@@ -56,9 +56,8 @@ class Cutter {
       graph_.addTermWeights(
           graph_.addVtx(), std::max(odds, 0.0f), std::max(-odds, 0.0f));
     }
-    ForEachPair([this](const cv::Point& p, const cv::Point& q) {
-      AddPair(p, q);
-    });
+    ForEachPair(
+        [this](const cv::Point& p, const cv::Point& q) { AddPair(p, q); });
     graph_.maxFlow();
     for (size_t i = 0; i < pixels_.size(); ++i) {
       labels_.at<uint8_t>(pixels_[i]) =
@@ -88,7 +87,8 @@ class Cutter {
     double sum = 0;
     size_t count = 0;
     ForEachPair([&](const cv::Point& p, const cv::Point& q) {
-      sum += SquaredDifference(image_.at<cv::Vec3b>(p), image_.at<cv::Vec3b>(q));
+      sum +=
+          SquaredDifference(image_.at<cv::Vec3b>(p), image_.at<cv::Vec3b>(q));
       ++count;
     });
     return count == 0 ? 0 : float(sum / double(count));

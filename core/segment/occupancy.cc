@@ -23,10 +23,9 @@ constexpr float kIgnored = kLowest - 2 * kOneViewsWord;
 
 // Evidence for a place on the ray of a pixel with these log odds.
 float EvidenceOf(float log_odds) {
-  return std::max(
-      -kOneViewsWord,
-      -std::log(kCoveredElsewhere +
-                (1 - kCoveredElsewhere) * std::exp(-log_odds)));
+  return std::max(-kOneViewsWord,
+                  -std::log(kCoveredElsewhere +
+                            (1 - kCoveredElsewhere) * std::exp(-log_odds)));
 }
 
 Pose Scaled(const Pose& pose, const cv::Size& size) {
@@ -114,8 +113,8 @@ OccupancyGrid::OccupancyGrid(const BoundingCube& cube,
 }
 
 Eigen::Vector3d OccupancyGrid::CenterOf(int x, int y, int z) const {
-  return cube_.min_corner +
-         Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) * (cube_.edge / resolution_);
+  return cube_.min_corner + Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) *
+                                (cube_.edge / resolution_);
 }
 
 float OccupancyGrid::ScoreOf(const Eigen::Vector3f& point,
@@ -196,8 +195,8 @@ bool OccupancyGrid::KeepThingAt(const Eigen::Vector3d& center, double radius) {
   if (weights.empty()) {
     return false;
   }
-  const int kept = int(std::max_element(weights.begin(), weights.end()) -
-                       weights.begin());
+  const int kept =
+      int(std::max_element(weights.begin(), weights.end()) - weights.begin());
   for (size_t i = 0; i < scores_.size(); ++i) {
     if (thing_of[i] >= 0 && thing_of[i] != kept) {
       scores_[i] = kNoObject;

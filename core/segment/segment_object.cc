@@ -146,8 +146,7 @@ void Segmenter::Relabel(size_t view) {
 }
 
 bool Segmenter::Round(const BoundingCube& cube, int resolution) {
-  OccupancyGrid grid(
-      cube, resolution, input_.box, poses_, colours_, context_);
+  OccupancyGrid grid(cube, resolution, input_.box, poses_, colours_, context_);
   if (!grid.KeepThingAt(result_.region.center, result_.region.radius)) {
     return false;
   }

@@ -30,7 +30,8 @@ double Agreement(const cv::Mat& mask, const cv::Mat& others) {
   const cv::Mat allowed = others > 0;
   const cv::Mat counted =
       (DistanceToOther(mask) > kBorder | DistanceToOther(~mask) > kBorder) &
-      (DistanceToOther(allowed) > kBorder | DistanceToOther(~allowed) > kBorder);
+      (DistanceToOther(allowed) > kBorder |
+       DistanceToOther(~allowed) > kBorder);
   const int common = cv::countNonZero(mask & allowed & counted);
   const int either = cv::countNonZero((mask | allowed) & counted);
   return either == 0 ? 0 : double(common) / either;

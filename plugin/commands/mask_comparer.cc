@@ -59,9 +59,10 @@ std::vector<std::string> NamesIn(const fs::path& folder) {
     }
   }
   if (names.empty()) {
-    throw InputError(fmt::format("reference_path {}: no such folder, or one "
-                                 "without PNG files",
-                                 folder.string()));
+    throw InputError(
+        fmt::format("reference_path {}: no such folder, or one "
+                    "without PNG files",
+                    folder.string()));
   }
   std::sort(names.begin(), names.end());
   return names;
@@ -92,14 +93,15 @@ ComparedMask Compare(const fs::path& path, const fs::path& reference_path) {
   const cv::Mat mask = ReadMask(path);
   const cv::Mat reference = ReadMask(reference_path);
   if (mask.size() != reference.size()) {
-    throw InputError(fmt::format("{}: the mask has {}x{} pixels, but {} has "
-                                 "{}x{}",
-                                 path.string(),
-                                 mask.cols,
-                                 mask.rows,
-                                 reference_path.string(),
-                                 reference.cols,
-                                 reference.rows));
+    throw InputError(
+        fmt::format("{}: the mask has {}x{} pixels, but {} has "
+                    "{}x{}",
+                    path.string(),
+                    mask.cols,
+                    mask.rows,
+                    reference_path.string(),
+                    reference.cols,
+                    reference.rows));
   }
   OutlineDistances distances;
   const ViewSilhouette view = CompareSilhouettes(reference, mask, &distances);
@@ -155,20 +157,22 @@ void MaskComparer::Run(const CommandEnvironment& environment) {
         }
       });
   const ComparedMask mean = MeanOf(masks);
-  const auto missing = size_t(std::count_if(
-      masks.begin(), masks.end(), [](const ComparedMask& mask) {
+  const auto missing = size_t(
+      std::count_if(masks.begin(), masks.end(), [](const ComparedMask& mask) {
         return !mask.is_there;
       }));
   TextTable table({"mask", "overlap, %", "border: mean, pixels", "95 %"});
   Json list = Json::array();
   const auto add_row = [&table](const ComparedMask& mask) {
-    table.AddRow(mask.is_there
-                     ? std::vector<std::string>{
-                           mask.name,
-                           fmt::format("{:.2f}", 100 * mask.overlap),
-                           fmt::format("{:.2f}", mask.border_mean),
-                           fmt::format("{:.2f}", mask.border_percentile_95)}
-                     : std::vector<std::string>{mask.name, "no mask"});
+    table.AddRow(
+        mask.is_there
+            ? std::vector<std::string>{mask.name,
+                                       fmt::format("{:.2f}",
+                                                   100 * mask.overlap),
+                                       fmt::format("{:.2f}", mask.border_mean),
+                                       fmt::format("{:.2f}",
+                                                   mask.border_percentile_95)}
+            : std::vector<std::string>{mask.name, "no mask"});
   };
   for (const ComparedMask& mask : masks) {
     add_row(mask);
@@ -176,9 +180,8 @@ void MaskComparer::Run(const CommandEnvironment& environment) {
   }
   add_row(mean);
   environment.out << table.ToString()
-                  << fmt::format("{} of {} masks are missing\n",
-                                 missing,
-                                 masks.size());
+                  << fmt::format(
+                         "{} of {} masks are missing\n", missing, masks.size());
   if (!output_path_.empty()) {
     Json report = MakeReport(environment);
     report["mean"] = ToJson(mean);

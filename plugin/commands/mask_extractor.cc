@@ -63,12 +63,11 @@ void MaskExtractor::Run(const CommandEnvironment& environment) {
       OpenWorkspace(workspace_path_, workspace_, environment.context);
   const MaskExtraction extraction =
       ExtractMasks(workspace, extraction_, environment.context);
-  environment.out << fmt::format(
-      "{}: {} masks, {} given, {} views unsure\n",
-      extraction_.output_path.string(),
-      extraction.num_extracted,
-      extraction.num_given,
-      extraction.num_unsure);
+  environment.out << fmt::format("{}: {} masks, {} given, {} views unsure\n",
+                                 extraction_.output_path.string(),
+                                 extraction.num_extracted,
+                                 extraction.num_given,
+                                 extraction.num_unsure);
 }
 
 }  // namespace

@@ -18,9 +18,7 @@ using ::testing::Not;
 
 class MaskExtractorTest : public SmallWorkspaceTest {
  protected:
-  fs::path Found(int view) const {
-    return Extracted() / Mask(view).filename();
-  }
+  fs::path Found(int view) const { return Extracted() / Mask(view).filename(); }
   fs::path Extracted() const { return folder_ / "found"; }
 
   ProgramResult Extract(const std::vector<std::string>& options = {}) const {
@@ -132,9 +130,8 @@ TEST_F(MaskExtractorTest, MistakesAreNamedAndLeaveNothing) {
   fs::create_directories(folder_ / "empty");
   EXPECT_THAT(error({"--strokes_path", folder_ / "empty"}),
               HasSubstr("no file in the folder is named after an image"));
-  EXPECT_THAT(
-      error({"--OctahedralMeshing.bounding_box", "90,90,90,91,91,91"}),
-      HasSubstr("bounding_box"));
+  EXPECT_THAT(error({"--OctahedralMeshing.bounding_box", "90,90,90,91,91,91"}),
+              HasSubstr("bounding_box"));
   cv::imwrite(Image(1).string(), cv::Mat(20, 30, CV_8UC3, cv::Scalar::all(9)));
   EXPECT_THAT(error({}), HasSubstr("view_001.jpg: the image has 30x20"));
   EXPECT_FALSE(fs::exists(Extracted()));

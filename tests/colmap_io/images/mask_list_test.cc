@@ -46,11 +46,8 @@ TEST_F(MaskListTest, OtherFilesAreRefusedByName) {
 TEST_F(MaskListTest, AMaskIsOctacutsUntilItChanges) {
   WriteText(folder_ / "a.jpg.png", "bytes");
   MaskList list;
-  list.views = {{"a.jpg",
-                 MaskStatus::kExtracted,
-                 "a.jpg.png",
-                 HashOfBytes("bytes"),
-                 1}};
+  list.views = {
+      {"a.jpg", MaskStatus::kExtracted, "a.jpg.png", HashOfBytes("bytes"), 1}};
   EXPECT_TRUE(IsExtractedMask(list, "a.jpg", folder_ / "a.jpg.png"));
   EXPECT_FALSE(IsExtractedMask({}, "a.jpg", folder_ / "a.jpg.png"));
   WriteText(folder_ / "a.jpg.png", "byteS");

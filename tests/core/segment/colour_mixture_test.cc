@@ -48,9 +48,8 @@ TEST(ColourMixture, FindsEveryCluster) {
   const std::vector<PixelFeature> rare = Cluster({80, 30, 5, 9}, 1, 100);
   samples.insert(samples.end(), rare.begin(), rare.end());
   const ColourMixture mixture(samples, 4);
-  EXPECT_NEAR(mixture.Density({20, 0, 0, 2}) / mixture.Density({80, 30, 5, 9}),
-              9,
-              2);
+  EXPECT_NEAR(
+      mixture.Density({20, 0, 0, 2}) / mixture.Density({80, 30, 5, 9}), 9, 2);
   EXPECT_LT(mixture.Density({50, 15, 2, 5}), 1e-3 * mixture.Density(rare[0]));
 }
 

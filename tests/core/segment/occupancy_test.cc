@@ -16,8 +16,7 @@ std::vector<cv::Mat> OddsOf(const std::vector<Ball>& balls,
                             const std::vector<Pose>& poses) {
   std::vector<cv::Mat> result;
   for (const Pose& pose : poses) {
-    cv::Mat odds(
-        pose.camera.height, pose.camera.width, CV_32F, cv::Scalar(-4));
+    cv::Mat odds(pose.camera.height, pose.camera.width, CV_32F, cv::Scalar(-4));
     for (const Ball& ball : balls) {
       odds.setTo(4, SilhouetteOf(ball, pose));
     }

@@ -43,8 +43,8 @@ inline Pose RingPose(double azimuth, double elevation) {
 inline std::vector<Pose> RingPoses(int count) {
   std::vector<Pose> poses;
   for (int i = 0; i < count; ++i) {
-    poses.push_back(RingPose(2 * std::numbers::pi * i / count,
-                             i % 2 == 0 ? 0.2 : 0.7));
+    poses.push_back(
+        RingPose(2 * std::numbers::pi * i / count, i % 2 == 0 ? 0.2 : 0.7));
   }
   return poses;
 }

@@ -8,19 +8,19 @@
 namespace octacut {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::RingPose;
 using testing::RingPoses;
-using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 TEST(SearchRegion, IsWhereTheCamerasLook) {
   const SearchRegion region = FindSearchRegion(RingPoses(12), {});
   EXPECT_LT(region.center.norm(), 1e-6);
   // Half of the picture's height at the distance of the object.
-  EXPECT_NEAR(region.radius,
-              testing::kRingDistance * testing::kRingHeight / 2 /
-                  testing::kRingFocal,
-              1e-6);
+  EXPECT_NEAR(
+      region.radius,
+      testing::kRingDistance * testing::kRingHeight / 2 / testing::kRingFocal,
+      1e-6);
   EXPECT_LT((region.cube.Center() - region.center).norm(), 1e-9);
   EXPECT_GE(region.cube.edge, 2 * region.radius);
 }

@@ -12,6 +12,7 @@
 namespace octacut {
 namespace {
 
+using ::testing::HasSubstr;
 using testing::kBallColour;
 using testing::kRoomColour;
 using testing::MakeRingScene;
@@ -19,7 +20,6 @@ using testing::Overlap;
 using testing::Paint;
 using testing::RingScene;
 using testing::SilhouetteOf;
-using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
 
 TEST(SegmentObject, FindsTheObjectInEveryView) {
@@ -76,10 +76,9 @@ TEST(SegmentObject, SameBytesForAnyNumberOfThreads) {
   Segmentation three;
   WithThreads(3, [&] { three = SegmentObject(scene.input, Context(3)); });
   for (size_t i = 0; i < scene.truth.size(); ++i) {
-    EXPECT_EQ(cv::norm(one.views[i].log_odds,
-                       three.views[i].log_odds,
-                       cv::NORM_INF),
-              0)
+    EXPECT_EQ(
+        cv::norm(one.views[i].log_odds, three.views[i].log_odds, cv::NORM_INF),
+        0)
         << i;
     EXPECT_EQ(cv::countNonZero(one.views[i].mask != three.views[i].mask), 0);
   }

@@ -7,10 +7,10 @@
 namespace octacut {
 namespace {
 
-using testing::MakeRingScene;
-using testing::RingScene;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using testing::MakeRingScene;
+using testing::RingScene;
 
 class ViewConfidenceTest : public ::testing::Test {
  protected:

@@ -14,10 +14,11 @@ constexpr double kBorder = 2;
 // Pixels from the border whose colours are looked at.
 constexpr double kRing = 4;
 constexpr double kLeastConfidence = 0.5;
-// A view that agrees less than the median by more than this is an exception: a
-// tenth of the object is what a mesh would show. Where views differ anyway,
-// three standard deviations, by the median of their distances.
-constexpr double kLeastSpread = 0.1;
+// A view that agrees less than the median by more than this is an exception.
+// From a side that few views look from, the others leave a fifth more than there
+// is for a true silhouette. Where views differ more anyway: three standard
+// deviations, by the median of their distances.
+constexpr double kLeastSpread = 0.25;
 constexpr double kSpreads = 3 * 1.4826;
 
 cv::Mat DistanceToOther(const cv::Mat& mask) {

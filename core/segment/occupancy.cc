@@ -16,6 +16,9 @@ namespace {
 constexpr float kCoveredElsewhere = 0.7f;
 // A place that fewer of the views show is not where they look.
 constexpr double kMinShowing = 0.7;
+// Voxels around the object that one view may add to it. What is farther away
+// and only that view denies is another thing.
+constexpr size_t kNearObject = 3;
 constexpr float kNoObject = -std::numeric_limits<float>::infinity();
 constexpr float kLowest = -3 * kOneViewsWord;
 // Scores below this are below kLowest without any one view, too.
@@ -197,12 +200,35 @@ bool OccupancyGrid::KeepThingAt(const Eigen::Vector3d& center, double radius) {
   }
   const int kept =
       int(std::max_element(weights.begin(), weights.end()) - weights.begin());
+  std::vector<uint8_t> near(scores_.size());
   for (size_t i = 0; i < scores_.size(); ++i) {
-    if (thing_of[i] >= 0 && thing_of[i] != kept) {
+    near[i] = thing_of[i] == kept;
+  }
+  Grow(&near);
+  for (size_t i = 0; i < scores_.size(); ++i) {
+    if (!near[i] || (thing_of[i] >= 0 && thing_of[i] != kept)) {
       scores_[i] = kNoObject;
     }
   }
   return true;
+}
+
+void OccupancyGrid::Grow(std::vector<uint8_t>* flags) const {
+  const size_t n = size_t(resolution_);
+  for (const size_t step : {size_t{1}, n, n * n}) {  // x, y and z
+    const std::vector<uint8_t> before = *flags;
+    for (size_t i = 0; i < before.size(); ++i) {
+      if (before[i] == 0) {
+        continue;
+      }
+      const size_t place = i / step % n;
+      const size_t down = std::min(place, kNearObject);
+      const size_t up = std::min(n - 1 - place, kNearObject);
+      for (size_t k = 0; k <= down + up; ++k) {
+        (*flags)[i - down * step + k * step] = 1;
+      }
+    }
+  }
 }
 
 Eigen::AlignedBox3d OccupancyGrid::ObjectBox() const {

@@ -39,7 +39,8 @@ class OccupancyGrid {
 
   // Takes what hangs together for one thing, and what is not part of the thing
   // that is largest and nearest to `center` (both count, within `radius`) for
-  // background. False when nothing is object.
+  // background, and so all that is farther from it than a few voxels. False
+  // when nothing is object.
   bool KeepThingAt(const Eigen::Vector3d& center, double radius);
 
   // Box around the voxels that are object; empty when there are none.
@@ -62,6 +63,8 @@ class OccupancyGrid {
   }
   class PointProjector;
 
+  // Sets the flags (one a voxel) of a few voxels around each that is set.
+  void Grow(std::vector<uint8_t>* flags) const;
   Eigen::Vector3d CenterOf(int x, int y, int z) const;
   float ScoreOf(const Eigen::Vector3f& point,
                 std::span<const PointProjector> projectors,

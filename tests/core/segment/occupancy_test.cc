@@ -68,6 +68,25 @@ TEST(Occupancy, ThingsBesideTheMiddleAreBackground) {
   EXPECT_NEAR(grid.ObjectBox().max().x(), 0.3, 0.1);
 }
 
+// Two views deny a thing that all others show beside the object: without the
+// word of one of them it would be there again.
+TEST(Occupancy, WhatIsFarFromTheObjectDoesNotComeBack) {
+  const std::vector<Pose> poses = RingPoses(16);
+  const Ball ball = {{0, 0, 0}, 0.3};
+  const Ball other = {{0.8, 0, 0}, 0.15};
+  std::vector<cv::Mat> odds = OddsOf({ball, other}, poses);
+  for (const size_t i : {2, 5}) {
+    odds[i] = OddsOf({ball}, poses)[i];
+  }
+  OccupancyGrid grid(CubeOfEdge(2.2), 64, {}, poses, odds, Context(2));
+  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1));
+  for (const size_t i : {2, 5}) {
+    const cv::Mat beside = SilhouetteOf(other, poses[i]) &
+                           ~SilhouetteOf({{0, 0, 0}, 0.4}, poses[i]);
+    EXPECT_EQ(cv::countNonZero((grid.WordOfOthers(i) > 0) & beside), 0) << i;
+  }
+}
+
 TEST(Occupancy, NothingIsFoundWhereNothingIs) {
   const std::vector<Pose> poses = RingPoses(8);
   OccupancyGrid grid(

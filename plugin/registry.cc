@@ -3,6 +3,8 @@
 #include <array>
 
 #include "plugin/commands/example_creator.h"
+#include "plugin/commands/mask_comparer.h"
+#include "plugin/commands/mask_extractor.h"
 #include "plugin/commands/mesh_comparer.h"
 #include "plugin/commands/mesh_evaluator.h"
 #include "plugin/commands/mesh_refiner.h"
@@ -17,6 +19,12 @@ std::span<const RegistryEntry> CommandRegistry() {
       {"example_creator",
        "Create a synthetic workspace with ground truth",
        &MakeExampleCreator},
+      {"mask_comparer",
+       "Measure masks against reference masks",
+       &MakeMaskComparer},
+      {"mask_extractor",
+       "Find the silhouettes of the object in all photographs",
+       &MakeMaskExtractor},
       {"mesh_comparer",
        "Compare meshes with a reference: topology, distances, scores",
        &MakeMeshComparer},

@@ -1,34 +1,77 @@
 #include "colmap_io/images/mask_file.h"
 
+#include <fmt/format.h>
+
+#include <opencv2/core.hpp>
 #include <system_error>
+#include <vector>
+
+#include "colmap_io/images/image_file.h"
+#include "colmap_io/images/mask_list.h"
+#include "core/base/error.h"
+#include "core/scene/scene.h"
 
 namespace octacut {
+namespace {
 
 namespace fs = std::filesystem;
 
-std::optional<fs::path> FindMaskFile(const fs::path& mask_path,
-                                     const std::string& image_name,
-                                     const fs::path& image_path) {
-  const std::string stem = fs::path(image_name).replace_extension().string();
-  std::error_code ignored;
-  const auto is_mask = [&](const std::string& name) {
-    const fs::path path = mask_path / name;
-    return fs::is_regular_file(path, ignored) &&
-           !fs::equivalent(path, image_path / image_name, ignored);
-  };
+// The mask's names in the order of precedence.
+std::vector<fs::path> MaskNames(const std::string& image_name) {
+  const fs::path stem = fs::path(image_name).replace_extension();
+  const fs::path prefixed =
+      stem.parent_path() / ("mask_" + stem.filename().string());
+  std::vector<fs::path> names;
   for (const char* extension : {".png", ".jpg", ".jpeg"}) {
-    for (const std::string& name : {image_name + extension,
-                                    stem + extension,
-                                    stem + ".mask" + extension}) {
-      if (is_mask(name)) {
-        return mask_path / name;
-      }
-    }
-    if (is_mask(image_name)) {
-      return mask_path / image_name;
+    for (const std::string& name : {image_name,
+                                    stem.string(),
+                                    stem.string() + ".mask",
+                                    stem.string() + "_mask",
+                                    prefixed.string()}) {
+      names.emplace_back(name + extension);
     }
   }
-  return {};
+  // The very same name comes after those with .png.
+  names.insert(names.begin() + ptrdiff_t(names.size() / 3), image_name);
+  return names;
+}
+
+bool SayTheSame(const fs::path& a, const fs::path& b) {
+  if (ReadBytes(a) == ReadBytes(b)) {
+    return true;
+  }
+  const cv::Mat mask_a = ReadMask(a) >= kObjectThreshold;
+  const cv::Mat mask_b = ReadMask(b) >= kObjectThreshold;
+  return mask_a.size() == mask_b.size() &&
+         cv::countNonZero(mask_a != mask_b) == 0;
+}
+
+}  // namespace
+
+std::optional<std::filesystem::path> FindMaskFile(
+    const std::filesystem::path& mask_path,
+    const std::string& image_name,
+    const std::filesystem::path& image_path) {
+  std::optional<fs::path> found;
+  std::error_code ignored;
+  for (const fs::path& name : MaskNames(image_name)) {
+    const fs::path path = mask_path / name;
+    if (!fs::is_regular_file(path, ignored) ||
+        fs::equivalent(path, image_path / image_name, ignored)) {
+      continue;
+    }
+    if (!found) {
+      found = path;
+    } else if (!fs::equivalent(path, *found, ignored) &&
+               !SayTheSame(path, *found)) {
+      throw InputError(fmt::format(
+          "{} and {}: both are the mask of image {} and differ; remove one",
+          found->string(),
+          path.string(),
+          image_name));
+    }
+  }
+  return found;
 }
 
 }  // namespace octacut

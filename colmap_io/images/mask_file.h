@@ -12,9 +12,13 @@ namespace octacut {
 //   abc/012.jpg.png   COLMAP
 //   abc/012.png       newer COLMAP
 //   abc/012.mask.png  OpenMVS
+//   abc/012_mask.png
+//   abc/mask_012.png
 //   abc/012.jpg       the very same name
-// and of the first three with .jpg or .jpeg. Never `image_path`/`image_name`
-// itself.
+// and of the others with .jpg or .jpeg. Never `image_path`/`image_name` itself.
+//
+// Throws InputError that names both when another one of them says something
+// else.
 std::optional<std::filesystem::path> FindMaskFile(
     const std::filesystem::path& mask_path,
     const std::string& image_name,

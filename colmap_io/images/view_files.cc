@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "colmap_io/images/mask_file.h"
+#include "colmap_io/images/mask_list.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -48,6 +49,11 @@ struct Missing {
   }
 };
 
+bool IsUnsure(const std::optional<MaskList>& list, const std::string& image) {
+  const ListedMask* const listed = list ? list->Find(image) : nullptr;
+  return listed != nullptr && listed->status == MaskStatus::kUnsure;
+}
+
 }  // namespace
 
 void RequireEnoughViews(const Workspace& workspace, size_t count) {
@@ -83,6 +89,7 @@ FoundViewFiles FindViewFiles(const Workspace& workspace,
   for (const SparseCamera& camera : workspace.model.cameras) {
     cameras[camera.id] = &camera;
   }
+  const std::optional<MaskList> list = ReadMaskList(workspace.mask_path);
   FoundViewFiles found;
   Missing images{"image", 0, {}};
   Missing masks{"mask", 0, {}};
@@ -95,6 +102,10 @@ FoundViewFiles FindViewFiles(const Workspace& workspace,
     }
     const std::optional<fs::path> mask =
         FindMaskFile(workspace.mask_path, image.name, workspace.image_path);
+    if (!mask && IsUnsure(list, image.name)) {
+      ++found.num_unsure_masks;
+      continue;
+    }
     if (!mask) {
       masks.Add(workspace.mask_path / (image.name + ".png"));
       continue;
@@ -104,6 +115,14 @@ FoundViewFiles FindViewFiles(const Workspace& workspace,
   const size_t num_images = workspace.model.images.size();
   images.Report(options.skip_missing_images, num_images, context);
   masks.Report(options.skip_missing_masks, num_images, context);
+  if (found.num_unsure_masks > 0) {
+    context.Info(fmt::format(
+        "{} of {} images are left out, since {} says that no sure mask was "
+        "found for them.",
+        found.num_unsure_masks,
+        num_images,
+        (workspace.mask_path / kMaskListName).string()));
+  }
   found.num_missing_images = images.count;
   found.num_missing_masks = masks.count;
   RequireEnoughViews(workspace, found.views.size());

@@ -28,12 +28,14 @@ struct FoundViewFiles {
   std::vector<ViewFiles> views;  // in the order of the model
   size_t num_missing_images = 0;
   size_t num_missing_masks = 0;  // of the images that are there
+  size_t num_unsure_masks = 0;   // beside these: masks.json says there is none
 };
 
-// Finds image and mask of every registered image. What is missing is an
-// InputError, or, when it may be skipped, one context.Warn that counts it.
-// Throws InputError too when fewer than 3 views are left, or when the header of
-// an image gives another size than its camera.
+// Finds image and mask of every registered image. Images that octacut was
+// unsure of when it made the masks (mask_list.h) are left out. What else is
+// missing is an InputError, or, when it may be skipped, one context.Warn that
+// counts it. Throws InputError too when fewer than 3 views are left, or when
+// the header of an image gives another size than its camera.
 FoundViewFiles FindViewFiles(const Workspace& workspace,
                              const ViewFilesOptions& options,
                              const Context& context);

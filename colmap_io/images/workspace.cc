@@ -107,8 +107,10 @@ fs::path FindMasks(const Workspace& workspace,
     }
   }
   throw InputError(fmt::format(
-      "{}: the folder of masks does not exist; use --mask_path to name it",
-      here.string()));
+      "{}: the folder of masks does not exist; use --mask_path to name it, or "
+      "make masks: octacut mask_extractor --workspace_path {}",
+      here.string(),
+      workspace.path.string()));
 }
 
 }  // namespace
@@ -172,7 +174,9 @@ Workspace OpenWorkspace(const fs::path& path,
                               std::all_of(workspace.model.cameras.begin(),
                                           workspace.model.cameras.end(),
                                           IsPinhole);
-  workspace.mask_path = FindMasks(workspace, options.mask_path, context);
+  if (options.needs_masks) {
+    workspace.mask_path = FindMasks(workspace, options.mask_path, context);
+  }
   return workspace;
 }
 

@@ -23,6 +23,7 @@ struct WorkspaceOptions {
   // Text file with the names of the images to use; default: all.
   std::filesystem::path image_list_path;
   bool needs_images = true;  // false: there may be no folder of images
+  bool needs_masks = true;   // false: the folder of masks is not looked for
 };
 
 struct Workspace {

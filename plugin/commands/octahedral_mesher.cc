@@ -6,8 +6,10 @@
 
 #include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_io.h"
+#include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/pipeline/reconstruct.h"
+#include "plugin/mask_extraction.h"
 #include "plugin/mesh_json.h"
 #include "plugin/meshing_options.h"
 #include "plugin/report.h"
@@ -26,11 +28,14 @@ class OctahedralMesher : public Command {
 
  private:
   LevelObserver LevelWriter() const;
+  void MakeMasks(const Context& context);
 
   WorkspaceArguments workspace_;
   ReconstructionOptions meshing_;
   std::filesystem::path levels_path_;
   bool picture_ = true;
+  bool extract_masks_ = false;
+  MaskExtractionOptions extraction_;
 };
 
 void OctahedralMesher::DeclareOptions(OptionManager& options) {
@@ -44,7 +49,24 @@ void OctahedralMesher::DeclareOptions(OptionManager& options) {
       "picture",
       &picture_,
       "If 1, save a picture of a photograph and the mesh next to the mesh.");
+  options.Add("extract_masks",
+              &extract_masks_,
+              "If 1, make the masks first, as mask_extractor does.");
+  DeclareMaskExtractionOptions(options, &extraction_);
   DeclareMeshingOptions(options, &meshing_);
+}
+
+void OctahedralMesher::MakeMasks(const Context& context) {
+  WorkspaceOptions workspace = workspace_.loading.workspace;
+  workspace.needs_masks = false;
+  extraction_.output_path = workspace.mask_path.empty()
+                                ? workspace_.workspace_path / "masks"
+                                : workspace.mask_path;
+  extraction_.skip_missing_images = workspace_.loading.skip_missing_images;
+  extraction_.bounding_box = workspace_.bounding_box;
+  ExtractMasks(OpenWorkspace(workspace_.workspace_path, workspace, context),
+               extraction_,
+               context);
 }
 
 LevelObserver OctahedralMesher::LevelWriter() const {
@@ -79,7 +101,15 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   }
   workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
   workspace_.loading.fill_bites = meshing_.fill_false_gaps;
+  CheckOption(extract_masks_ || (extraction_.given_masks_path.empty() &&
+                                 extraction_.strokes_path.empty()),
+              "extract_masks",
+              extract_masks_,
+              "must be 1 for given_masks_path and strokes_path");
   const LevelObserver observer = LevelWriter();
+  if (extract_masks_) {
+    MakeMasks(context);
+  }
   const LoadedScene loaded = LoadScene(workspace_.workspace_path,
                                        workspace_.loading,
                                        meshing_.target_level,

@@ -20,8 +20,8 @@ constexpr auto kTopFolders =
     std::to_array<std::string_view>({"core", "colmap_io", "plugin", "tests"});
 
 // Beside the data flow: nothing of core includes them.
-constexpr auto kCoreBeside =
-    std::to_array<std::string_view>({"compare", "evaluate", "synthetic"});
+constexpr auto kCoreBeside = std::to_array<std::string_view>(
+    {"compare", "evaluate", "segment", "synthetic"});
 constexpr auto kBesideMayInclude = std::to_array<std::string_view>(
     {"base", "scene", "mesh", "raycast", "grid"});
 

@@ -1,7 +1,8 @@
 // The rules of the tree's structure, checked on the text of the sources:
 //  - plugin -> colmap_io -> core: no include points up;
 //  - inside core the folders are in the order of the data flow and include
-//    only what comes before them; compare and synthetic stand beside;
+//    only what comes before them; compare, evaluate, segment and synthetic
+//    stand beside;
 //  - core knows neither files nor image formats; OpenMesh, Ceres and Embree
 //    stay each in the folder that wraps it;
 //  - quoted includes are paths from the top of the tree, and exist;

@@ -125,6 +125,8 @@ TEST_F(WorkspaceTest, FindsMasksInEveryNamingInOrder) {
   for (const char* name : {"abc/012.jpeg",
                            "abc/012.jpg.jpg",
                            "abc/012.jpg",
+                           "abc/mask_012.png",
+                           "abc/012_mask.png",
                            "abc/012.mask.png",
                            "abc/012.png",
                            "abc/012.jpg.png"}) {

@@ -1,0 +1,186 @@
+#include "colmap_io/images/segmentation_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <system_error>
+
+#include "colmap_io/images/for_each_file.h"
+#include "colmap_io/images/image_file.h"
+#include "colmap_io/images/mask_file.h"
+#include "colmap_io/images/mask_list.h"
+#include "colmap_io/images/reduced_view.h"
+#include "colmap_io/images/view_files.h"
+#include "core/base/error.h"
+#include "core/segment/labels.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Decoded photograph, help and file.
+constexpr size_t kBytesPerPixel = 8;
+// Part of a reduced pixel that a stroke must cover to count.
+constexpr int kStrokeCoverage = 64;
+
+void RequireFolder(const fs::path& path, std::string_view option) {
+  std::error_code ignored;
+  if (!path.empty() && !fs::is_directory(path, ignored)) {
+    throw InputError(
+        fmt::format("{} {}: no such folder", option, path.string()));
+  }
+}
+
+// That masks or strokes of another set are not given in silence.
+void RequireUse(const fs::path& path, std::string_view option, size_t count) {
+  if (!path.empty() && count == 0) {
+    throw InputError(
+        fmt::format("{} {}: no file in the folder is named after an image of "
+                    "the model",
+                    option,
+                    path.string()));
+  }
+}
+
+fs::path FindIn(const fs::path& folder,
+                const SparseImage& image,
+                const Workspace& workspace) {
+  if (folder.empty()) {
+    return {};
+  }
+  return FindMaskFile(folder, image.name, workspace.image_path)
+      .value_or(fs::path());
+}
+
+std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
+                                        const SegmentationFilesOptions& options,
+                                        const Context& context) {
+  RequireFolder(options.given_masks_path, "given_masks_path");
+  RequireFolder(options.strokes_path, "strokes_path");
+  const std::optional<MaskList> list = ReadMaskList(options.output_path);
+  std::vector<SegmentationFile> files;
+  size_t num_missing = 0;
+  size_t num_given = 0;
+  size_t num_strokes = 0;
+  for (const SparseImage& image : workspace.model.images) {
+    SegmentationFile file;
+    file.image = &image;
+    file.camera = workspace.model.FindCamera(image.camera_id);
+    file.photograph = workspace.image_path / image.name;
+    std::error_code ignored;
+    if (!fs::is_regular_file(file.photograph, ignored)) {
+      if (!options.skip_missing_images) {
+        throw InputError(
+            fmt::format("{}: no such image (--skip_missing_images "
+                        "1 leaves out such images)",
+                        file.photograph.string()));
+      }
+      ++num_missing;
+      continue;
+    }
+    file.given_mask = FindIn(options.given_masks_path, image, workspace);
+    num_given += file.given_mask.empty() ? 0 : 1;
+    const fs::path there = FindIn(options.output_path, image, workspace);
+    if (file.given_mask.empty() && !there.empty() &&
+        !IsExtractedMask(list, image.name, there)) {
+      file.given_mask = there;
+    }
+    file.strokes = FindIn(options.strokes_path, image, workspace);
+    num_strokes += file.strokes.empty() ? 0 : 1;
+    files.push_back(std::move(file));
+  }
+  if (num_missing > 0) {
+    context.Warn(fmt::format("{} of {} images are missing and left out",
+                             num_missing,
+                             workspace.model.images.size()));
+  }
+  RequireUse(options.given_masks_path, "given_masks_path", num_given);
+  RequireUse(options.strokes_path, "strokes_path", num_strokes);
+  RequireEnoughViews(workspace, files.size());
+  return files;
+}
+
+void RequireSize(const fs::path& path,
+                 const cv::Mat& pixels,
+                 const SparseCamera& camera) {
+  RequireSizeOfCamera(
+      path, {uint64_t(pixels.cols), uint64_t(pixels.rows)}, camera);
+}
+
+cv::Mat ReadStrokes(const SegmentationFile& file,
+                    const PinholeCamera& reduced) {
+  const cv::Mat strokes =
+      cv::imread(file.strokes.string(),
+                 cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
+  if (strokes.empty()) {
+    throw InputError(
+        fmt::format("{}: the strokes cannot be read", file.strokes.string()));
+  }
+  RequireSize(file.strokes, strokes, *file.camera);
+  cv::Mat labels(
+      reduced.height, reduced.width, CV_8U, cv::Scalar(kNothingSaid));
+  // A JPEG file does not keep the values to the last bit.
+  const cv::Mat background =
+      ReduceView(strokes < kNothingSaid / 2, *file.camera, reduced);
+  const cv::Mat object = ReduceView(
+      strokes > kNothingSaid + kNothingSaid / 2, *file.camera, reduced);
+  labels.setTo(kSurroundings, background > kStrokeCoverage);
+  labels.setTo(kObject, object > kStrokeCoverage);
+  return labels;
+}
+
+UnsegmentedView ReadView(const SegmentationFile& file, int longest_side) {
+  UnsegmentedView view;
+  view.name = file.image->name;
+  view.pose = {ReducedCamera(*file.camera, longest_side),
+               file.image->CamFromWorld()};
+  const cv::Mat photograph = ReadPhotograph(file.photograph);
+  RequireSize(file.photograph, photograph, *file.camera);
+  view.image = ReduceView(photograph, *file.camera, view.pose.camera);
+  if (!file.given_mask.empty()) {
+    const cv::Mat mask = ReadMask(file.given_mask);
+    RequireSize(file.given_mask, mask, *file.camera);
+    const cv::Mat reduced = ReduceView(mask, *file.camera, view.pose.camera);
+    view.labels.create(reduced.size(), CV_8U);
+    view.labels.setTo(kSurroundings);
+    view.labels.setTo(kObject, reduced >= kObjectThreshold);
+  } else if (!file.strokes.empty()) {
+    view.labels = ReadStrokes(file, view.pose.camera);
+  }
+  return view;
+}
+
+}  // namespace
+
+size_t BytesOfLargest(const std::vector<SegmentationFile>& files,
+                      size_t bytes_per_pixel) {
+  size_t pixels = 1;
+  for (const SegmentationFile& file : files) {
+    pixels = std::max(pixels, size_t(file.camera->width * file.camera->height));
+  }
+  return bytes_per_pixel * pixels;
+}
+
+SegmentationFiles ReadSegmentationFiles(const Workspace& workspace,
+                                        const SegmentationFilesOptions& options,
+                                        const Context& context) {
+  SegmentationFiles result;
+  result.files = FindFiles(workspace, options, context);
+  result.input.views.resize(result.files.size());
+  ForEachFile({.count = result.files.size(),
+               .bytes_per_file = BytesOfLargest(result.files, kBytesPerPixel),
+               .byte_budget = options.decode_budget},
+              "reading photographs",
+              context,
+              [&](size_t i) {
+                result.input.views[i] =
+                    ReadView(result.files[i], options.longest_side);
+              });
+  return result;
+}
+
+}  // namespace octacut

@@ -1,0 +1,288 @@
+#include "core/segment/occupancy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+// How often the ray through an empty place meets the object elsewhere. Places
+// just outside of the object are what matters, where most rays do.
+constexpr float kCoveredElsewhere = 0.7f;
+// A place that fewer of the views show is not where they look.
+constexpr double kMinShowing = 0.7;
+// Voxels around the object that one view may add to it. What is farther away
+// and only that view denies is another thing.
+constexpr size_t kNearObject = 3;
+constexpr float kNoObject = -std::numeric_limits<float>::infinity();
+constexpr float kLowest = -3 * kOneViewsWord;
+// Scores below this are below kLowest without any one view, too.
+constexpr float kIgnored = kLowest - 2 * kOneViewsWord;
+
+// Evidence for a place on the ray of a pixel with these log odds.
+float EvidenceOf(float log_odds) {
+  return std::max(-kOneViewsWord,
+                  -std::log(kCoveredElsewhere +
+                            (1 - kCoveredElsewhere) * std::exp(-log_odds)));
+}
+
+Pose Scaled(const Pose& pose, const cv::Size& size) {
+  Pose scaled = pose;
+  const double x = double(size.width) / pose.camera.width;
+  const double y = double(size.height) / pose.camera.height;
+  scaled.camera.width = size.width;
+  scaled.camera.height = size.height;
+  scaled.camera.fx *= x;
+  scaled.camera.cx *= x;
+  scaled.camera.fy *= y;
+  scaled.camera.cy *= y;
+  return scaled;
+}
+
+// The size of a picture whose pixels are as wide as voxels at the centre.
+cv::Size SizeForVoxels(const Pose& pose, const BoundingCube& cube, int n) {
+  const double depth =
+      std::max((pose.cam_from_world * cube.Center()).z(), cube.edge / n);
+  const double pixels = pose.camera.fx * (cube.edge / n) / depth;
+  const double factor = 1 / std::max(1.0, pixels);
+  return {std::max(1, int(std::lround(pose.camera.width * factor))),
+          std::max(1, int(std::lround(pose.camera.height * factor)))};
+}
+
+}  // namespace
+
+// Projection of many points with one camera, in single precision.
+class OccupancyGrid::PointProjector {
+ public:
+  explicit PointProjector(const Pose& pose) {
+    Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
+    k(0, 0) = pose.camera.fx;
+    k(1, 1) = pose.camera.fy;
+    k(0, 2) = pose.camera.cx;
+    k(1, 2) = pose.camera.cy;
+    rotation_ = (k * pose.cam_from_world.rotation).cast<float>();
+    translation_ = (k * pose.cam_from_world.translation).cast<float>();
+    width_ = float(pose.camera.width);
+    height_ = float(pose.camera.height);
+  }
+  // False where the frame does not show the point.
+  bool Project(const Eigen::Vector3f& point, float* x, float* y) const {
+    const Eigen::Vector3f p = rotation_ * point + translation_;
+    *x = p.x() / p.z();
+    *y = p.y() / p.z();
+    return p.z() > 0 && *x >= 0 && *y >= 0 && *x < width_ && *y < height_;
+  }
+
+ private:
+  Eigen::Matrix3f rotation_;
+  Eigen::Vector3f translation_;
+  float width_;
+  float height_;
+};
+
+OccupancyGrid::OccupancyGrid(const BoundingCube& cube,
+                             int resolution,
+                             const std::optional<Eigen::AlignedBox3d>& box,
+                             std::span<const Pose> poses,
+                             std::span<const cv::Mat> log_odds,
+                             const Context& context)
+    : cube_(cube),
+      resolution_(resolution),
+      views_(poses.size()),
+      scores_(size_t(resolution) * size_t(resolution) * size_t(resolution)) {
+  for (const Pose& pose : poses) {
+    sizes_.emplace_back(pose.camera.width, pose.camera.height);
+  }
+  ParallelFor(context, poses.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const cv::Size size = SizeForVoxels(poses[i], cube, resolution);
+      views_[i].pose = Scaled(poses[i], size);
+      cv::resize(log_odds[i], views_[i].evidence, size, 0, 0, cv::INTER_AREA);
+      for (float& value : cv::Mat_<float>(views_[i].evidence)) {
+        value = EvidenceOf(value);
+      }
+    }
+  });
+  ParallelFor(context, size_t(resolution), 1, [&](size_t begin, size_t end) {
+    for (size_t z = begin; z < end; ++z) {
+      AddSlice(int(z), box);
+    }
+  });
+}
+
+Eigen::Vector3d OccupancyGrid::CenterOf(int x, int y, int z) const {
+  return cube_.min_corner + Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) *
+                                (cube_.edge / resolution_);
+}
+
+float OccupancyGrid::ScoreOf(const Eigen::Vector3f& point,
+                             std::span<const PointProjector> projectors,
+                             bool is_allowed) const {
+  static const float most = EvidenceOf(std::numeric_limits<float>::infinity());
+  float sum = 0;
+  size_t num_showing = 0;
+  for (size_t i = 0; i < views_.size(); ++i) {
+    float u = 0;
+    float v = 0;
+    if (projectors[i].Project(point, &u, &v)) {
+      sum += views_[i].evidence.at<float>(int(v), int(u));
+      ++num_showing;
+    }
+    if (sum + most * float(views_.size() - i) < kIgnored) {
+      return kNoObject;
+    }
+  }
+  is_allowed |= double(num_showing) >= kMinShowing * double(views_.size());
+  return is_allowed ? sum : kNoObject;
+}
+
+void OccupancyGrid::AddSlice(int z,
+                             const std::optional<Eigen::AlignedBox3d>& box) {
+  std::vector<PointProjector> projectors;
+  for (const EvidenceView& view : views_) {
+    projectors.emplace_back(view.pose);
+  }
+  for (int y = 0; y < resolution_; ++y) {
+    for (int x = 0; x < resolution_; ++x) {
+      const Eigen::Vector3d center = CenterOf(x, y, z);
+      scores_[IndexOf(x, y, z)] =
+          box && !box->contains(center)
+              ? kNoObject
+              : ScoreOf(center.cast<float>(), projectors, box.has_value());
+    }
+  }
+}
+
+bool OccupancyGrid::KeepThingAt(const Eigen::Vector3d& center, double radius) {
+  const int n = resolution_;
+  std::vector<int> thing_of(scores_.size(), -1);
+  std::vector<double> weights;
+  std::vector<std::array<int, 3>> stack;
+  const auto visit = [&](int x, int y, int z) {
+    if (x < 0 || y < 0 || z < 0 || x >= n || y >= n || z >= n) {
+      return;
+    }
+    const size_t i = IndexOf(x, y, z);
+    if (scores_[i] > 0 && thing_of[i] < 0) {
+      thing_of[i] = int(weights.size()) - 1;
+      const double distance = (CenterOf(x, y, z) - center).norm() / radius;
+      weights.back() += std::exp(-distance * distance);
+      stack.push_back({x, y, z});
+    }
+  };
+  for (int z = 0; z < n; ++z) {
+    for (int y = 0; y < n; ++y) {
+      for (int x = 0; x < n; ++x) {
+        if (scores_[IndexOf(x, y, z)] > 0 && thing_of[IndexOf(x, y, z)] < 0) {
+          weights.push_back(0);
+          visit(x, y, z);
+          while (!stack.empty()) {
+            const auto [a, b, c] = stack.back();
+            stack.pop_back();
+            visit(a - 1, b, c);
+            visit(a + 1, b, c);
+            visit(a, b - 1, c);
+            visit(a, b + 1, c);
+            visit(a, b, c - 1);
+            visit(a, b, c + 1);
+          }
+        }
+      }
+    }
+  }
+  if (weights.empty()) {
+    return false;
+  }
+  const int kept =
+      int(std::max_element(weights.begin(), weights.end()) - weights.begin());
+  std::vector<uint8_t> near(scores_.size());
+  for (size_t i = 0; i < scores_.size(); ++i) {
+    near[i] = thing_of[i] == kept;
+  }
+  Grow(&near);
+  for (size_t i = 0; i < scores_.size(); ++i) {
+    if (!near[i] || (thing_of[i] >= 0 && thing_of[i] != kept)) {
+      scores_[i] = kNoObject;
+    }
+  }
+  return true;
+}
+
+void OccupancyGrid::Grow(std::vector<uint8_t>* flags) const {
+  const size_t n = size_t(resolution_);
+  for (const size_t step : {size_t{1}, n, n * n}) {  // x, y and z
+    const std::vector<uint8_t> before = *flags;
+    for (size_t i = 0; i < before.size(); ++i) {
+      if (before[i] == 0) {
+        continue;
+      }
+      const size_t place = i / step % n;
+      const size_t down = std::min(place, kNearObject);
+      const size_t up = std::min(n - 1 - place, kNearObject);
+      for (size_t k = 0; k <= down + up; ++k) {
+        (*flags)[i - down * step + k * step] = 1;
+      }
+    }
+  }
+}
+
+Eigen::AlignedBox3d OccupancyGrid::ObjectBox() const {
+  Eigen::AlignedBox3d box;
+  const Eigen::Vector3d half =
+      Eigen::Vector3d::Constant(cube_.edge / resolution_ / 2);
+  for (int z = 0; z < resolution_; ++z) {
+    for (int y = 0; y < resolution_; ++y) {
+      for (int x = 0; x < resolution_; ++x) {
+        if (scores_[IndexOf(x, y, z)] > 0) {
+          box.extend(CenterOf(x, y, z) - half);
+          box.extend(CenterOf(x, y, z) + half);
+        }
+      }
+    }
+  }
+  return box;
+}
+
+cv::Mat OccupancyGrid::WordOfOthers(size_t view) const {
+  const EvidenceView& own = views_[view];
+  const PointProjector projector(own.pose);
+  const cv::Size size = own.evidence.size();
+  cv::Mat word(size, CV_32F, cv::Scalar(kLowest));
+  for (int z = 0; z < resolution_; ++z) {
+    for (int y = 0; y < resolution_; ++y) {
+      for (int x = 0; x < resolution_; ++x) {
+        const float score = scores_[IndexOf(x, y, z)];
+        float u = 0;
+        float v = 0;
+        if (score < kIgnored ||
+            !projector.Project(CenterOf(x, y, z).cast<float>(), &u, &v)) {
+          continue;
+        }
+        const float others = score - own.evidence.at<float>(int(v), int(u));
+        // A voxel is about a pixel wide and reaches into the nearest four.
+        const int left = int(std::floor(u - 0.5f));
+        const int top = int(std::floor(v - 0.5f));
+        for (int row = std::max(0, top);
+             row <= std::min(top + 1, size.height - 1);
+             ++row) {
+          for (int column = std::max(0, left);
+               column <= std::min(left + 1, size.width - 1);
+               ++column) {
+            float& value = word.at<float>(row, column);
+            value = std::max(value, others);
+          }
+        }
+      }
+    }
+  }
+  cv::Mat result;
+  cv::resize(word, result, sizes_[view], 0, 0, cv::INTER_LINEAR);
+  return result;
+}
+
+}  // namespace octacut

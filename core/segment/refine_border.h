@@ -1,0 +1,14 @@
+// A mask's border to the pixel, in the photograph itself.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+namespace octacut {
+
+// Moves the border of `mask` (CV_8UC1, 0 or 255, of the size of `image`,
+// CV_8UC3) by at most `reach` pixels to where the photograph has it: the
+// minimal cut between the colours just inside and just outside of that band.
+// Large reaches are worked off from coarse to fine.
+cv::Mat RefineBorder(const cv::Mat& image, const cv::Mat& mask, double reach);
+
+}  // namespace octacut

@@ -1,0 +1,277 @@
+#include "core/segment/segment_object.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <opencv2/imgproc.hpp>
+#include <optional>
+#include <utility>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/segment/appearance.h"
+#include "core/segment/label_cut.h"
+#include "core/segment/labels.h"
+#include "core/segment/occupancy.h"
+#include "core/segment/pixel_features.h"
+#include "core/segment/view_confidence.h"
+
+namespace octacut {
+namespace {
+
+constexpr int kCoarseResolution = 96;
+constexpr int kFineResolution = 128;
+constexpr int kCoarseRounds = 4;
+constexpr int kFineRounds = 3;
+// The middle, in radii of the search region; the outside begins at twice that.
+// A plate under the object, which the frames show whole as well, is left out by
+// the first one. An object with a hole where the cameras look needs the second,
+// which is tried where the first one leaves more than this part of the views in
+// doubt.
+constexpr std::array<double, 2> kMiddles = {0.25, 0.5};
+constexpr double kFewDoubts = 0.1;
+// Space around the object in the finer grid, in edges of its box.
+constexpr double kMargin = 0.15;
+// Log odds beyond which a pixel is taken for sure and learned from.
+constexpr float kSure = 1;
+// Of the cut in each view: a border of one pixel's length costs what one view
+// says for sure.
+constexpr float kSmoothness = kOneViewsWord;
+// What the others hold for object need not be: they leave more than there is.
+// So their word for it counts by this much less than that against it.
+constexpr float kInsideDoubt = 2;
+// Before the object is known, the middle shows surroundings as well, so colours
+// count for object only where they are this much more frequent in it.
+constexpr float kFirstDoubt = 1.5f;
+
+class Segmenter {
+ public:
+  Segmenter(const SegmentationInput& input, const Context& context)
+      : input_(input), context_(context) {
+    for (const UnsegmentedView& view : input.views) {
+      poses_.push_back(view.pose);
+    }
+    result_.region = FindSearchRegion(poses_, input.box);
+    const size_t count = input.views.size();
+    features_.resize(count);
+    labels_.resize(count);
+    colours_.resize(count);
+    result_.views.resize(count);
+  }
+
+  Segmentation Run();
+
+ private:
+  void ForEachView(const std::function<void(size_t)>& body) const {
+    ParallelFor(context_, poses_.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        body(i);
+      }
+    });
+  }
+  cv::Mat FirstLabels(size_t view, double middle) const;
+  bool FindObject(double middle);
+  size_t CountDoubts() const;
+  bool IsObjectSaid() const;
+  void Learn(bool own_objects);
+  bool Round(const BoundingCube& cube, int resolution);
+  void Relabel(size_t view);
+  void CutView(size_t view);
+  void ApplySaid(size_t view, cv::Mat* labels) const;
+
+  const SegmentationInput& input_;
+  const Context& context_;
+  std::vector<Pose> poses_;
+  std::vector<cv::Mat> features_;
+  std::vector<cv::Mat> labels_;
+  std::vector<cv::Mat> colours_;  // log odds from colours
+  Segmentation result_;
+};
+
+// Middle and outside by the distances of rays from the centre.
+cv::Mat Segmenter::FirstLabels(size_t view, double middle) const {
+  const Pose& pose = poses_[view];
+  const SearchRegion& region = result_.region;
+  const Eigen::Vector3d center = pose.cam_from_world * region.center;
+  cv::Mat labels(pose.camera.height, pose.camera.width, CV_8U);
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) {
+      const Eigen::Vector3d ray =
+          pose.camera.Unproject({x + 0.5, y + 0.5}).normalized();
+      const double distance =
+          (center - ray * ray.dot(center)).norm() / region.radius;
+      labels.at<uint8_t>(y, x) = distance < middle       ? kObject
+                                 : distance < 2 * middle ? kNothingSaid
+                                                         : kSurroundings;
+    }
+  }
+  return labels;
+}
+
+void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
+  const cv::Mat& said = input_.views[view].labels;
+  if (!said.empty()) {
+    said.copyTo(*labels, said != kNothingSaid);
+  }
+}
+
+void Segmenter::Learn(bool own_objects) {
+  const Appearance appearance(features_, labels_, own_objects, context_);
+  ForEachView([&](size_t i) {
+    colours_[i] = appearance.LogOdds(i, features_[i]);
+    cv::Mat& colours = colours_[i];
+    if (!own_objects) {
+      colours -= kFirstDoubt;
+    }
+    cv::min(colours, kOneViewsWord, colours);
+    cv::max(colours, -kOneViewsWord, colours);
+    const cv::Mat& said = input_.views[i].labels;
+    if (!said.empty()) {
+      colours.setTo(2 * kOneViewsWord, said == kObject);
+      colours.setTo(-2 * kOneViewsWord, said == kSurroundings);
+    }
+  });
+}
+
+void Segmenter::Relabel(size_t view) {
+  const cv::Mat& log_odds = result_.views[view].log_odds;
+  cv::Mat& labels = labels_[view];
+  labels.setTo(kNothingSaid);
+  labels.setTo(kObject, log_odds > kSure);
+  labels.setTo(kSurroundings, log_odds < -kSure);
+  ApplySaid(view, &labels);
+}
+
+bool Segmenter::Round(const BoundingCube& cube, int resolution) {
+  OccupancyGrid grid(cube, resolution, input_.box, poses_, colours_, context_);
+  if (!grid.KeepThingAt(result_.region.center, result_.region.radius)) {
+    return false;
+  }
+  result_.object_box = grid.ObjectBox();
+  ForEachView([&](size_t i) {
+    SegmentedView& view = result_.views[i];
+    view.others = grid.WordOfOthers(i);
+    for (float& value : cv::Mat_<float>(view.others)) {
+      value = std::tanh(value / kOneViewsWord);
+    }
+    cv::Mat smooth;
+    cv::GaussianBlur(colours_[i], smooth, cv::Size(), 1);
+    cv::Mat positive;
+    cv::max(view.others, 0, positive);
+    view.log_odds =
+        smooth + kOneViewsWord * view.others - kInsideDoubt * positive;
+    Relabel(i);
+  });
+  return true;
+}
+
+void Segmenter::CutView(size_t i) {
+  SegmentedView& view = result_.views[i];
+  cv::Mat positive;
+  cv::max(view.others, 0, positive);
+  view.log_odds =
+      colours_[i] + kOneViewsWord * view.others - kInsideDoubt * positive;
+  view.colours = colours_[i];
+  view.mask.create(view.log_odds.size(), CV_8U);
+  view.mask.setTo(kNothingSaid);
+  view.mask.setTo(kSurroundings, view.others < -0.95f);
+  ApplySaid(i, &view.mask);
+  CutLabels(input_.views[i].image, view.log_odds, kSmoothness, &view.mask);
+}
+
+BoundingCube CubeAround(const Eigen::AlignedBox3d& box) {
+  BoundingCube cube;
+  cube.edge = box.sizes().maxCoeff() * (1 + 2 * kMargin);
+  cube.min_corner = box.center() - Eigen::Vector3d::Constant(cube.edge / 2);
+  return cube;
+}
+
+bool Segmenter::IsObjectSaid() const {
+  return std::any_of(
+      input_.views.begin(), input_.views.end(), [](const auto& view) {
+        return !view.labels.empty() &&
+               cv::countNonZero(view.labels == kObject) > 0;
+      });
+}
+
+bool Segmenter::FindObject(double middle) {
+  Phase phase(context_, "finding the object", kCoarseRounds + kFineRounds);
+  const bool is_said = IsObjectSaid();
+  ForEachView([&](size_t i) {
+    labels_[i] = FirstLabels(i, middle);
+    if (is_said) {  // better than a guess
+      labels_[i].setTo(kNothingSaid, labels_[i] == kObject);
+    }
+    ApplySaid(i, &labels_[i]);
+  });
+  for (int round = 0; round < kCoarseRounds; ++round) {
+    Learn(round > 0);
+    if (!Round(result_.region.cube, kCoarseResolution)) {
+      return false;
+    }
+    phase.Advance();
+  }
+  const BoundingCube cube = CubeAround(result_.object_box);
+  for (int round = 0; round < kFineRounds; ++round) {
+    Learn(true);
+    if (!Round(cube, kFineResolution)) {
+      return false;
+    }
+    phase.Advance();
+  }
+  return true;
+}
+
+size_t Segmenter::CountDoubts() const {
+  std::vector<cv::Mat> masks;
+  for (const SegmentedView& view : result_.views) {
+    masks.push_back(view.mask);
+  }
+  const std::vector<ViewConfidence> judged = JudgeViews(result_, masks);
+  return size_t(std::count_if(
+      judged.begin(), judged.end(), [](const ViewConfidence& view) {
+        return !view.doubt.empty();
+      }));
+}
+
+Segmentation Segmenter::Run() {
+  ForEachView(
+      [&](size_t i) { features_[i] = PixelFeatures(input_.views[i].image); });
+  std::optional<Segmentation> best;
+  size_t fewest = 0;
+  for (const double middle : kMiddles) {
+    if (!FindObject(middle)) {
+      continue;
+    }
+    ForEachView([&](size_t i) { CutView(i); });
+    const size_t doubts = CountDoubts();
+    if (!best || doubts < fewest) {
+      best = std::exchange(
+          result_, Segmentation{{}, result_.region, result_.object_box});
+      result_.views.resize(poses_.size());
+      fewest = doubts;
+    }
+    if (double(fewest) <= kFewDoubts * double(poses_.size())) {
+      break;
+    }
+  }
+  if (!best) {
+    throw InputError(
+        "the photographs: nothing that the cameras look at differs from its "
+        "surroundings in all of them; --OctahedralMeshing.bounding_box or "
+        "--strokes_path can help");
+  }
+  return *std::move(best);
+}
+
+}  // namespace
+
+Segmentation SegmentObject(const SegmentationInput& input,
+                           const Context& context) {
+  return Segmenter(input, context).Run();
+}
+
+}  // namespace octacut

@@ -1,0 +1,63 @@
+// The object in all views at once, without anybody's clicks.
+//
+// The cameras look at the object: colours of the middle that the outside does
+// not have are a first model of it. Then evidence in space (occupancy.h) and in
+// each view (appearance.h) alternate, each made from the other, until the
+// silhouettes settle. After N. Campbell, G. Vogiatzis, C. Hernandez and R.
+// Cipolla, "Automatic 3D Object Segmentation in Multiple Views using Volumetric
+// Graph-Cuts" (BMVC 2007, IVC 2010), and W. Lee, W. Woo and E. Boyer,
+// "Silhouette Segmentation in Multiple Views" (PAMI 2011).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/segment/search_region.h"
+
+namespace octacut {
+
+// A view to be segmented.
+struct UnsegmentedView {
+  std::string name;  // for messages
+  Pose pose;
+  cv::Mat image;  // CV_8UC3, BGR, of the camera's size
+  // CV_8UC1 of that size: 0 background, 255 object, 128 where nothing is said;
+  // empty when nothing is said at all.
+  cv::Mat labels;
+};
+
+struct SegmentationInput {
+  std::vector<UnsegmentedView> views;
+  std::optional<Eigen::AlignedBox3d> box;  // around the object, if known
+};
+
+struct SegmentedView {
+  // CV_32F of the view's size: log odds of object against background from
+  // colours and from the other views.
+  cv::Mat log_odds;
+  // CV_32F: log odds from the view's colours alone, within +-kOneViewsWord but
+  // where labels say more.
+  cv::Mat colours;
+  // CV_32F: what the other views alone say, in [-1, 1]; 1 is object.
+  cv::Mat others;
+  // CV_8UC1 of that size, 0 or 255: the minimal cut by those log odds.
+  cv::Mat mask;
+};
+
+struct Segmentation {
+  std::vector<SegmentedView> views;
+  SearchRegion region;
+  Eigen::AlignedBox3d object_box;
+};
+
+// Throws InputError where the object cannot be found: see FindSearchRegion, or
+// nothing in the middle looks different from the outside.
+Segmentation SegmentObject(const SegmentationInput& input,
+                           const Context& context);
+
+}  // namespace octacut

@@ -1,0 +1,100 @@
+#include "core/segment/view_confidence.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+namespace octacut {
+namespace {
+
+// Pixels at a border that say nothing: the other views know it to a voxel.
+constexpr double kBorder = 2;
+// Pixels from the border whose colours are looked at.
+constexpr double kRing = 4;
+constexpr double kLeastConfidence = 0.5;
+// A view that agrees less than the median by more than this is an exception.
+// From a side that few views look from, the others leave a fifth more than there
+// is for a true silhouette. Where views differ more anyway: three standard
+// deviations, by the median of their distances.
+constexpr double kLeastSpread = 0.25;
+constexpr double kSpreads = 3 * 1.4826;
+
+cv::Mat DistanceToOther(const cv::Mat& mask) {
+  cv::Mat distance;
+  cv::distanceTransform(mask, distance, cv::DIST_L2, cv::DIST_MASK_5);
+  return distance;
+}
+
+double Agreement(const cv::Mat& mask, const cv::Mat& others) {
+  const cv::Mat allowed = others > 0;
+  const cv::Mat counted =
+      (DistanceToOther(mask) > kBorder | DistanceToOther(~mask) > kBorder) &
+      (DistanceToOther(allowed) > kBorder |
+       DistanceToOther(~allowed) > kBorder);
+  const int common = cv::countNonZero(mask & allowed & counted);
+  const int either = cv::countNonZero((mask | allowed) & counted);
+  return either == 0 ? 0 : double(common) / either;
+}
+
+double Contrast(const cv::Mat& mask, const cv::Mat& colours) {
+  const cv::Mat inside = DistanceToOther(mask);
+  const cv::Mat outside = DistanceToOther(~mask);
+  const cv::Mat inner = (inside > kBorder) & (inside <= kBorder + kRing);
+  const cv::Mat outer = (outside > kBorder) & (outside <= kBorder + kRing);
+  const auto share = [](const cv::Mat& right, const cv::Mat& ring) {
+    const int all = cv::countNonZero(ring);
+    return all == 0 ? 0.0 : double(cv::countNonZero(right & ring)) / all;
+  };
+  return std::min(share(colours > 0, inner), share(colours < 0, outer));
+}
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
+                                       std::span<const cv::Mat> masks) {
+  std::vector<ViewConfidence> result(masks.size());
+  std::vector<double> agreements;
+  for (size_t i = 0; i < masks.size(); ++i) {
+    const SegmentedView& view = segmentation.views[i];
+    ViewConfidence& judged = result[i];
+    judged.agreement = Agreement(masks[i], view.others);
+    judged.contrast = Contrast(masks[i], view.colours);
+    judged.confidence = judged.agreement * judged.contrast;
+    agreements.push_back(judged.agreement);
+  }
+  const double usual = Median(agreements);
+  std::vector<double> distances;
+  for (const double agreement : agreements) {
+    distances.push_back(std::abs(agreement - usual));
+  }
+  const double least =
+      std::max(kLeastConfidence,
+               usual - std::max(kLeastSpread, kSpreads * Median(distances)));
+  for (size_t i = 0; i < masks.size(); ++i) {
+    ViewConfidence& judged = result[i];
+    if (cv::countNonZero(masks[i]) == 0) {
+      judged.doubt = "the object was not found in it";
+    } else if (judged.contrast < kLeastConfidence) {
+      judged.doubt = fmt::format(
+          "object and surroundings look alike along {:.0f} % of the border",
+          100 * (1 - judged.contrast));
+    } else if (judged.agreement < least) {
+      judged.doubt = fmt::format(
+          "its silhouette agrees to {:.0f} % with those of the other views, "
+          "where {:.0f} % are usual",
+          100 * judged.agreement,
+          100 * usual);
+    }
+  }
+  return result;
+}
+
+}  // namespace octacut

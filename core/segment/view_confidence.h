@@ -1,0 +1,34 @@
+// How far the silhouette that was found in a view can be trusted.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/segment/segment_object.h"
+
+namespace octacut {
+
+struct ViewConfidence {
+  // Overlap (intersection over union) of the silhouette with what the other
+  // views leave for it, pixels within two of either border not counted.
+  double agreement = 0;
+  // Part of the border where the colours on both sides are those of object and
+  // surroundings.
+  double contrast = 0;
+  // The product of both: 0 to 1.
+  double confidence = 0;
+  // Why the view is not trusted, as a part of a sentence; empty when it is.
+  std::string doubt;
+};
+
+// `masks` are the final silhouettes at the size of the segmented views, CV_8UC1
+// of 0 and 255. A view is not trusted when its silhouette is empty, when half
+// of it or of its border is in doubt, or when it agrees with the others far
+// less than is usual among these views: where few views carve the object, what
+// they leave is larger for all of them.
+std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
+                                       std::span<const cv::Mat> masks);
+
+}  // namespace octacut

@@ -1,0 +1,214 @@
+#include "plugin/mask_extraction.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <system_error>
+
+#include "colmap_io/files/atomic_files.h"
+#include "colmap_io/images/for_each_file.h"
+#include "colmap_io/images/image_file.h"
+#include "colmap_io/images/reduced_view.h"
+#include "colmap_io/images/segmentation_files.h"
+#include "core/base/error.h"
+#include "core/scene/region.h"
+#include "core/segment/refine_border.h"
+#include "core/segment/view_confidence.h"
+#include "plugin/contact_sheet.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Photograph, window of it with its features, and the cut's graph.
+constexpr size_t kBytesPerPixel = 48;
+constexpr size_t kDecodeBudget = size_t{1} << 30;
+// Pixels of the segmented views by which their borders may be off.
+constexpr double kReach = 2;
+
+class Extractor {
+ public:
+  Extractor(const Workspace& workspace,
+            const MaskExtractionOptions& options,
+            const Context& context)
+      : options_(options), context_(context) {
+    SegmentationFilesOptions files_options;
+    files_options.given_masks_path = options.given_masks_path;
+    files_options.strokes_path = options.strokes_path;
+    files_options.output_path = options.output_path;
+    files_options.skip_missing_images = options.skip_missing_images;
+    files_ = ReadSegmentationFiles(workspace, files_options, context);
+    if (!options.bounding_box.empty()) {
+      files_.input.box = BoundingBoxFromNumbers(options.bounding_box);
+    }
+    encoded_.resize(files_.files.size());
+    reduced_.resize(files_.files.size());
+  }
+
+  MaskExtraction Run() {
+    segmentation_ = SegmentObject(files_.input, context_);
+    RefineAll();
+    Judge();
+    Write();
+    return std::move(result_);
+  }
+
+ private:
+  void RefineAll();
+  cv::Mat RefinedMask(size_t view) const;
+  void Judge();
+  void Write() const;
+  void RemoveDoubtedMasks(const std::optional<MaskList>& before) const;
+  bool IsInPlace(size_t view) const {
+    std::error_code ignored;
+    return fs::equivalent(
+        files_.files[view].given_mask.parent_path(),
+        fs::path(options_.output_path / files_.files[view].image->name)
+            .parent_path(),
+        ignored);
+  }
+
+  const MaskExtractionOptions& options_;
+  const Context& context_;
+  SegmentationFiles files_;
+  Segmentation segmentation_;
+  std::vector<std::vector<uchar>> encoded_;  // PNG files
+  std::vector<cv::Mat> reduced_;  // final masks at the size of the views
+  std::vector<ViewConfidence> confidences_;
+  MaskExtraction result_;
+};
+
+cv::Mat Extractor::RefinedMask(size_t view) const {
+  const SegmentationFile& file = files_.files[view];
+  const PinholeCamera& camera = files_.input.views[view].pose.camera;
+  cv::Mat mask;
+  segmentation_.views[view].mask.convertTo(mask, CV_32F);
+  const cv::Mat full =
+      CarryBack(mask, camera, *file.camera) >= kObjectThreshold;
+  const double scale = double(file.camera->width) / camera.width;
+  return RefineBorder(
+      ReadPhotograph(file.photograph), full, kReach * std::max(1.0, scale));
+}
+
+void Extractor::RefineAll() {
+  ForEachFile(
+      {.count = files_.files.size(),
+       .bytes_per_file = BytesOfLargest(files_.files, kBytesPerPixel),
+       .byte_budget = kDecodeBudget},
+      "refining borders",
+      context_,
+      [&](size_t i) {
+        const SegmentationFile& file = files_.files[i];
+        const cv::Mat mask = file.given_mask.empty()
+                                 ? RefinedMask(i)
+                                 : ReadMask(file.given_mask);
+        cv::imencode(".png", mask, encoded_[i]);
+        reduced_[i] =
+            ReduceView(mask, *file.camera, files_.input.views[i].pose.camera) >=
+            kObjectThreshold;
+      });
+}
+
+void Extractor::Judge() {
+  confidences_ = JudgeViews(segmentation_, reduced_);
+  for (size_t i = 0; i < files_.files.size(); ++i) {
+    const SegmentationFile& file = files_.files[i];
+    ListedMask& listed = result_.list.views.emplace_back();
+    listed.image = file.image->name;
+    listed.confidence = confidences_[i].confidence;
+    if (!file.given_mask.empty()) {
+      listed.status = MaskStatus::kGiven;
+      listed.confidence = 1;
+      ++result_.num_given;
+    } else if (!confidences_[i].doubt.empty()) {
+      listed.status = MaskStatus::kUnsure;
+      listed.doubt = confidences_[i].doubt;
+      ++result_.num_unsure;
+      continue;
+    } else {
+      ++result_.num_extracted;
+    }
+    if (!file.given_mask.empty() && IsInPlace(i)) {
+      listed.mask =
+          fs::path(file.given_mask).lexically_relative(options_.output_path);
+      listed.hash = HashOfBytes(ReadBytes(file.given_mask));
+    } else {
+      listed.mask = file.image->name + ".png";
+      listed.hash = HashOfBytes(
+          {reinterpret_cast<char*>(encoded_[i].data()), encoded_[i].size()});
+    }
+  }
+}
+
+void Extractor::Write() const {
+  const std::optional<MaskList> before = ReadMaskList(options_.output_path);
+  AtomicFiles files;
+  for (size_t i = 0; i < files_.files.size(); ++i) {
+    const ListedMask& listed = result_.list.views[i];
+    const bool stays = listed.status == MaskStatus::kGiven && IsInPlace(i);
+    if (listed.status == MaskStatus::kUnsure || stays) {
+      continue;
+    }
+    const fs::path path = options_.output_path / listed.mask;
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    files.Write(path, [&](std::ostream& stream) {
+      stream.write(reinterpret_cast<const char*>(encoded_[i].data()),
+                   std::streamsize(encoded_[i].size()));
+    });
+  }
+  std::vector<uchar> sheet;
+  cv::imencode(".jpg",
+               DrawContactSheet(files_.input.views, reduced_, result_.list),
+               sheet);
+  std::error_code error;
+  fs::create_directories(options_.output_path, error);
+  files.Write(options_.output_path / kContactSheetName,
+              [&](std::ostream& stream) {
+                stream.write(reinterpret_cast<const char*>(sheet.data()),
+                             std::streamsize(sheet.size()));
+              });
+  files.Write(options_.output_path / kMaskListName, [&](std::ostream& stream) {
+    stream << MaskListText(result_.list);
+  });
+  files.Commit();
+  RemoveDoubtedMasks(before);
+}
+
+void Extractor::RemoveDoubtedMasks(
+    const std::optional<MaskList>& before) const {
+  for (const ListedMask& listed : result_.list.views) {
+    const fs::path path = options_.output_path / (listed.image + ".png");
+    std::error_code ignored;
+    if (listed.status == MaskStatus::kUnsure && fs::exists(path, ignored) &&
+        IsExtractedMask(before, listed.image, path)) {
+      fs::remove(path, ignored);
+    }
+  }
+}
+
+}  // namespace
+
+void DeclareMaskExtractionOptions(OptionManager& options,
+                                  MaskExtractionOptions* extraction) {
+  options.Add("given_masks_path",
+              &extraction->given_masks_path,
+              "Folder of finished masks for some images, which are used and "
+              "kept. Default: none.");
+  options.Add("strokes_path",
+              &extraction->strokes_path,
+              "Folder of strokes for some images, named as masks: 0 is "
+              "background, 255 object, 128 says nothing. Default: none.");
+}
+
+MaskExtraction ExtractMasks(const Workspace& workspace,
+                            const MaskExtractionOptions& options,
+                            const Context& context) {
+  return Extractor(workspace, options, context).Run();
+}
+
+}  // namespace octacut

@@ -1,0 +1,46 @@
+// The steps from photographs without masks to masks, shared by the commands
+// that make them.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "colmap_io/images/mask_list.h"
+#include "colmap_io/images/workspace.h"
+#include "core/base/context.h"
+#include "plugin/option_manager.h"
+
+namespace octacut {
+
+// Name of the picture with all outlines, in the folder of the masks.
+inline constexpr std::string_view kContactSheetName = "contact_sheet.jpg";
+
+struct MaskExtractionOptions {
+  std::filesystem::path output_path;  // folder of the masks
+  std::filesystem::path given_masks_path;
+  std::filesystem::path strokes_path;
+  bool skip_missing_images = false;
+  std::vector<double> bounding_box;  // empty, or x0,y0,z0,x1,y1,z1
+};
+
+// given_masks_path and strokes_path.
+void DeclareMaskExtractionOptions(OptionManager& options,
+                                  MaskExtractionOptions* extraction);
+
+struct MaskExtraction {
+  MaskList list;  // one a photograph, in the order of the model
+  size_t num_extracted = 0;
+  size_t num_unsure = 0;
+  size_t num_given = 0;
+};
+
+// Segments the object in all photographs and writes masks (<image name>.png),
+// masks.json and the contact sheet to the folder, which is created. Masks there
+// that octacut did not make, or that were changed since, are used and stay;
+// earlier masks of views that are unsure now are removed. All files appear
+// together, after everything has been found. Throws InputError.
+MaskExtraction ExtractMasks(const Workspace& workspace,
+                            const MaskExtractionOptions& options,
+                            const Context& context);
+
+}  // namespace octacut

@@ -1,0 +1,51 @@
+#include "core/segment/view_confidence.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/core/segment/ring_scene.h"
+
+namespace octacut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::MakeRingScene;
+using testing::RingScene;
+
+class ViewConfidenceTest : public ::testing::Test {
+ protected:
+  ViewConfidenceTest()
+      : scene_(MakeRingScene(12, {{0, 0, 0}, 0.45})),
+        segmentation_(SegmentObject(scene_.input, Context(2))),
+        masks_(scene_.truth) {}
+
+  RingScene scene_;
+  Segmentation segmentation_;
+  std::vector<cv::Mat> masks_;
+};
+
+TEST_F(ViewConfidenceTest, TrustsTheTruth) {
+  for (const ViewConfidence& view : JudgeViews(segmentation_, masks_)) {
+    EXPECT_GT(view.confidence, 0.9);
+    EXPECT_THAT(view.doubt, IsEmpty());
+  }
+}
+
+TEST_F(ViewConfidenceTest, DoubtsASilhouetteThatTheOthersContradict) {
+  masks_[4](cv::Rect(80, 0, 80, 120)).setTo(0);
+  masks_[7].setTo(0);
+  const std::vector<ViewConfidence> judged = JudgeViews(segmentation_, masks_);
+  EXPECT_THAT(judged[4].doubt, HasSubstr("with those of the other views"));
+  EXPECT_THAT(judged[7].doubt, HasSubstr("not found"));
+  EXPECT_THAT(judged[5].doubt, IsEmpty());
+  EXPECT_LT(judged[4].confidence, judged[5].confidence);
+}
+
+TEST_F(ViewConfidenceTest, DoubtsABorderThatColoursDoNotShow) {
+  segmentation_.views[2].colours.setTo(-1);
+  const std::vector<ViewConfidence> judged = JudgeViews(segmentation_, masks_);
+  EXPECT_THAT(judged[2].doubt, HasSubstr("look alike"));
+}
+
+}  // namespace
+}  // namespace octacut

@@ -1,0 +1,170 @@
+// mask_extractor as a user meets it, and what octahedral_mesher makes of its
+// masks.
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "tests/plugin/small_workspace.h"
+
+namespace octacut::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class MaskExtractorTest : public SmallWorkspaceTest {
+ protected:
+  fs::path Found(int view) const { return Extracted() / Mask(view).filename(); }
+  fs::path Extracted() const { return folder_ / "found"; }
+
+  ProgramResult Extract(const std::vector<std::string>& options = {}) const {
+    std::vector<std::string> arguments = {"mask_extractor",
+                                          "--workspace_path",
+                                          Workspace().string(),
+                                          "--output_path",
+                                          Extracted().string()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return RunOctacut(arguments);
+  }
+  nlohmann::json List() const {
+    return nlohmann::json::parse(ReadFile(Extracted() / "masks.json"));
+  }
+  static double Overlap(const fs::path& a, const fs::path& b) {
+    const cv::Mat mask_a = cv::imread(a.string(), cv::IMREAD_GRAYSCALE) > 127;
+    const cv::Mat mask_b = cv::imread(b.string(), cv::IMREAD_GRAYSCALE) > 127;
+    return double(cv::countNonZero(mask_a & mask_b)) /
+           cv::countNonZero(mask_a | mask_b);
+  }
+};
+
+TEST_F(MaskExtractorTest, FindsTheSilhouettes) {
+  const ProgramResult result = Extract();
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("12 masks, 0 given, 0 views unsure"));
+  for (int i = 0; i < kSmallViews; ++i) {
+    EXPECT_GT(Overlap(Found(i), Mask(i)), 0.96) << i;
+  }
+  const nlohmann::json list = List();
+  ASSERT_EQ(list["views"].size(), size_t(kSmallViews));
+  EXPECT_EQ(list["views"][3]["image"], "view_003.jpg");
+  EXPECT_EQ(list["views"][3]["status"], "extracted");
+  EXPECT_GT(list["views"][3]["confidence"], 0.5);
+  EXPECT_FALSE(
+      cv::imread((Extracted() / "contact_sheet.jpg").string()).empty());
+}
+
+TEST_F(MaskExtractorTest, SameBytesForAnyNumberOfThreads) {
+  ASSERT_EQ(Extract({"--num_threads", "1"}).exit_code, 0);
+  const std::string mask = ReadFile(Found(5));
+  const std::string list = ReadFile(Extracted() / "masks.json");
+  ASSERT_EQ(Extract({"--num_threads", "3"}).exit_code, 0);
+  EXPECT_EQ(ReadFile(Found(5)), mask);
+  EXPECT_EQ(ReadFile(Extracted() / "masks.json"), list);
+}
+
+TEST_F(MaskExtractorTest, MasksThatTheUserChangedStay) {
+  ASSERT_EQ(Extract().exit_code, 0);
+  cv::Mat edited = cv::imread(Found(4).string(), cv::IMREAD_GRAYSCALE);
+  edited(cv::Rect(0, 0, 10, 10)).setTo(255);
+  cv::imwrite(Found(4).string(), edited);
+  const std::string bytes = ReadFile(Found(4));
+  const ProgramResult again = Extract();
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_EQ(ReadFile(Found(4)), bytes);
+  EXPECT_THAT(again.out, HasSubstr("11 masks, 1 given"));
+  EXPECT_EQ(List()["views"][4]["status"], "given");
+}
+
+TEST_F(MaskExtractorTest, GivenMasksAreKept) {
+  const fs::path given = folder_ / "given";
+  fs::create_directories(given);
+  fs::copy(Mask(2), given / "view_002_mask.png");
+  const ProgramResult result = Extract({"--given_masks_path", given});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Overlap(Found(2), Mask(2)), 1);
+  EXPECT_EQ(List()["views"][2]["status"], "given");
+}
+
+// A view with a lens cap on: no mask, named, and left out by the mesher.
+TEST_F(MaskExtractorTest, UnsureViewsGetNoMask) {
+  cv::imwrite(Image(6).string(),
+              cv::Mat(kSmallHeight, kSmallWidth, CV_8UC3, cv::Scalar::all(9)));
+  const ProgramResult result = Extract();
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("11 masks, 0 given, 1 views unsure"));
+  EXPECT_FALSE(fs::exists(Found(6)));
+  EXPECT_EQ(List()["views"][6]["status"], "unsure");
+  EXPECT_THAT(List()["views"][6]["doubt"].get<std::string>(),
+              Not(::testing::IsEmpty()));
+  const ProgramResult mesh = RunMesher({"--mask_path", Extracted()});
+  EXPECT_EQ(mesh.exit_code, 0) << mesh.err;
+  EXPECT_THAT(mesh.err, HasSubstr("1 of 12 images are left out"));
+  // Any other mask that is not there is still an error.
+  fs::remove(Found(7));
+  EXPECT_THAT(RunMesher({"--mask_path", Extracted()}).err,
+              HasSubstr("view_007.jpg.png: no such mask; missing for 1"));
+}
+
+TEST_F(MaskExtractorTest, MesherMakesTheMasksIfAsked) {
+  fs::remove_all(Workspace() / "masks");
+  EXPECT_THAT(RunMesher().err,
+              HasSubstr("octacut mask_extractor --workspace_path"));
+  const ProgramResult result = RunMesher({"--extract_masks", "1"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(fs::exists(Mask(0)));
+  EXPECT_THAT(result.out, HasSubstr("genus 1"));
+}
+
+TEST_F(MaskExtractorTest, MistakesAreNamedAndLeaveNothing) {
+  const auto error = [&](const std::vector<std::string>& options) {
+    const ProgramResult result = Extract(options);
+    EXPECT_EQ(result.exit_code, 1);
+    return result.err;
+  };
+  EXPECT_THAT(error({"--given_masks_path", folder_ / "nowhere"}),
+              HasSubstr("given_masks_path"));
+  fs::create_directories(folder_ / "empty");
+  EXPECT_THAT(error({"--strokes_path", folder_ / "empty"}),
+              HasSubstr("no file in the folder is named after an image"));
+  EXPECT_THAT(error({"--OctahedralMeshing.bounding_box", "90,90,90,91,91,91"}),
+              HasSubstr("bounding_box"));
+  cv::imwrite(Image(1).string(), cv::Mat(20, 30, CV_8UC3, cv::Scalar::all(9)));
+  EXPECT_THAT(error({}), HasSubstr("view_001.jpg: the image has 30x20"));
+  EXPECT_FALSE(fs::exists(Extracted()));
+}
+
+TEST_F(MaskExtractorTest, TwoMasksOfOneImageMayNotDiffer) {
+  fs::copy(Mask(3), Workspace() / "masks" / "mask_view_003.png");
+  EXPECT_EQ(RunMesher().exit_code, 0);
+  fs::copy(Mask(4), Workspace() / "masks" / "view_003_mask.png");
+  const ProgramResult result = RunMesher();
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("view_003.jpg.png and "));
+  EXPECT_THAT(result.err, HasSubstr("view_003_mask.png: both are the mask"));
+}
+
+TEST_F(MaskExtractorTest, MaskComparerMeasuresThem) {
+  ASSERT_EQ(Extract().exit_code, 0);
+  fs::remove(Found(0));
+  const ProgramResult result = RunOctacut({"mask_comparer",
+                                           "--mask_path",
+                                           Extracted(),
+                                           "--reference_path",
+                                           Workspace() / "masks",
+                                           "--output_path",
+                                           folder_ / "masks.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("1 of 12 masks are missing"));
+  const nlohmann::json report =
+      nlohmann::json::parse(ReadFile(folder_ / "masks.json"));
+  EXPECT_FALSE(report["masks"][0]["is_there"]);
+  EXPECT_GT(report["mean"]["overlap"], 0.96);
+  EXPECT_LT(report["mean"]["border_mean"], 1);
+}
+
+}  // namespace
+}  // namespace octacut::testing

@@ -106,9 +106,12 @@ int RunCommand(const RegistryEntry& entry,
     const std::unique_ptr<Command> command = entry.make();
     command->DeclareOptions(options);
     CommonOptions common;
-    common.Declare(options);
-    if (options.Parse(arguments) == OptionManager::ParseResult::kHelp) {
-      out << CommandHelp(entry, options);
+    common.Declare(options, command->UsesRandomSeed());
+    const OptionManager::ParseResult parsed = options.Parse(arguments);
+    if (parsed != OptionManager::ParseResult::kRun) {
+      out << CommandHelp(entry,
+                         options,
+                         parsed == OptionManager::ParseResult::kHelpForExperts);
     } else {
       common.Check();
       RunLogged(entry, *command, options, common, out, cancelled);

@@ -13,7 +13,8 @@ void DeclareMainOptions(OptionManager& options,
       "OctahedralMeshing.target_level",
       &meshing->target_level,
       "Level of the result, which is cut from (2^level)^3 voxels. Choose it so "
-      "that a voxel is about as large as a pixel on the object.");
+      "that a voxel is about as large as a pixel on the object. Takes "
+      "precedence over --quality.");
   options.Add("OctahedralMeshing.hull_level",
               &meshing->hull.hull_level,
               "Level of the visual hull, which has (2^level)^3 voxels. Raise "
@@ -21,7 +22,8 @@ void DeclareMainOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.refine",
       &meshing->refine,
-      "If 1, refine the mesh and the poses photometrically below voxel size.");
+      "If 1, refine the mesh and the poses photometrically below voxel size. "
+      "Takes precedence over --quality.");
   DeclareMaskTolerance(options, &meshing->mask_tolerance);
   DeclareFillFalseGaps(options, &meshing->fill_false_gaps);
   options.Add("OctahedralMeshing.ballooning",

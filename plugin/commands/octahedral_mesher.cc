@@ -12,6 +12,7 @@
 #include "plugin/mask_extraction.h"
 #include "plugin/mesh_json.h"
 #include "plugin/meshing_options.h"
+#include "plugin/quality.h"
 #include "plugin/reconstruction_json.h"
 #include "plugin/report.h"
 #include "plugin/run_picture.h"
@@ -32,6 +33,7 @@ class OctahedralMesher : public Command {
   void MakeMasks(const Context& context);
 
   WorkspaceArguments workspace_;
+  QualityOption quality_;
   ReconstructionOptions meshing_;
   std::filesystem::path levels_path_;
   bool picture_ = true;
@@ -58,6 +60,7 @@ void OctahedralMesher::DeclareOptions(OptionManager& options) {
               &extract_masks_,
               "If 1, make the masks first, as mask_extractor does.");
   DeclareMaskExtractionOptions(options, OptionAudience::kExperts, &extraction_);
+  quality_.Declare(options);
   DeclareMeshingOptions(options, &meshing_);
 }
 
@@ -96,6 +99,7 @@ LevelObserver OctahedralMesher::LevelWriter() const {
 
 void OctahedralMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
+  context.Info(quality_.Apply(environment.options, &meshing_));
   meshing_.refinement.patch.hue_weight = meshing_.consistency.hue_weight;
   meshing_.confidence = workspace_.confidence;
   meshing_.Check();

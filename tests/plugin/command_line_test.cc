@@ -205,8 +205,10 @@ TEST(CommandLine, SignalsStopARunWithExitCode130) {
                             "--num_views",
                             "500",
                             "--num_threads",
+                            "1",
+                            "--log_level",
                             "1"});
-    // The first phase says that the handler is there.
+    // The first message says that the handler is there.
     while (octacut.Err().empty() && !octacut.HasEnded()) {
       usleep(20000);
     }

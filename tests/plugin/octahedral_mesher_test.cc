@@ -227,6 +227,24 @@ TEST_F(OctahedralMesher, ErrorsNameOptionsAndKeys) {
   EXPECT_FALSE(fs::exists(Result(".ply")));
 }
 
+// The log of a run that nobody watches.
+TEST_F(OctahedralMesher, LogIsShortAndSaysWhatWasChosen) {
+  const ProgramResult result = RunMesher({"--quality", "low"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_LE(std::count(result.err.begin(), result.err.end(), '\n'), 40)
+      << result.err;
+  EXPECT_EQ(result.err.rfind("Quality low, changed by "
+                             "--OctahedralMeshing.target_level: 64^3 voxels "
+                             "(level 6), without refinement.\n",
+                             0),
+            0u)
+      << result.err;
+  const Json report = Json::parse(ReadFile(Result(".json")));
+  EXPECT_EQ(report["options"]["quality"], "low");
+  EXPECT_EQ(report["options"]["OctahedralMeshing"]["refine"], false);
+  EXPECT_TRUE(report["reconstruction"]["refinement"].is_null());
+}
+
 TEST_F(OctahedralMesher, VisualHullAlone) {
   fs::remove_all(Workspace() / "images");  // masks are enough
   fs::create_directories(Workspace() / "images");

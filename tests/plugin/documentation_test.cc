@@ -7,6 +7,7 @@
 #include <set>
 
 #include "plugin/command_options.h"
+#include "plugin/report.h"
 #include "tests/colmap_io/files/temporary_folder.h"
 
 namespace octacut {
@@ -14,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::IsSubsetOf;
+using ::testing::StartsWith;
 
 std::string ReadDocument(const std::string& path) {
   return ReadFile(fs::path(OCTACUT_SOURCE_DIR) / path);
@@ -83,6 +85,12 @@ TEST(Documentation, MessagesNameOnlyOptionsOfTheCommandLine) {
       }
     }
   }
+}
+
+TEST(Documentation, ChangelogBeginsWithThisVersion) {
+  const std::string changelog = ReadDocument("CHANGELOG.md");
+  EXPECT_THAT(changelog.substr(changelog.find("## ")),
+              StartsWith("## " + OctacutVersion()));
 }
 
 }  // namespace

@@ -1,12 +1,17 @@
 # One library per folder, so that a wrong arrow between layers or steps does
 # not link. DEPENDS are public; a module sees only what it names here.
 #   octacut_module(core_grid SOURCES morton.cc ... DEPENDS core_base ...)
-# SOURCES may be empty: the module is then header-only.
+# SOURCES may be empty: the module is then header-only. Up to eight of them are
+# compiled at once (a unity build): most of the compiler's time goes into headers
+# and templates that they share. Names in their anonymous namespaces must differ
+# then; see octacut_compile_alone.
 function(octacut_module name)
   cmake_parse_arguments(MODULE "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target octacut_${name})
   if(MODULE_SOURCES)
     add_library(${target} STATIC ${MODULE_SOURCES})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD
+                                               ${OCTACUT_UNITY_BUILD})
     set(visibility PUBLIC)
   else()
     add_library(${target} INTERFACE)
@@ -36,12 +41,19 @@ function(octacut_module name)
   set_property(GLOBAL APPEND PROPERTY OCTACUT_MODULES ${target})
 endfunction()
 
+# Sources of this folder that have names of others in their anonymous namespaces
+# are compiled one by one.
+function(octacut_compile_alone)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 # A test executable that mirrors one folder; every test is registered alone.
 #   octacut_test(core_grid SOURCES morton_test.cc ... DEPENDS core_grid ...)
 function(octacut_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS" ${ARGN})
   set(target test_${name})
   add_executable(${target} ${TEST_SOURCES})
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${OCTACUT_UNITY_BUILD})
   foreach(dependency IN LISTS TEST_DEPENDS)
     if(dependency MATCHES "^(core|colmap)_")
       set(dependency octacut_${dependency})
@@ -50,7 +62,9 @@ function(octacut_test name)
   endforeach()
   target_link_libraries(${target} PRIVATE octacut_test_main GTest::gmock)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_options(${target} PRIVATE ${OCTACUT_WARNINGS})
+  # Tests run once, their libraries are optimised anyway.
+  target_compile_options(${target} PRIVATE ${OCTACUT_WARNINGS}
+                                           $<$<CONFIG:Release>:-O1>)
   gtest_discover_tests(${target} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
                        PROPERTIES TIMEOUT 600)
 endfunction()

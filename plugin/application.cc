@@ -69,6 +69,22 @@ const RegistryEntry& FindCommand(std::span<const RegistryEntry> commands,
       nearest.empty() ? "" : fmt::format("did you mean `{}`? ", nearest)));
 }
 
+void RunWithProgress(const RegistryEntry& entry,
+                     Command& command,
+                     const OptionManager& options,
+                     const CommonOptions& common,
+                     Log& log,
+                     std::ostream& out,
+                     const std::atomic<bool>* cancelled) {
+  ProgressReporter progress(log);
+  PhaseTimer timer(&progress);
+  const Context context(
+      common.num_threads, &timer, cancelled, common.random_seed);
+  WithThreads(context.NumThreads(), [&] {
+    command.Run({entry.name, options, context, timer, out});
+  });
+}
+
 // The part of a run that has a log; errors go to its file, too.
 void RunLogged(const RegistryEntry& entry,
                Command& command,
@@ -77,19 +93,12 @@ void RunLogged(const RegistryEntry& entry,
                std::ostream& out,
                const std::atomic<bool>* cancelled) {
   Log log(common.log, entry.name);
-  ProgressReporter progress(log);
-  PhaseTimer timer(&progress);
-  const Context context(
-      common.num_threads, &timer, cancelled, common.random_seed);
   log.Debug(fmt::format(
       "{} with options {}",
       entry.name,
       options.ToJson().dump(-1, ' ', false, Json::error_handler_t::replace)));
   try {
-    WithThreads(context.NumThreads(), [&] {
-      command.Run({entry.name, options, context, timer, out});
-    });
-    log.SetStatus("");
+    RunWithProgress(entry, command, options, common, log, out, cancelled);
   } catch (...) {
     log.ErrorToFile(DescribeCurrentException(options).message);
     throw;
@@ -106,9 +115,12 @@ int RunCommand(const RegistryEntry& entry,
     const std::unique_ptr<Command> command = entry.make();
     command->DeclareOptions(options);
     CommonOptions common;
-    common.Declare(options);
-    if (options.Parse(arguments) == OptionManager::ParseResult::kHelp) {
-      out << CommandHelp(entry, options);
+    common.Declare(options, command->UsesRandomSeed());
+    const OptionManager::ParseResult parsed = options.Parse(arguments);
+    if (parsed != OptionManager::ParseResult::kRun) {
+      out << CommandHelp(entry,
+                         options,
+                         parsed == OptionManager::ParseResult::kHelpForExperts);
     } else {
       common.Check();
       RunLogged(entry, *command, options, common, out, cancelled);

@@ -32,6 +32,8 @@ class Command {
   // Binds the command's options to its fields, whose values at this moment
   // are the defaults.
   virtual void DeclareOptions(OptionManager& options) = 0;
+  // Whether Context::Seed() changes the command's results.
+  virtual bool UsesRandomSeed() const { return false; }
   // Throws an Error to fail (one line on stderr, exit code 1).
   virtual void Run(const CommandEnvironment& environment) = 0;
 };

@@ -4,12 +4,15 @@
 
 namespace octacut {
 
-void CommonOptions::Declare(OptionManager& options) {
+void CommonOptions::Declare(OptionManager& options, bool uses_random_seed) {
   options.BeginSection("Common options");
   options.Add(
       "num_threads", &num_threads, "Number of threads; -1 uses all cores.");
-  options.Add(
+  Option& seed = options.Add(
       "random_seed", &random_seed, "Seed of all pseudo-random numbers.");
+  if (!uses_random_seed) {
+    seed.ForNobody();
+  }
   options.AddEnum("log_target",
                   &log.target,
                   {{"stderr", LogTarget::kStderr},
@@ -17,22 +20,32 @@ void CommonOptions::Declare(OptionManager& options) {
                    {"file", LogTarget::kFile},
                    {"stderr_and_file", LogTarget::kStderrAndFile}},
                   "Where log messages and progress are written.");
-  options.Add("log_to_stderr",
-              &log.to_stderr,
-              "If 1, write log messages to stderr even if log_target is file.");
   options.Add("log_path",
               &log.path,
               "Folder for log files, or one file with the extension .log. "
               "Default: the folder for temporary files.");
-  options.Add("log_level",
-              &log.level,
-              "Level of detail; 1 or more adds debug messages.");
-  options.Add("log_severity",
-              &log.severity,
-              "Minimum severity of log messages: 0 for information, 1 for "
-              "warnings, 2 for errors.");
-  options.Add(
-      "log_color", &log.color, "If 1, colour the log messages on a terminal.");
+  // As COLMAP 3.8 has it; log_target says more.
+  options
+      .Add("log_to_stderr",
+           &log.to_stderr,
+           "If 1, write log messages to stderr even if log_target is file.")
+      .ForNobody();
+  options
+      .Add("log_level",
+           &log.level,
+           "Level of detail; 1 or more adds debug messages.")
+      .ForExperts();
+  options
+      .Add("log_severity",
+           &log.severity,
+           "Minimum severity of log messages: 0 for information, 1 for "
+           "warnings, 2 for errors.")
+      .ForExperts();
+  options
+      .Add("log_color",
+           &log.color,
+           "If 1, colour the log messages on a terminal.")
+      .ForExperts();
 }
 
 void CommonOptions::Check() const {

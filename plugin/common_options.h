@@ -13,7 +13,8 @@ struct CommonOptions {
   uint64_t random_seed = 0;
   LogOptions log;
 
-  void Declare(OptionManager& options);
+  // The seed is accepted by every command, but listed only where it is used.
+  void Declare(OptionManager& options, bool uses_random_seed);
   // Throws OptionError.
   void Check() const;
 };

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <vector>
 
+#include "plugin/command_options.h"
 #include "plugin/report.h"
 
 namespace octacut {
@@ -63,7 +64,8 @@ std::string ProgramHelp(std::span<const RegistryEntry> commands) {
       "masks\n\n"
       "Usage:\n"
       "  octacut [command] [options]\n"
-      "  octacut [command] -h [ --help ]\n\n"
+      "  octacut [command] -h [ --help ]\n"
+      "  octacut [command] --help_all 1\n\n"
       "Commands:\n",
       OctacutVersion());
   for (const RegistryEntry& command : commands) {
@@ -77,7 +79,8 @@ std::string ProgramHelp(std::span<const RegistryEntry> commands) {
 }
 
 std::string CommandHelp(const RegistryEntry& command,
-                        const OptionManager& options) {
+                        const OptionManager& options,
+                        bool for_experts) {
   std::string text = fmt::format("octacut {} {}\n\n{}\n\nUsage:\n{}",
                                  OctacutVersion(),
                                  command.name,
@@ -86,9 +89,12 @@ std::string CommandHelp(const RegistryEntry& command,
   text += "\nOptions (on the command line or in the --project_path file):\n";
   // The command's own options first, then each section once.
   std::vector<std::string> sections = {""};
+  size_t num_hidden = 0;
   for (const Option& option : options.Options()) {
-    if (std::find(sections.begin(), sections.end(), option.section) ==
-        sections.end()) {
+    if (!IsListed(option, for_experts)) {
+      num_hidden += IsListed(option, true);
+    } else if (std::find(sections.begin(), sections.end(), option.section) ==
+               sections.end()) {
       sections.push_back(option.section);
     }
   }
@@ -99,10 +105,15 @@ std::string CommandHelp(const RegistryEntry& command,
       text += fmt::format("\n{}:\n", section);
     }
     for (const Option& option : options.Options()) {
-      if (option.section == section) {
+      if (option.section == section && IsListed(option, for_experts)) {
         text += OptionHelp(option);
       }
     }
+  }
+  if (num_hidden > 0) {
+    text += fmt::format(
+        "\nThere are {} more options for experts, listed by --help_all 1.\n",
+        num_hidden);
   }
   return text;
 }

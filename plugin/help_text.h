@@ -1,4 +1,4 @@
-// The texts of `-h` and `octacut help`.
+// The texts of `-h`, `--help_all 1` and `octacut help`.
 #pragma once
 
 #include <span>
@@ -12,8 +12,9 @@ namespace octacut {
 // The list of commands.
 std::string ProgramHelp(std::span<const RegistryEntry> commands);
 
-// Every option of a command with its default.
+// The options of a command with their defaults, those for experts on request.
 std::string CommandHelp(const RegistryEntry& command,
-                        const OptionManager& options);
+                        const OptionManager& options,
+                        bool for_experts);
 
 }  // namespace octacut

@@ -47,8 +47,8 @@ class Log {
   // itself, wherever messages go.
   void ErrorToFile(std::string_view message);
 
-  // Progress lines of a run without a terminal: to the file always, to the
-  // console unless it is a terminal.
+  // How far a phase is: to the file, and to the console unless it is a
+  // terminal, which shows that by its status.
   void Progress(std::string_view message);
 
   // A line of the terminal that the next message or status replaces; nothing

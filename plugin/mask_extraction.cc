@@ -194,15 +194,20 @@ void Extractor::RemoveDoubtedMasks(
 }  // namespace
 
 void DeclareMaskExtractionOptions(OptionManager& options,
+                                  OptionAudience audience,
                                   MaskExtractionOptions* extraction) {
-  options.Add("given_masks_path",
-              &extraction->given_masks_path,
-              "Folder of finished masks for some images, which are used and "
-              "kept. Default: none.");
-  options.Add("strokes_path",
-              &extraction->strokes_path,
-              "Folder of strokes for some images, named as masks: 0 is "
-              "background, 255 object, 128 says nothing. Default: none.");
+  options
+      .Add("given_masks_path",
+           &extraction->given_masks_path,
+           "Folder of finished masks for some images, which are used and "
+           "kept. Default: none.")
+      .audience = audience;
+  options
+      .Add("strokes_path",
+           &extraction->strokes_path,
+           "Folder of strokes for some images, named as masks: 0 is "
+           "background, 255 object, 128 says nothing. Default: none.")
+      .audience = audience;
 }
 
 MaskExtraction ExtractMasks(const Workspace& workspace,

@@ -25,6 +25,7 @@ struct MaskExtractionOptions {
 
 // given_masks_path and strokes_path.
 void DeclareMaskExtractionOptions(OptionManager& options,
+                                  OptionAudience audience,
                                   MaskExtractionOptions* extraction);
 
 struct MaskExtraction {

@@ -12,6 +12,7 @@ namespace octacut {
 namespace {
 
 constexpr std::string_view kProjectPath = "project_path";
+constexpr std::string_view kHelpAll = "help_all";
 
 std::string_view GroupOf(std::string_view name) {
   const size_t dot = name.find('.');
@@ -33,6 +34,9 @@ OptionManager::OptionManager() {
       &project_path_,
       "File with options as `key = value` lines under [Group] headings. "
       "Options on the command line take precedence.");
+  Add(std::string(kHelpAll),
+      &help_all_,
+      "If 1, print this text with the options for experts.");
 }
 
 Option& OptionManager::AddOption(std::string name, std::string description) {
@@ -55,16 +59,66 @@ const Option* OptionManager::Find(std::string_view name) const {
   return found == options_.end() ? nullptr : &*found;
 }
 
-std::string OptionManager::Suggestion(std::string_view name,
-                                      std::string_view dashes) const {
+void OptionManager::AddRenamed(std::string old_name,
+                               const std::string& new_name) {
+  renamed_.insert_or_assign(std::move(old_name), new_name);
+}
+
+void OptionManager::AddRemoved(std::string name, const std::string& reason) {
+  retired_.insert_or_assign(std::move(name),
+                            fmt::format("has been removed: {}", reason));
+}
+
+bool OptionManager::IsSet(std::string_view name) const {
+  const Option* const option = Find(name);
+  return option != nullptr && option->is_set;
+}
+
+OptionError OptionManager::UnknownName(std::string_view name,
+                                       std::string_view noun,
+                                       std::string_view dashes) const {
+  if (const auto found = retired_.find(name); found != retired_.end()) {
+    return OptionError(
+        fmt::format("{} `{}{}` {}", noun, dashes, name, found->second));
+  }
+  if (const auto found = renamed_.find(name); found != renamed_.end()) {
+    return OptionError(fmt::format("{} `{}{}` is called `{}{}` now",
+                                   noun,
+                                   dashes,
+                                   name,
+                                   dashes,
+                                   found->second));
+  }
   std::vector<std::string> names;
   for (const Option& option : options_) {
-    names.push_back(option.name);
+    if (dashes.empty() || option.audience != OptionAudience::kProjectFiles) {
+      names.push_back(option.name);
+    }
   }
   const std::string nearest = NearestName(name, names);
-  return nearest.empty()
-             ? ""
-             : fmt::format("; did you mean `{}{}`?", dashes, nearest);
+  return OptionError(fmt::format(
+      "unknown {} `{}{}`{}",
+      noun,
+      dashes,
+      name,
+      nearest.empty()
+          ? ""
+          : fmt::format("; did you mean `{}{}`?", dashes, nearest)));
+}
+
+const Option& OptionManager::FindForCommandLine(const std::string& name) const {
+  const Option* const option = Find(name);
+  if (option == nullptr) {
+    throw UnknownName(name, "option", "--");
+  }
+  if (option->audience == OptionAudience::kProjectFiles) {
+    throw OptionError(
+        fmt::format("option `--{}` can only be set in a project file "
+                    "(--project_path), as `{}`",
+                    name,
+                    name));
+  }
+  return *option;
 }
 
 void OptionManager::AddGiven(const Option& option,
@@ -96,16 +150,12 @@ OptionManager::ParseResult OptionManager::ReadCommandLine(
     }
     const size_t equals = token.find('=');
     const std::string name = token.substr(2, equals - 2);
-    const Option* const option = Find(name);
-    if (option == nullptr) {
-      throw OptionError(
-          fmt::format("unknown option `--{}`{}", name, Suggestion(name, "--")));
-    }
+    const Option& option = FindForCommandLine(name);
     if (equals != std::string::npos) {
-      AddGiven(*option, token.substr(equals + 1), "--" + name, given);
+      AddGiven(option, token.substr(equals + 1), "--" + name, given);
     } else if (i + 1 < arguments.size() &&
                !arguments[i + 1].starts_with("--")) {
-      AddGiven(*option, arguments[++i], "--" + name, given);
+      AddGiven(option, arguments[++i], "--" + name, given);
     } else {
       throw OptionError(fmt::format("option --{} needs a value", name));
     }
@@ -125,9 +175,9 @@ std::vector<OptionManager::Given> OptionManager::ReadProjectFile() const {
   for (const IniEntry& entry : ReadIni(file, file_name)) {
     const std::string place = fmt::format("{}:{}: ", file_name, entry.line);
     const Option* const option = Find(entry.key);
-    if (option == nullptr || option->name == kProjectPath) {
-      throw OptionError(fmt::format(
-          "{}unknown key `{}`{}", place, entry.key, Suggestion(entry.key, "")));
+    if (option == nullptr || option->name == kProjectPath ||
+        option->name == kHelpAll) {
+      throw OptionError(place + UnknownName(entry.key, "key", "").what());
     }
     AddGiven(*option, entry.value, place + entry.key, &given);
   }
@@ -162,6 +212,9 @@ OptionManager::ParseResult OptionManager::Parse(
   for (const Given& given : command_line) {
     Assign(given);
   }
+  if (help_all_) {
+    return ParseResult::kHelpForExperts;
+  }
   if (!project_path_.empty()) {
     for (const Given& given : ReadProjectFile()) {
       if (!options_[given.option].is_set) {
@@ -180,6 +233,9 @@ OptionManager::ParseResult OptionManager::Parse(
 Json OptionManager::ToJson() const {
   Json json = Json::object();
   for (const Option& option : options_) {
+    if (option.name == kHelpAll) {
+      continue;
+    }
     const std::string group(GroupOf(option.name));
     if (group.empty()) {
       json[option.name] = option.to_json();
@@ -216,7 +272,9 @@ std::string OptionManager::NameOption(const std::string& message) const {
     }
   }
   if (named != nullptr) {
-    return fmt::format("--{}{}", named->name, message.substr(field_size));
+    const bool is_key = named->audience == OptionAudience::kProjectFiles;
+    return fmt::format(
+        "{}{}{}", is_key ? "" : "--", named->name, message.substr(field_size));
   }
   return message;
 }

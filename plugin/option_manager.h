@@ -2,99 +2,98 @@
 // a project file, listed for help and report.
 //
 //   options.AddRequired("workspace_path", &workspace_path_, "Workspace.");
-//   options.Add("num_threads", &num_threads_, "Number of threads; -1 uses all
-//   cores."); options.Add("OctahedralMeshing.hull_level", &meshing_.hull_level,
-//   "..."); options.AddEnum("OctahedralMeshing.consistency",
-//   &meshing_.consistency,
-//                   {{"variance", ...}, {"ncc", ...}}, "...");
-//   options.AddRepeatable("input_path", &input_paths_, "...");
+//   options.Add("OctahedralMeshing.hull_level", &hull_level_, "Level.");
+//   options
+//       .AddEnum("OctahedralMeshing.consistency", &measure_,
+//                {{"variance", ...}, {"ncc", ...}}, "Measure.")
+//       .ForExperts();
+//   options.AddRepeatable("input_path", &input_paths_, "Meshes.");
+//   options.AddConstant("Refinement.step", refinement_.step);
 #pragma once
 
 #include <filesystem>
-#include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "plugin/option_value.h"
+#include "plugin/option.h"
 
 namespace octacut {
 
-struct Option {
-  std::string name;     // without dashes; "Group.field" or "field"
-  std::string section;  // heading of the help
-  std::string description;
-  std::string default_text;
-  bool required = false;
-  bool repeatable = false;
-  bool is_set = false;  // by the command line or a project file
-  // Assigns the bound field; several texts only when repeatable. Throws
-  // OptionError with the constraint alone.
-  std::function<void(std::span<const std::string> texts)> assign;
-  // The field's value at the time of the call.
-  std::function<Json()> to_json;
-};
-
 class OptionManager {
  public:
-  // Declares --project_path, which Parse() follows.
+  // Declares --project_path and --help_all, which Parse() follows.
   OptionManager();
   // The bound fields' addresses make copies meaningless.
   OptionManager(const OptionManager&) = delete;
   OptionManager& operator=(const OptionManager&) = delete;
 
   // Binds an option to *value, which must outlive the manager; its present
-  // value is the default. For the types of option_value.h.
+  // value is the default. For the types of option_value.h. What is returned
+  // is valid until the next option is added.
   template <typename T>
-  void Add(std::string name, T* value, std::string description);
+  Option& Add(std::string name, T* value, std::string description);
 
   // The same, but a run without it is refused.
   template <typename T>
-  void AddRequired(std::string name, T* value, std::string description);
+  Option& AddRequired(std::string name, T* value, std::string description);
 
   // An option whose value is one of `names`.
   template <typename E>
-  void AddEnum(std::string name,
-               E* value,
-               std::vector<std::pair<std::string, E>> names,
-               const std::string& description);
+  Option& AddEnum(std::string name,
+                  E* value,
+                  std::vector<std::pair<std::string, E>> names,
+                  const std::string& description);
 
   // May be given several times; each time adds one element. Giving it at all
   // replaces the default.
   template <typename T>
-  void AddRepeatable(std::string name,
-                     std::vector<T>* values,
-                     const std::string& description);
+  Option& AddRepeatable(std::string name,
+                        std::vector<T>* values,
+                        const std::string& description);
 
   // As AddRepeatable, at least once.
   template <typename T>
-  void AddRequiredRepeatable(std::string name,
-                             std::vector<T>* values,
-                             std::string description);
+  Option& AddRequiredRepeatable(std::string name,
+                                std::vector<T>* values,
+                                std::string description);
+
+  // For an option of an earlier version that is fixed at `value` now, that has
+  // a new name or that has gone: whoever still uses it gets an error that says
+  // so.
+  template <typename T>
+  void AddConstant(std::string name, const T& value);
+  void AddRenamed(std::string old_name, const std::string& new_name);
+  void AddRemoved(std::string name, const std::string& reason);
 
   // Heading of the help for ungrouped options added from now on.
   void BeginSection(std::string heading) { section_ = std::move(heading); }
 
-  enum class ParseResult { kRun, kHelp };
+  enum class ParseResult { kRun, kHelp, kHelpForExperts };
 
   // Reads `arguments` (without the program's and the command's name) and the
   // project file that they name; the command line wins. An argument is
   // `--name value`, where the value does not begin with two dashes, or
-  // `--name=value`. Throws OptionError that names the option or file, line and
-  // key.
+  // `--name=value`. Keys for project files only are refused on the command
+  // line. Throws OptionError that names the option or file, line and key.
   ParseResult Parse(std::span<const std::string> arguments);
 
   // In the order of declaration.
   const std::vector<Option>& Options() const { return options_; }
+
+  // Whether the command line or a project file has set an option.
+  bool IsSet(std::string_view name) const;
 
   // Every option with its value at the time of the call: grouped ones in an
   // object of their group.
   Json ToJson() const;
 
   // Completes a message "field = value: constraint" of a step's Check() with
-  // the option that is bound to such a field: "--Group.field = value: ...".
+  // the option that is bound to such a field: "--Group.field = value: ...",
+  // without dashes for keys of project files.
   // A field may also be "group.field", as of an options struct inside another
   // one; an option of that full name goes before one that shares the last part
   // only. Messages about other fields are returned as they are.
@@ -109,8 +108,12 @@ class OptionManager {
 
   Option& AddOption(std::string name, std::string description);
   const Option* Find(std::string_view name) const;
-  // "; did you mean ...?" or nothing.
-  std::string Suggestion(std::string_view name, std::string_view dashes) const;
+  // Of a name that is not declared: what became of it, or a similar name.
+  // `noun` is what names are called where it was found, `dashes` precede them.
+  OptionError UnknownName(std::string_view name,
+                          std::string_view noun,
+                          std::string_view dashes) const;
+  const Option& FindForCommandLine(const std::string& name) const;
   void AddGiven(const Option& option,
                 std::string text,
                 std::string origin,
@@ -121,35 +124,44 @@ class OptionManager {
   void Assign(const Given& given);
 
   std::vector<Option> options_;
+  // Options of earlier versions, with what became of them.
+  std::map<std::string, std::string, std::less<>> retired_;
+  std::map<std::string, std::string, std::less<>> renamed_;
   std::string section_;
   std::filesystem::path project_path_;
+  bool help_all_ = false;
 };
 
 // Implementation of the templates.
 
 template <typename T>
-void OptionManager::Add(std::string name, T* value, std::string description) {
+Option& OptionManager::Add(std::string name,
+                           T* value,
+                           std::string description) {
   Option& option = AddOption(std::move(name), std::move(description));
   option.default_text = FormatOptionValue(*value);
+  option.is_path = std::is_same_v<T, std::filesystem::path>;
   option.assign = [value](std::span<const std::string> texts) {
     ParseOptionValue(texts.back(), value);
   };
   option.to_json = [value] { return OptionValueToJson(*value); };
+  return option;
 }
 
 template <typename T>
-void OptionManager::AddRequired(std::string name,
-                                T* value,
-                                std::string description) {
-  Add(std::move(name), value, std::move(description));
-  options_.back().required = true;
+Option& OptionManager::AddRequired(std::string name,
+                                   T* value,
+                                   std::string description) {
+  Option& option = Add(std::move(name), value, std::move(description));
+  option.required = true;
+  return option;
 }
 
 template <typename E>
-void OptionManager::AddEnum(std::string name,
-                            E* value,
-                            std::vector<std::pair<std::string, E>> names,
-                            const std::string& description) {
+Option& OptionManager::AddEnum(std::string name,
+                               E* value,
+                               std::vector<std::pair<std::string, E>> names,
+                               const std::string& description) {
   std::string all;
   for (const auto& [text, element] : names) {
     all.append(all.empty() ? "" : ", ").append(text);
@@ -174,13 +186,18 @@ void OptionManager::AddEnum(std::string name,
     }
     throw OptionError("must be one of " + all);
   };
+  option.values.reserve(names.size());
+  for (const auto& [text, element] : names) {
+    option.values.push_back(text);
+  }
   option.to_json = [name_of] { return Json(name_of()); };
+  return option;
 }
 
 template <typename T>
-void OptionManager::AddRepeatable(std::string name,
-                                  std::vector<T>* values,
-                                  const std::string& description) {
+Option& OptionManager::AddRepeatable(std::string name,
+                                     std::vector<T>* values,
+                                     const std::string& description) {
   Option& option =
       AddOption(std::move(name), description + " May be repeated.");
   for (const T& value : *values) {
@@ -188,6 +205,7 @@ void OptionManager::AddRepeatable(std::string name,
         .append(FormatOptionValue(value));
   }
   option.repeatable = true;
+  option.is_path = std::is_same_v<T, std::filesystem::path>;
   option.assign = [values](std::span<const std::string> texts) {
     values->clear();
     for (const std::string& text : texts) {
@@ -201,14 +219,24 @@ void OptionManager::AddRepeatable(std::string name,
     }
     return json;
   };
+  return option;
 }
 
 template <typename T>
-void OptionManager::AddRequiredRepeatable(std::string name,
-                                          std::vector<T>* values,
-                                          std::string description) {
-  AddRepeatable(std::move(name), values, std::move(description));
-  options_.back().required = true;
+Option& OptionManager::AddRequiredRepeatable(std::string name,
+                                             std::vector<T>* values,
+                                             std::string description) {
+  Option& option =
+      AddRepeatable(std::move(name), values, std::move(description));
+  option.required = true;
+  return option;
+}
+
+template <typename T>
+void OptionManager::AddConstant(std::string name, const T& value) {
+  retired_.insert_or_assign(
+      std::move(name),
+      fmt::format("is a constant now ({})", FormatOptionValue(value)));
 }
 
 }  // namespace octacut

@@ -4,8 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 namespace octacut {
+namespace {
+
+constexpr size_t kBarWidth = 20;
+
+std::string Bar(size_t done, size_t total) {
+  const size_t filled = kBarWidth * done / total;
+  return fmt::format(" [{:-<{}}]", std::string(filled, '#'), kBarWidth);
+}
+
+}  // namespace
 
 std::string FormatDuration(std::chrono::duration<double> duration) {
   const long seconds = std::lround(duration.count());
@@ -16,15 +27,13 @@ std::string FormatDuration(std::chrono::duration<double> duration) {
   return fmt::format("{}:{:02}", seconds / 60, seconds % 60);
 }
 
-std::string ProgressReporter::Indent() const {
-  return std::string(phases_.empty() ? 0 : 2 * (phases_.size() - 1), ' ');
-}
-
 std::string ProgressReporter::Describe(const RunningPhase& phase,
-                                       Clock::time_point now) const {
+                                       Clock::time_point now,
+                                       bool with_bar) const {
   const std::chrono::duration<double> elapsed = now - phase.begin;
   std::string text = phase.name;
   if (phase.total > 0) {
+    text += with_bar ? Bar(phase.done, phase.total) : "";
     text += fmt::format(" {:3d} %", 100 * phase.done / phase.total);
   }
   text += fmt::format(", {} elapsed", FormatDuration(elapsed));
@@ -38,18 +47,15 @@ std::string ProgressReporter::Describe(const RunningPhase& phase,
 
 void ProgressReporter::BeginPhase(std::string_view name, size_t total) {
   const Clock::time_point now = Clock::now();
-  phases_.push_back({std::string(name), total, 0, now, now, now, 0});
-  log_.Progress(fmt::format("{}{} ...", Indent(), name));
-  if (log_.HasTerminal()) {
-    log_.SetStatus(fmt::format("{} ...", name));
-  }
+  running_.push_back({std::string(name), total, 0, now, now, now});
+  log_.SetStatus(fmt::format("{} ...", name));
 }
 
 void ProgressReporter::Advance(size_t done) {
-  if (phases_.empty()) {
+  if (running_.empty()) {
     return;
   }
-  RunningPhase& phase = phases_.back();
+  RunningPhase& phase = running_.back();
   // Reports of several threads may overtake each other.
   phase.done = std::max(phase.done, done);
   if (phase.total > 0) {
@@ -58,32 +64,63 @@ void ProgressReporter::Advance(size_t done) {
   const Clock::time_point now = Clock::now();
   if (log_.HasTerminal() && now - phase.last_status >= intervals_.status) {
     phase.last_status = now;
-    log_.SetStatus(Describe(phase, now));
+    log_.SetStatus(Describe(phase, now, true));
   }
-  const size_t tenth = phase.total > 0 ? 10 * phase.done / phase.total : 0;
-  if (tenth > phase.last_tenth && tenth < 10 &&
-      now - phase.last_line >= intervals_.line) {
-    phase.last_line = now;
-    phase.last_tenth = tenth;
-    log_.Progress(Indent() + Describe(phase, now));
+  // However short the inner ones are, the outer phase may take long.
+  Clock::time_point& last_line = running_.front().last_line;
+  if (now - last_line >= intervals_.line) {
+    last_line = now;
+    WriteEndedPhases();
+    log_.Progress(Describe(phase, now, false));
   }
 }
 
 void ProgressReporter::EndPhase() {
-  if (phases_.empty()) {
+  if (running_.empty()) {
     return;
   }
-  const RunningPhase& phase = phases_.back();
-  const std::chrono::duration<double> elapsed = Clock::now() - phase.begin;
-  const std::string line =
-      fmt::format("{}{}: {:.2f} s", Indent(), phase.name, elapsed.count());
-  if (phases_.size() == 1) {
-    log_.Info(line);  // stays on a terminal, too
-  } else {
-    log_.Progress(line);
-    log_.SetStatus("");
+  log_.SetStatus("");
+  const RunningPhase phase = std::move(running_.back());
+  running_.pop_back();
+  if (!running_.empty()) {
+    return;  // part of the outer phase's time
   }
-  phases_.pop_back();
+  auto ended = std::find_if(
+      ended_.begin(), ended_.end(), [&](const EndedPhase& earlier) {
+        return earlier.name == phase.name;
+      });
+  if (ended == ended_.end()) {
+    ended = ended_.insert(ended, {phase.name});
+  }
+  ended->duration += Clock::now() - phase.begin;
+  ++ended->count;
+  ended->is_stopped = std::uncaught_exceptions() > 0;
+}
+
+void ProgressReporter::Info(std::string_view message) {
+  WriteEndedPhases();
+  log_.Info(message);
+}
+
+void ProgressReporter::Warn(std::string_view message) {
+  WriteEndedPhases();
+  log_.Warn(message);
+}
+
+void ProgressReporter::WriteEndedPhases() {
+  for (const EndedPhase& phase : ended_) {
+    if (phase.duration < intervals_.shortest && !phase.is_stopped) {
+      continue;
+    }
+    const std::chrono::duration<double> seconds = phase.duration;
+    log_.Info(fmt::format(
+        "{}: {}{:.1f} s{}",
+        phase.name,
+        phase.is_stopped ? "stopped after " : "",
+        seconds.count(),
+        phase.count > 1 ? fmt::format(" ({} times)", phase.count) : ""));
+  }
+  ended_.clear();
 }
 
 }  // namespace octacut

@@ -1,7 +1,7 @@
-// Shows the progress of a run: on a terminal one line with phase, percentage,
-// elapsed and estimated remaining time, which is updated in place; otherwise
-// a line when a phase begins and ends and every tenth of it, at most every
-// few seconds.
+// Shows the progress of a run. Phases that have ended are a line each, in
+// which equal names are summed: they are written before the next message, or
+// when the run ends. While a phase runs, a terminal has a bar, which is updated
+// in place; otherwise there is a line only for phases that take long.
 #pragma once
 
 #include <chrono>
@@ -22,18 +22,22 @@ class ProgressReporter : public ProgressSink {
 
   struct Intervals {
     Clock::duration status = std::chrono::milliseconds(100);
-    Clock::duration line = std::chrono::seconds(5);
+    Clock::duration line = std::chrono::seconds(30);
+    // Phases that took less in all are left to the report: their time would
+    // be written as 0.0 s.
+    Clock::duration shortest = std::chrono::milliseconds(50);
   };
 
   explicit ProgressReporter(Log& log) : ProgressReporter(log, Intervals()) {}
   ProgressReporter(Log& log, const Intervals& intervals)
       : log_(log), intervals_(intervals) {}
+  ~ProgressReporter() override { WriteEndedPhases(); }
 
   void BeginPhase(std::string_view name, size_t total) override;
   void Advance(size_t done) override;
   void EndPhase() override;
-  void Info(std::string_view message) override { log_.Info(message); }
-  void Warn(std::string_view message) override { log_.Warn(message); }
+  void Info(std::string_view message) override;
+  void Warn(std::string_view message) override;
 
  private:
   struct RunningPhase {
@@ -43,15 +47,23 @@ class ProgressReporter : public ProgressSink {
     Clock::time_point begin;
     Clock::time_point last_status;
     Clock::time_point last_line;
-    size_t last_tenth = 0;
+  };
+  struct EndedPhase {
+    std::string name;
+    Clock::duration duration{};
+    int count = 0;
+    bool is_stopped = false;  // by an error or a signal
   };
 
-  std::string Indent() const;
-  std::string Describe(const RunningPhase& phase, Clock::time_point now) const;
+  std::string Describe(const RunningPhase& phase,
+                       Clock::time_point now,
+                       bool with_bar) const;
+  void WriteEndedPhases();
 
   Log& log_;
   Intervals intervals_;
-  std::vector<RunningPhase> phases_;  // the innermost last
+  std::vector<RunningPhase> running_;  // the innermost last
+  std::vector<EndedPhase> ended_;      // outermost ones, not yet written
 };
 
 }  // namespace octacut

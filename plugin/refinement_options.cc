@@ -28,78 +28,51 @@ Json RoundToJson(const RoundSummary& round) {
 
 void DeclareRefinementOptions(OptionManager& options,
                               RefineOptions* refinement) {
-  options.Add("Refinement.fine_rounds",
-              &refinement->fine_rounds,
-              "Number of refinement rounds at the full resolution of the "
-              "images, 1 to 8.");
-  options.Add("Refinement.coarse_rounds",
-              &refinement->coarse_rounds,
-              "Number of refinement rounds before those, each at half the "
-              "resolution of the next one, 0 to 4.");
-  options.Add("Refinement.coarse_passes",
-              &refinement->coarse_passes,
-              "Number of times that all coarse rounds are run, 1 to 4.");
-  options.Add(
-      "Refinement.range",
-      &refinement->range,
-      "Search distance along the normal in the first round of a resolution, in "
-      "pixels of that resolution. Pixels refer to the images as downsampled "
-      "for the target level, here and in all options of this group.");
-  options.Add("Refinement.alignment_steps",
-              &refinement->alignment_steps,
-              "Number of iterations that align the camera poses "
-              "photometrically; 0 keeps the poses.");
-  options.Add("Refinement.step",
-              &refinement->step,
-              "Distance in pixels between the offsets that the search tries.");
-  options.Add("Refinement.patch_radius",
-              &refinement->patch.radius,
-              "Radius r in pixels of the patch of (2 r + 1)^2 samples that is "
-              "compared between views, 1 to 4.");
-  options.Add("Refinement.measure_spacing",
-              &refinement->measure_spacing,
-              "Distance in pixels between the points of the surface at which "
-              "offsets are measured.");
-  options.Add("Refinement.fit_radius",
-              &refinement->fit_radius,
-              "Radius in pixels of the pieces of the surface to which quadrics "
-              "are fitted.");
-  options.Add("Refinement.smoothness",
-              &refinement->smoothness,
-              "Weight of the bending energy of the surface relative to a "
-              "measured offset. Higher values give a smoother mesh.");
-  options.Add("Refinement.silhouette_weight",
-              &refinement->silhouette_weight,
-              "Weight of the occluding contours, that is, of the masks' "
-              "borders, relative to a measured offset; 0 ignores them.");
-  options.Add("Refinement.border_noise",
-              &refinement->border_noise,
-              "Expected error in pixels of the estimate of how much all masks "
-              "are too large or too small; 1000 takes the masks as they are.");
-  options.Add("Refinement.pixel_noise",
-              &refinement->patch.pixel_noise,
-              "Standard deviation of the image noise in grey levels (0 to "
-              "255). Patches with less contrast count as untextured.");
-  options.Add("Refinement.hue_weight",
-              &refinement->patch.hue_weight,
+  options
+      .Add("Refinement.border_noise",
+           &refinement->border_noise,
+           "Expected error in pixels of the estimate of how much all masks "
+           "are too large or too small; 1000 takes the masks as they are.")
+      .ForExperts();
+  options
+      .Add("Refinement.alignment_steps",
+           &refinement->alignment_steps,
+           "Number of iterations that align the camera poses "
+           "photometrically; 0 keeps the poses.")
+      .ForProjectFiles();
+  options
+      .Add("Refinement.coarse_passes",
+           &refinement->coarse_passes,
+           "Number of times that all coarse rounds are run, 1 to 4.")
+      .ForProjectFiles();
+  // Options of earlier versions. The structs say why each has its value.
+  options.AddRenamed("Refinement.hue_weight", "OctahedralMeshing.hue_weight");
+  options.AddConstant("Refinement.fine_rounds", refinement->fine_rounds);
+  options.AddConstant("Refinement.coarse_rounds", refinement->coarse_rounds);
+  options.AddConstant("Refinement.range", refinement->range);
+  options.AddConstant("Refinement.step", refinement->step);
+  options.AddConstant("Refinement.patch_radius", refinement->patch.radius);
+  options.AddConstant("Refinement.measure_spacing",
+                      refinement->measure_spacing);
+  options.AddConstant("Refinement.fit_radius", refinement->fit_radius);
+  options.AddConstant("Refinement.smoothness", refinement->smoothness);
+  options.AddConstant("Refinement.silhouette_weight",
+                      refinement->silhouette_weight);
+  options.AddRemoved("Refinement.hull_tolerance",
+                     "the tolerance is estimated in each round");
+  options.AddConstant("Refinement.pixel_noise", refinement->patch.pixel_noise);
+  options.AddConstant("Refinement.min_score", refinement->min_score);
+  const ViewChoiceOptions& views = refinement->views;
+  options.AddConstant("Refinement.max_views", views.max_views);
+  options.AddConstant("Refinement.max_angle", views.max_angle);
+  options.AddConstant("Refinement.min_separation", views.min_separation);
+}
+
+void DeclareHueWeight(OptionManager& options, double* hue_weight) {
+  options.Add("OctahedralMeshing.hue_weight",
+              hue_weight,
               "Chroma weight: weight of colour differences relative to "
               "brightness differences, 0 to 8. Raise it for shiny paint.");
-  options.Add(
-      "Refinement.min_score",
-      &refinement->min_score,
-      "Minimum agreement of the views at which an offset is accepted, 0 to 1.");
-  options.Add("Refinement.max_views",
-              &refinement->views.max_views,
-              "Maximum number of views that are compared at a point of the "
-              "surface, 2 to 24.");
-  options.Add(
-      "Refinement.max_angle",
-      &refinement->views.max_angle,
-      "Maximum angle in degrees between viewing direction and surface normal.");
-  options.Add("Refinement.min_separation",
-              &refinement->views.min_separation,
-              "Minimum angle in degrees between the directions of two views "
-              "that are compared.");
 }
 
 Json RefinementToJson(const RefineSummary& summary) {

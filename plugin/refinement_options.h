@@ -10,6 +10,9 @@ namespace octacut {
 void DeclareRefinementOptions(OptionManager& options,
                               RefineOptions* refinement);
 
+// One weight for all comparisons of patches, in the cuts and in refinement.
+void DeclareHueWeight(OptionManager& options, double* hue_weight);
+
 Json RefinementToJson(const RefineSummary& summary);
 
 }  // namespace octacut

@@ -32,25 +32,32 @@ void DeclareLoadingOptions(OptionManager& options,
       "mask_path",
       &loading->workspace.mask_path,
       "Folder of the silhouette masks. Default: masks in the workspace.");
-  options.AddEnum("mask_geometry",
-                  &loading->mask_geometry,
-                  {{"auto", MaskGeometry::kAuto},
-                   {"original", MaskGeometry::kOriginal},
-                   {"undistorted", MaskGeometry::kUndistorted}},
-                  "Whether the masks fit the original photographs or the "
-                  "undistorted images; auto decides by their size.");
-  options.Add("original_path",
-              &loading->original_path,
-              "Folder of the sparse model of the original photographs, for a "
-              "dense folder whose masks fit these.");
-  options.Add("image_list_path",
-              &loading->workspace.image_list_path,
-              "Text file with the names of the images to use, one per line. "
-              "Default: all images of the model.");
-  options.Add(
-      "skip_missing_images",
-      &loading->skip_missing_images,
-      "If 1, leave out images whose file is missing instead of stopping.");
+  options
+      .AddEnum("mask_geometry",
+               &loading->mask_geometry,
+               {{"auto", MaskGeometry::kAuto},
+                {"original", MaskGeometry::kOriginal},
+                {"undistorted", MaskGeometry::kUndistorted}},
+               "Whether the masks fit the original photographs or the "
+               "undistorted images; auto decides by their size.")
+      .ForExperts();
+  options
+      .Add("original_path",
+           &loading->original_path,
+           "Folder of the sparse model of the original photographs, for a "
+           "dense folder whose masks fit these.")
+      .ForExperts();
+  options
+      .Add("image_list_path",
+           &loading->workspace.image_list_path,
+           "Text file with the names of the images to use, one per line. "
+           "Default: all images of the model.")
+      .ForExperts();
+  options
+      .Add("skip_missing_images",
+           &loading->skip_missing_images,
+           "If 1, leave out images whose file is missing instead of stopping.")
+      .ForExperts();
   options.Add("skip_missing_masks",
               &loading->skip_missing_masks,
               "If 1, leave out images whose mask is missing, all background or "
@@ -73,18 +80,22 @@ void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps) {
 
 void WorkspaceArguments::Declare(OptionManager& options) {
   DeclareLoadingOptions(options, &workspace_path, &loading);
-  options.Add("keep_all_views",
-              &loading.keep_all_views,
-              "If 1, use views whose mask or pose contradicts the other views "
-              "instead of leaving them out.");
+  options
+      .Add("keep_all_views",
+           &loading.keep_all_views,
+           "If 1, use views whose mask or pose contradicts the other views "
+           "instead of leaving them out.")
+      .ForExperts();
   options.Add("output_path",
               &output_path,
               "Mesh file to write (.ply, .obj, .off or .stl). Default: a file "
               "in the workspace whose name begins with meshed-.");
-  options.Add("report_path",
-              &report_path,
-              "JSON report to write. Default: the path of the mesh with the "
-              "extension .json.");
+  options
+      .Add("report_path",
+           &report_path,
+           "JSON report to write. Default: the path of the mesh with the "
+           "extension .json.")
+      .ForExperts();
   options.Add("OctahedralMeshing.bounding_box",
               &bounding_box,
               "Bounding box x0,y0,z0,x1,y1,z1 of the object in the frame of "
@@ -92,11 +103,14 @@ void WorkspaceArguments::Declare(OptionManager& options) {
 }
 
 void WorkspaceArguments::DeclareConfidence(OptionManager& options) {
-  options.Add(
-      "confidence",
-      &confidence,
-      "If 1, write a confidence between 0 and 1 for each vertex (.ply only): 1 "
-      "/ (1 + e), where e is the expected error of its position in pixels.");
+  options
+      .Add(
+          "confidence",
+          &confidence,
+          "If 1, write a confidence between 0 and 1 for each vertex (.ply "
+          "only): 1 "
+          "/ (1 + e), where e is the expected error of its position in pixels.")
+      .ForExperts();
 }
 
 void WorkspaceArguments::Complete(const fs::path& default_output) {

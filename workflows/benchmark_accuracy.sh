@@ -110,7 +110,9 @@ degradations=(
 
 # One option changed at a time, on which scenes. The first set is the default;
 # `hull` is no option set but the visual hull alone; without evidence thin parts
-# need more ballooning than by default, or nothing is left.
+# need more ballooning than by default, or nothing is left. `Group.key=value` goes
+# into a project file, which also has keys that the command line has not
+# (docs/project_file.md).
 ablated_scenes=(example lump cup-1 rods-3 rocker-exact)
 # And single ones, where a scene shows what an option is for: the deep cup has
 # handles to remove and a bottom that few views see, dino plain plaster and
@@ -128,33 +130,50 @@ single_ablations=(
 option_sets=(
   "default"
   "hull"
-  "no-refinement   --OctahedralMeshing.refine 0"
-  "no-evidence     --OctahedralMeshing.matter_weight 0 --OctahedralMeshing.free_space_weight 0 --OctahedralMeshing.ballooning 0.5"
-  "agreeing-1      --OctahedralMeshing.min_agreeing_views 1"
-  "no-plausible    --OctahedralMeshing.min_like_samples 9"
-  "neighbors-2     --DepthSweep.num_neighbors 2"
-  "no-ballooning   --OctahedralMeshing.ballooning 0"
-  "no-cover        --OctahedralMeshing.cover_rounds 0"
-  "no-silhouettes  --OctahedralMeshing.silhouette_weight 0"
-  "ncc             --OctahedralMeshing.consistency ncc"
-  "variance        --OctahedralMeshing.consistency variance"
-  "hue-1           --OctahedralMeshing.hue_weight 1 --Refinement.hue_weight 1"
-  "hue-4           --OctahedralMeshing.hue_weight 4 --Refinement.hue_weight 4"
-  "no-growing      --OctahedralMeshing.max_grow_rounds 0"
-  "no-smoothing    --Smoothing.iterations 0"
-  "smoothing-5     --Smoothing.iterations 5"
-  "taubin          --Smoothing.taubin_mu -0.53"
-  "no-alignment    --Refinement.alignment_steps 0"
-  "coarse-once     --Refinement.coarse_passes 1"
-  "all-handles     --OctahedralMeshing.min_handle 0"
-  "mask-tolerance-0 --OctahedralMeshing.mask_tolerance 0"
-  "masks-trusted   --Refinement.border_noise 1000"
-  "gaps-believed   --OctahedralMeshing.fill_false_gaps 0"
+  "no-refinement   OctahedralMeshing.refine=0"
+  "no-evidence     OctahedralMeshing.matter_weight=0 OctahedralMeshing.free_space_weight=0 OctahedralMeshing.ballooning=0.5"
+  "agreeing-1      OctahedralMeshing.min_agreeing_views=1"
+  "no-plausible    OctahedralMeshing.min_like_samples=9"
+  "neighbors-2     DepthSweep.num_neighbors=2"
+  "no-ballooning   OctahedralMeshing.ballooning=0"
+  "no-cover        OctahedralMeshing.cover_rounds=0"
+  "no-silhouettes  OctahedralMeshing.silhouette_weight=0"
+  "ncc             OctahedralMeshing.consistency=ncc"
+  "variance        OctahedralMeshing.consistency=variance"
+  "hue-1           OctahedralMeshing.hue_weight=1"
+  "hue-4           OctahedralMeshing.hue_weight=4"
+  "no-growing      OctahedralMeshing.max_grow_rounds=0"
+  "no-smoothing    Smoothing.iterations=0"
+  "smoothing-5     Smoothing.iterations=5"
+  "taubin          Smoothing.taubin_mu=-0.53"
+  "no-alignment    Refinement.alignment_steps=0"
+  "coarse-once     Refinement.coarse_passes=1"
+  "all-handles     OctahedralMeshing.min_handle=0"
+  "mask-tolerance-0 OctahedralMeshing.mask_tolerance=0"
+  "masks-trusted   Refinement.border_noise=1000"
+  "gaps-believed   OctahedralMeshing.fill_false_gaps=0"
 )
 
 fail() {
   echo "benchmark_accuracy: $*" >&2
   exit 1
+}
+
+# write_project_files: of each option set one, unless it is there already: what is
+# newer than a mesh makes that stale.
+write_project_files() {
+  local set words file
+  mkdir -p "$work/sets"
+  for set in "${option_sets[@]}"; do
+    read -ra words <<<"$set"
+    file=$work/sets/${words[0]}.ini
+    printf '%s\n' "${words[@]:1}" >"$file.new"
+    if cmp -s "$file.new" "$file"; then
+      rm "$file.new"
+    else
+      mv "$file.new" "$file"
+    fi
+  done
 }
 
 data=${OCTACUT_SHARED_DATA:-$root/../shared/data}
@@ -224,6 +243,7 @@ if ((!list)); then
   # The executable's time at the start: a build may replace it meanwhile.
   stamp=$work/executable
   touch -r "$octacut" "$stamp"
+  write_project_files
 fi
 
 # line_of NAME LINE...: the options of the line that begins with the name, into
@@ -335,7 +355,7 @@ parts() {
 # is at: mesh, one of the comparisons or evaluation. `judge` is the workspace
 # with the right cameras, masks and images.
 with_step() {
-  local check=$1 name=$2 options=() first
+  local check=$1 name=$2 options=() first project=
   case $name in
     mesh)
       if [[ $set == hull ]]; then
@@ -345,11 +365,13 @@ with_step() {
       else
         line_of "$set" "${option_sets[@]}"
         first=$(hull_level_of "$scene" "$at")
+        ((!${#options[@]})) || project=$work/sets/$set.ini
         options=(octahedral_mesher --OctahedralMeshing.hull_level "$first"
-          --OctahedralMeshing.target_level "$at" "${options[@]}")
+          --OctahedralMeshing.target_level "$at"
+          ${project:+--project_path "$project"})
       fi
       "$check" "$folder" mesh "$folder/mesh.json" \
-        "$workspace/images $workspace/masks $workspace/$model" \
+        "$workspace/images $workspace/masks $workspace/$model $project" \
         "${options[0]}" --workspace_path "$workspace" \
         --input_path "$workspace/$model" --output_path "$folder/mesh.ply" \
         "${options[@]:1}"

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Builds octacut in build/ (or $OCTACUT_BUILD_DIR), with ninja and ccache if they
-# are installed. Later runs build only what has changed.
+# are installed, by the preset $OCTACUT_PRESET (default: release). Later runs
+# build only what has changed.
 #   workflows/build.sh [TARGET...]     without TARGET, everything is built
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${OCTACUT_BUILD_DIR:-$root/build}
 
-options=(-DCMAKE_BUILD_TYPE=Release)
+options=(--preset "${OCTACUT_PRESET:-release}")
 if command -v ccache >/dev/null; then
   options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 fi

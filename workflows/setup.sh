@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that octacut needs and that are missing, as root
-# or with sudo. If neither is possible, it prints the missing packages and fails.
+# or with sudo, and those that arguments name. If neither is possible, it prints
+# the missing packages and fails.
 # If all packages are installed, it changes nothing.
 set -euo pipefail
 
@@ -11,6 +12,7 @@ packages=(
   libceres-dev
   libgtest-dev libgmock-dev
   colmap jq shellcheck imagemagick
+  "$@"
 )
 
 is_installed() {

@@ -1,19 +1,47 @@
 #!/usr/bin/env bash
-# Installs missing packages, builds octacut and runs all tests.
-#   workflows/test.sh [options of ctest]     for example -R core_grid
+# Installs missing packages, builds octacut and runs its tests.
+#   workflows/test.sh [--fast 1] [--sanitize 1] [options of ctest]
+# --fast 1         leave out the slow tests, which tests/slow_tests.txt lists
+# --sanitize 1     build in build-asan with the address and undefined behaviour
+#                  sanitizers (the preset asan-ubsan)
+# Options of ctest are, for example, -R core_grid.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+arguments=()
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    -h | --help)
+      sed -n '2,/^set/{/^set/!s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"
+      exit 0
+      ;;
+    --fast)
+      if ((${2:?"$1 needs 0 or 1"})); then
+        slow=$(grep -v '^#' "$root/tests/slow_tests.txt" | paste -sd '|')
+        arguments+=(-E "^($slow)\$")
+      fi
+      shift 2
+      ;;
+    --sanitize)
+      if ((${2:?"$1 needs 0 or 1"})); then
+        export OCTACUT_PRESET=asan-ubsan
+        export OCTACUT_BUILD_DIR=${OCTACUT_BUILD_DIR:-$root/build-asan}
+      fi
+      shift 2
+      ;;
+    *)
+      arguments+=("$1")
+      shift
+      ;;
+  esac
+done
 build=${OCTACUT_BUILD_DIR:-$root/build}
-if [[ ${1:-} == -h || ${1:-} == --help ]]; then
-  sed -n '2,/^set/s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
-  exit 0
-fi
 
 "$root/workflows/setup.sh"
 "$root/workflows/build.sh"
 begin=$SECONDS
-if ctest --test-dir "$build" -j2 --output-on-failure --no-tests=error "$@"; then
+if ctest --test-dir "$build" -j2 --output-on-failure --no-tests=error \
+  "${arguments[@]}"; then
   echo "test.sh: all tests passed in $((SECONDS - begin)) s"
 else
   echo "test.sh: TESTS FAILED" >&2

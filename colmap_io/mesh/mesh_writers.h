@@ -8,9 +8,9 @@
 namespace octacut {
 
 // Binary little endian as COLMAP's meshers write it: float x y z, nx ny nz and
-// uchar red green blue and float confidence where present; list uchar int vertex_indices. Floats
-// hold 24 bits, which is what octacut's own meshes are kept to; of others the
-// other formats (but STL) keep more.
+// uchar red green blue and float confidence where present; list uchar int
+// vertex_indices. Floats hold 24 bits, which is what octacut's own meshes are
+// kept to; of others the other formats (but STL) keep more.
 void WritePly(const IndexedMesh& mesh, std::ostream& stream);
 
 // v with colours from 0 to 1 as MeshLab has them, vn, f v//vn. Coordinates

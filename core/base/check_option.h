@@ -1,9 +1,9 @@
 // Validation of options: every refusal names field, value and constraint.
 #pragma once
 
-#include <string_view>
-
 #include <fmt/format.h>
+
+#include <string_view>
 
 #include "core/base/error.h"
 

@@ -12,6 +12,8 @@
 
 namespace octacut {
 
+// Iterations, kept fraction and tolerance are fixed, so that all figures of
+// docs/accuracy.md mean the same.
 struct AlignMeshesOptions {
   int64_t num_samples = 20000;  // on each surface
   int max_iterations = 60;

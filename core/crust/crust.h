@@ -14,6 +14,7 @@ namespace octacut {
 
 struct CrustOptions {
   // Times that the proxy surface is dilated (d of the paper); 1 .. 8.
+  // Wider crusts gain nothing: docs/design.md, "Thin crusts".
   int crust_dilation = 2;
   void Check() const;
 };

@@ -11,6 +11,7 @@
 
 namespace octacut {
 
+// Fixed, so that all figures of docs/accuracy.md mean the same.
 struct ReprojectionOptions {
   int num_neighbors = 4;
   // Between the directions of a view and its neighbour from the middle of the

@@ -16,6 +16,8 @@
 
 namespace octacut {
 
+// Larger sweeps do not pay (six neighbours, windows of 7 x 7, a least score of
+// 0.4): docs/design.md, "The interior at l0".
 struct DepthSweepOptions {
   int num_neighbors = 4;         // views compared with each view; 2 .. 8
   double min_angle = 4;          // degrees between the viewing directions

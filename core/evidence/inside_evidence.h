@@ -41,7 +41,8 @@ struct InsideEvidenceOptions {
   // Where a labelling leaves the ray of an object's pixel empty: what that
   // pixel's word is worth to all hull voxels of its ray together. It doubles
   // with every round until nearly all are covered, `cover_rounds` times at
-  // most. 0: silhouettes are not asked on any level.
+  // most. 0: silhouettes are not asked on any level. Since it doubles, where
+  // it begins only changes the number of rounds.
   double cover_weight = 1;
   int cover_rounds = 5;  // 0 .. 8
   void Check() const;

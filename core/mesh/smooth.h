@@ -11,13 +11,14 @@ namespace octacut {
 struct SmoothOptions {
   int iterations = 3;
   // V <- V + lambda * Laplacian(V), with the uniform umbrella operator: mean of
-  // the neighbours less the vertex.
+  // the neighbours less the vertex. Half way; iterations say how much.
   double lambda = 0.5;
   // With mu <= -lambda, every iteration is followed by one of V <- V + mu *
   // Laplacian(V), which gives back the volume that smoothing takes (Taubin,
   // SIGGRAPH 1995) but smooths less per iteration. 0: none.
   double taubin_mu = 0;
-  // How far a vertex may come from where it began, in voxels.
+  // How far a vertex may come from where it began, in voxels: the cut is known
+  // to one. docs/design.md, "Where vertices begin".
   double max_displacement = 1;
   // Least height of a triangle over its longest edge, in voxels: vertices of
   // triangles that end up thinner, or intersect others, are moved back towards

@@ -20,11 +20,13 @@ struct EnergyOptions {
   // Evidence for outside of a voxel that is background in a view, in units of
   // the weights; and at l0 of one that is no farther from the object than
   // mask_tolerance, as far as the mask is trusted. Finer levels are held at the
-  // masks' borders where photographs do not decide.
+  // masks' borders where photographs do not decide. Both weights: tables of
+  // docs/design.md, "Masks that are wrong by pixels".
   double silhouette_weight = 1;
   double mask_border_weight = 0.3;
   // Evidence for inside of a voxel of a finer level that fewer than two views
-  // see, in units of the weights at l0; halved with every level.
+  // see, in units of the weights at l0; halved with every level. 0.15, 0.1 and
+  // 0.01 are worse: docs/design.md, "Inside and outside of the crust".
   double unseen_weight = 0.05;
   void Check() const;
 };
@@ -56,7 +58,7 @@ struct ReconstructionOptions {
   // followed by another cut; 0 .. 16.
   int max_grow_rounds = 2;
   // Averagings of the inside over neighbouring voxels before its gradient is
-  // taken for the normal; 1 .. 64.
+  // taken for the normal; 1 .. 64. Not varied alone.
   int normal_blur = 12;
   bool confidence = false;  // of the mesh's vertices, wanted with the verdict
   void Check() const;

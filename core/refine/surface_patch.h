@@ -26,10 +26,10 @@ struct ImageShift {
 // How views are compared on a patch.
 struct PatchOptions {
   // (2 r + 1)^2 samples in a square, which weigh less towards its border;
-  // 1 .. 4.
+  // 1 .. 4. 2 and 4 are worse: docs/refinement.md, "Patches of 7 x 7".
   int radius = 3;
   // Standard deviation of the images' noise, grey levels: contrast below it
-  // counts as plain.
+  // counts as plain. 1 is worse: docs/refinement.md, "What made it good".
   double pixel_noise = 0.5;
   // Of differences of hue against those of grey, to which gloss adds (see
   // WeightHue); 0 .. 8.

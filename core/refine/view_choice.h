@@ -13,12 +13,14 @@
 namespace octacut {
 
 struct ViewChoiceOptions {
-  // Views at more than this angle (degrees) to the normal do not count.
+  // Views at more than this angle (degrees) to the normal do not count. 72 is
+  // worse, 85 loses thin rods: docs/refinement.md, "Furrows".
   double max_angle = 80;
-  // At most this many views a place, those of most weight; 2 .. 24.
+  // At most this many views a place, those of most weight; 2 .. 24. With 24
+  // errors hardly fall: docs/refinement.md, "Many views".
   int max_views = 16;
   // Between the directions of any two of them, degrees: nearly equal views
-  // tell nothing about depth.
+  // tell nothing about depth. Not varied alone; the depth sweep has the same.
   double min_separation = 4;
   void Check() const;
 };

@@ -15,9 +15,9 @@ constexpr double kBorder = 2;
 constexpr double kRing = 4;
 constexpr double kLeastConfidence = 0.5;
 // A view that agrees less than the median by more than this is an exception.
-// From a side that few views look from, the others leave a fifth more than there
-// is for a true silhouette. Where views differ more anyway: three standard
-// deviations, by the median of their distances.
+// From a side that few views look from, the others leave a fifth more than
+// there is for a true silhouette. Where views differ more anyway: three
+// standard deviations, by the median of their distances.
 constexpr double kLeastSpread = 0.25;
 constexpr double kSpreads = 3 * 1.4826;
 

@@ -26,8 +26,8 @@ struct BorderEdges {
 std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
                                               const Context& context);
 
-// Measures and sets PreparedView::border_shift of all views, to at most a pixel;
-// 0 where there is nothing to measure.
+// Measures and sets PreparedView::border_shift of all views, to at most a
+// pixel; 0 where there is nothing to measure.
 std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
                                                ViewSet* views);
 

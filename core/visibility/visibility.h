@@ -16,12 +16,13 @@
 namespace octacut {
 
 struct VisibilityOptions {
-  // Views at more than this angle (degrees) to the normal do not count.
+  // Views at more than this angle (degrees) to the normal do not count. This
+  // and the next two are of docs/design.md, "Visibility"; not varied alone.
   double max_angle = 70;
   // At most this many views a voxel, those of most weight; 2 .. 16.
   int max_views = 8;
   // Depth tolerance in voxels, measured along the normal: what lies in the
-  // crust behind the surface is still to be seen.
+  // crust behind the surface is still to be seen: half of its thickness.
   double depth_tolerance = 4;
   void Check() const;
 };

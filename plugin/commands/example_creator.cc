@@ -16,6 +16,7 @@ namespace {
 class ExampleCreator : public Command {
  public:
   void DeclareOptions(OptionManager& options) override;
+  bool UsesRandomSeed() const override { return true; }
   void Run(const CommandEnvironment& environment) override;
 
  private:
@@ -28,10 +29,11 @@ void DeclareDegradation(OptionManager& options, DegradeOptions* degrade) {
   options.Add("Degrade.pixel_noise",
               &degrade->pixel_noise,
               "Standard deviation of the image noise in grey levels.");
-  options.Add(
-      "Degrade.exposure_noise",
-      &degrade->exposure_noise,
-      "Standard deviation of the exposure of the images relative to 1.");
+  options
+      .Add("Degrade.exposure_noise",
+           &degrade->exposure_noise,
+           "Standard deviation of the exposure of the images relative to 1.")
+      .ForExperts();
   options.Add("Degrade.mask_offset",
               &degrade->mask_offset,
               "Number of pixels by which all masks are too large, or too small "
@@ -39,12 +41,16 @@ void DeclareDegradation(OptionManager& options, DegradeOptions* degrade) {
   options.Add("Degrade.num_mask_holes",
               &degrade->num_mask_holes,
               "Number of holes inside the object of each mask.");
-  options.Add("Degrade.num_mask_specks",
-              &degrade->num_mask_specks,
-              "Number of specks in the background of each mask.");
-  options.Add("Degrade.mask_defect_radius",
-              &degrade->mask_defect_radius,
-              "Radius of holes and specks in pixels.");
+  options
+      .Add("Degrade.num_mask_specks",
+           &degrade->num_mask_specks,
+           "Number of specks in the background of each mask.")
+      .ForExperts();
+  options
+      .Add("Degrade.mask_defect_radius",
+           &degrade->mask_defect_radius,
+           "Radius of holes and specks in pixels.")
+      .ForExperts();
   options.Add("Degrade.pose_noise",
               &degrade->pose_noise,
               "Standard deviation of the pose errors, measured in pixels in "
@@ -53,19 +59,27 @@ void DeclareDegradation(OptionManager& options, DegradeOptions* degrade) {
 
 // The object's form and what its surface looks like.
 void DeclareSurface(OptionManager& options, SceneSpec* scene) {
-  options.Add("Scene.cup_depth",
-              &scene->parameters.cup_depth,
-              "Depth of the cup's cavity relative to its diameter.");
-  options.Add("Scene.rod_radius",
-              &scene->parameters.rod_radius,
-              "Radius of the rods, whose length is 1.8.");
-  options.Add("Scene.finger_radius",
-              &scene->parameters.finger_radius,
-              "Radius of the fingertips of the hand, whose size is about 1.6.");
-  options.Add("Scene.fold_width",
-              &scene->parameters.fold_width,
-              "Width of the widest folds of the drapery; the narrowest are a "
-              "fifth as wide.");
+  options
+      .Add("Scene.cup_depth",
+           &scene->parameters.cup_depth,
+           "Depth of the cup's cavity relative to its diameter.")
+      .ForExperts();
+  options
+      .Add("Scene.rod_radius",
+           &scene->parameters.rod_radius,
+           "Radius of the rods, whose length is 1.8.")
+      .ForExperts();
+  options
+      .Add("Scene.finger_radius",
+           &scene->parameters.finger_radius,
+           "Radius of the fingertips of the hand, whose size is about 1.6.")
+      .ForExperts();
+  options
+      .Add("Scene.fold_width",
+           &scene->parameters.fold_width,
+           "Width of the widest folds of the drapery; the narrowest are a "
+           "fifth as wide.")
+      .ForExperts();
   options.Add("Scene.fold_depth",
               &scene->parameters.fold_depth,
               "Depth of the folds of the drapery relative to their width.");
@@ -84,25 +98,34 @@ void DeclareSurface(OptionManager& options, SceneSpec* scene) {
                    {"speckle", TextureKind::kSpeckle},
                    {"painted", TextureKind::kPainted}},
                   "Texture of the object.");
-  options.Add("Scene.texture_contrast",
-              &scene->texture.contrast,
-              "Contrast of the texture, from 0 (none) to 1 (full).");
-  options.Add(
-      "Scene.texture_scale",
-      &scene->texture.scale,
-      "Size of the largest texture features; the object is about 2 in size.");
-  options.Add("Scene.plain_share",
-              &scene->texture.plain_share,
-              "Share of the surface without texture, 0 to 1.");
-  options.Add(
-      "Scene.plain_size",
-      &scene->texture.plain_size,
-      "Size of the parts without texture; the object is about 2 in size.");
-  options.AddEnum(
-      "Scene.background",
-      &scene->background.kind,
-      {{"plain", BackgroundKind::kPlain}, {"room", BackgroundKind::kRoom}},
-      "Background behind the object.");
+  options
+      .Add("Scene.texture_contrast",
+           &scene->texture.contrast,
+           "Contrast of the texture, from 0 (none) to 1 (full).")
+      .ForExperts();
+  options
+      .Add("Scene.texture_scale",
+           &scene->texture.scale,
+           "Size of the largest texture features; the object is about 2 in "
+           "size.")
+      .ForExperts();
+  options
+      .Add("Scene.plain_share",
+           &scene->texture.plain_share,
+           "Share of the surface without texture, 0 to 1.")
+      .ForExperts();
+  options
+      .Add("Scene.plain_size",
+           &scene->texture.plain_size,
+           "Size of the parts without texture; the object is about 2 in size.")
+      .ForExperts();
+  options
+      .AddEnum(
+          "Scene.background",
+          &scene->background.kind,
+          {{"plain", BackgroundKind::kPlain}, {"room", BackgroundKind::kRoom}},
+          "Background behind the object.")
+      .ForExperts();
   options.Add("Scene.lights_fixed_to_camera",
               &scene->lighting.fixed_to_camera,
               "If 1, the lights move with the camera, as if the object stood "
@@ -128,18 +151,24 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
       "width", &scene_.rig.width, "Width of the photographs in pixels.");
   options.Add(
       "height", &scene_.rig.height, "Height of the photographs in pixels.");
-  options.Add("image_extension",
-              &scene_.image_extension,
-              "File format of the photographs, .jpg or .png.");
-  options.Add("jpeg_quality",
-              &workspace_.jpeg_quality,
-              "Quality of JPEG files, 1 to 100.");
-  options.Add(
-      "num_points", &scene_.num_points, "Maximum number of sparse points.");
-  options.Add(
-      "observation_noise",
-      &scene_.observation_noise,
-      "Standard deviation in pixels of the observations of sparse points.");
+  options
+      .Add("image_extension",
+           &scene_.image_extension,
+           "File format of the photographs, .jpg or .png.")
+      .ForExperts();
+  options
+      .Add("jpeg_quality",
+           &workspace_.jpeg_quality,
+           "Quality of JPEG files, 1 to 100.")
+      .ForExperts();
+  options
+      .Add("num_points", &scene_.num_points, "Maximum number of sparse points.")
+      .ForExperts();
+  options
+      .Add("observation_noise",
+           &scene_.observation_noise,
+           "Standard deviation in pixels of the observations of sparse points.")
+      .ForExperts();
   options.Add("reference_resolution",
               &scene_.reference.resolution,
               "Number of cells along the longest side of the reference mesh.");
@@ -149,26 +178,38 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
                    {"rings", RigKind::kRings},
                    {"turntable", RigKind::kTurntable}},
                   "Arrangement of the cameras around the object.");
-  options.Add("Rig.min_elevation",
-              &scene_.rig.min_elevation,
-              "Minimum elevation of the cameras above the horizon of the "
-              "object in degrees.");
-  options.Add("Rig.max_elevation",
-              &scene_.rig.max_elevation,
-              "Maximum elevation of the cameras above the horizon of the "
-              "object in degrees.");
-  options.Add("Rig.focal_length",
-              &scene_.rig.focal_length,
-              "Focal length relative to the larger side of the image.");
-  options.Add("Rig.fill",
-              &scene_.rig.fill,
-              "Size of the object relative to the smaller side of the image.");
-  options.Add("Rig.far_factor",
-              &scene_.rig.far_factor,
-              "Factor by which every second camera is farther away.");
-  options.Add("Rig.k1",
-              &scene_.rig.k1,
-              "Coefficient of radial distortion (SIMPLE_RADIAL).");
+  options
+      .Add("Rig.min_elevation",
+           &scene_.rig.min_elevation,
+           "Minimum elevation of the cameras above the horizon of the "
+           "object in degrees.")
+      .ForExperts();
+  options
+      .Add("Rig.max_elevation",
+           &scene_.rig.max_elevation,
+           "Maximum elevation of the cameras above the horizon of the "
+           "object in degrees.")
+      .ForExperts();
+  options
+      .Add("Rig.focal_length",
+           &scene_.rig.focal_length,
+           "Focal length relative to the larger side of the image.")
+      .ForExperts();
+  options
+      .Add("Rig.fill",
+           &scene_.rig.fill,
+           "Size of the object relative to the smaller side of the image.")
+      .ForExperts();
+  options
+      .Add("Rig.far_factor",
+           &scene_.rig.far_factor,
+           "Factor by which every second camera is farther away.")
+      .ForExperts();
+  options
+      .Add("Rig.k1",
+           &scene_.rig.k1,
+           "Coefficient of radial distortion (SIMPLE_RADIAL).")
+      .ForExperts();
   DeclareSurface(options, &scene_);
   DeclareDegradation(options, &scene_.degrade);
 }

@@ -47,7 +47,8 @@ void MaskExtractor::DeclareOptions(OptionManager& options) {
       "skip_missing_images",
       &extraction_.skip_missing_images,
       "If 1, leave out images whose file is missing instead of stopping.");
-  DeclareMaskExtractionOptions(options, &extraction_);
+  DeclareMaskExtractionOptions(
+      options, OptionAudience::kEveryone, &extraction_);
   options.Add("OctahedralMeshing.bounding_box",
               &extraction_.bounding_box,
               "Bounding box x0,y0,z0,x1,y1,z1 of the object in the frame of "

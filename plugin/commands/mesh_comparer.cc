@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 class MeshComparer : public Command {
  public:
   void DeclareOptions(OptionManager& options) override;
+  bool UsesRandomSeed() const override { return true; }
   void Run(const CommandEnvironment& environment) override;
 
  private:
@@ -50,37 +51,51 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
                       "Reference mesh, which counts as correct.");
   options.Add(
       "output_path", &output_path_, "JSON report to write. Default: none.");
-  options.Add("num_samples",
-              &compare_.num_samples,
-              "Number of points on each surface whose distances are measured.");
-  options.Add("thresholds",
-              &compare_.thresholds,
-              "Distance thresholds of precision, recall and F-score, as "
-              "fractions of the reference's bounding box diagonal.");
-  options.Add("accuracy_fraction",
-              &compare_.accuracy_fraction,
-              "Fraction of a mesh that is used for its accuracy: accuracy is "
-              "the distance within which this fraction lies.");
-  options.Add("completeness_threshold",
-              &compare_.completeness_threshold,
-              "Distance threshold of completeness, as a fraction of the "
-              "reference's bounding box diagonal.");
-  options.Add("self_intersections",
-              &self_intersections_,
-              "If 1, count the triangles of each mesh that intersect others of "
-              "the same mesh.");
+  options
+      .Add("num_samples",
+           &compare_.num_samples,
+           "Number of points on each surface whose distances are measured.")
+      .ForExperts();
+  options
+      .Add("thresholds",
+           &compare_.thresholds,
+           "Distance thresholds of precision, recall and F-score, as "
+           "fractions of the reference's bounding box diagonal.")
+      .ForExperts();
+  options
+      .Add("accuracy_fraction",
+           &compare_.accuracy_fraction,
+           "Fraction of a mesh that is used for its accuracy: accuracy is "
+           "the distance within which this fraction lies.")
+      .ForExperts();
+  options
+      .Add("completeness_threshold",
+           &compare_.completeness_threshold,
+           "Distance threshold of completeness, as a fraction of the "
+           "reference's bounding box diagonal.")
+      .ForExperts();
+  options
+      .Add("self_intersections",
+           &self_intersections_,
+           "If 1, count the triangles of each mesh that intersect others of "
+           "the same mesh.")
+      .ForExperts();
   options.Add(
       "views_path",
       &views_path_,
       "Folder of a sparse model in the frame of the reference. If given, only "
       "the part of the reference that its cameras see is compared.");
-  options.Add("min_views",
-              &seen_.min_views,
-              "Number of cameras that must see a point. Used with views_path.");
-  options.Add("max_view_angle",
-              &seen_.max_angle,
-              "Maximum angle in degrees between viewing direction and surface "
-              "normal. Used with views_path.");
+  options
+      .Add("min_views",
+           &seen_.min_views,
+           "Number of cameras that must see a point. Used with views_path.")
+      .ForExperts();
+  options
+      .Add("max_view_angle",
+           &seen_.max_angle,
+           "Maximum angle in degrees between viewing direction and surface "
+           "normal. Used with views_path.")
+      .ForExperts();
   options.Add("bounding_box",
               &bounding_box_,
               "Box x0,y0,z0,x1,y1,z1 in the frame of the reference. If given, "
@@ -89,23 +104,21 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
               &compare_.align,
               "If 1, register each mesh with the reference first (ICP). Both "
               "must be nearly aligned already.");
-  options.Add(
-      "Alignment.num_samples",
-      &compare_.alignment.num_samples,
-      "Number of points on each surface that are used for registration.");
-  options.Add("Alignment.max_iterations",
-              &compare_.alignment.max_iterations,
-              "Maximum number of iterations.");
-  options.Add("Alignment.kept_fraction",
-              &compare_.alignment.kept_fraction,
-              "Fraction of the point pairs that is kept, the closest ones.");
-  options.Add("Alignment.estimate_scale",
-              &compare_.alignment.estimate_scale,
-              "If 0, estimate only rotation and translation.");
-  options.Add("Alignment.tolerance",
-              &compare_.alignment.tolerance,
-              "Iteration stops when no point moves farther than this fraction "
-              "of the size.");
+  options
+      .Add("Alignment.num_samples",
+           &compare_.alignment.num_samples,
+           "Number of points on each surface that are used for registration.")
+      .ForExperts();
+  options.AddConstant("Alignment.max_iterations",
+                      compare_.alignment.max_iterations);
+  options.AddConstant("Alignment.kept_fraction",
+                      compare_.alignment.kept_fraction);
+  options
+      .Add("Alignment.estimate_scale",
+           &compare_.alignment.estimate_scale,
+           "If 0, estimate only rotation and translation.")
+      .ForExperts();
+  options.AddConstant("Alignment.tolerance", compare_.alignment.tolerance);
 }
 
 ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) const {

@@ -39,35 +39,31 @@ void MeshEvaluator::DeclareOptions(OptionManager& options) {
                                 "in the frame of the sparse model.");
   options.Add(
       "output_path", &output_path_, "JSON report to write. Default: none.");
-  options.Add("image_level",
-              &image_level_,
-              "Downsample the images as for (2^level)^3 voxels, 1 to 20. All "
-              "results in pixels refer to these images.");
-  options.Add("self_intersections",
-              &self_intersections_,
-              "If 1, count the triangles of each mesh that intersect others of "
-              "the same mesh.");
+  options
+      .Add("image_level",
+           &image_level_,
+           "Downsample the images as for (2^level)^3 voxels, 1 to 20. All "
+           "results in pixels refer to these images.")
+      .ForExperts();
+  options
+      .Add("self_intersections",
+           &self_intersections_,
+           "If 1, count the triangles of each mesh that intersect others of "
+           "the same mesh.")
+      .ForExperts();
   options.Add("photometric",
               &evaluate_.photometric,
               "If 0, evaluate only silhouettes, which needs no photographs.");
-  options.Add("Reprojection.num_neighbors",
-              &evaluate_.reprojection.num_neighbors,
-              "Number of neighbouring views that each view is compared with.");
-  options.Add(
-      "Reprojection.min_angle",
-      &evaluate_.reprojection.min_angle,
-      "Minimum angle between the directions of neighbouring views in degrees.");
-  options.Add(
-      "Reprojection.max_angle",
-      &evaluate_.reprojection.max_angle,
-      "Maximum angle between the directions of neighbouring views in degrees.");
-  options.Add("Reprojection.window_radius",
-              &evaluate_.reprojection.window_radius,
-              "Radius r in pixels of the windows of (2 r + 1)^2 pixels.");
-  options.Add("Reprojection.min_contrast",
-              &evaluate_.reprojection.min_contrast,
-              "Minimum contrast of a window in grey levels. Windows with less "
-              "are ignored.");
+  options.AddConstant("Reprojection.num_neighbors",
+                      evaluate_.reprojection.num_neighbors);
+  options.AddConstant("Reprojection.min_angle",
+                      evaluate_.reprojection.min_angle);
+  options.AddConstant("Reprojection.max_angle",
+                      evaluate_.reprojection.max_angle);
+  options.AddConstant("Reprojection.window_radius",
+                      evaluate_.reprojection.window_radius);
+  options.AddConstant("Reprojection.min_contrast",
+                      evaluate_.reprojection.min_contrast);
 }
 
 std::vector<std::string> TableRow(const std::string& name,

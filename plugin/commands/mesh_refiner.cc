@@ -52,6 +52,7 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
       ReconstructionOptions().mask_tolerance;
   DeclareMaskTolerance(options, &workspace_.loading.region.mask_tolerance);
   DeclareFillFalseGaps(options, &fill_false_gaps_);
+  DeclareHueWeight(options, &refinement_.patch.hue_weight);
   DeclareRefinementOptions(options, &refinement_);
 }
 

@@ -12,6 +12,8 @@
 #include "plugin/mask_extraction.h"
 #include "plugin/mesh_json.h"
 #include "plugin/meshing_options.h"
+#include "plugin/quality.h"
+#include "plugin/reconstruction_json.h"
 #include "plugin/report.h"
 #include "plugin/run_picture.h"
 #include "plugin/verdict_json.h"
@@ -31,6 +33,7 @@ class OctahedralMesher : public Command {
   void MakeMasks(const Context& context);
 
   WorkspaceArguments workspace_;
+  QualityOption quality_;
   ReconstructionOptions meshing_;
   std::filesystem::path levels_path_;
   bool picture_ = true;
@@ -41,18 +44,23 @@ class OctahedralMesher : public Command {
 void OctahedralMesher::DeclareOptions(OptionManager& options) {
   workspace_.Declare(options);
   workspace_.DeclareConfidence(options);
-  options.Add("save_levels",
-              &levels_path_,
-              "Folder in which the visual hull and the surface of each level "
-              "are saved. Default: none.");
-  options.Add(
-      "picture",
-      &picture_,
-      "If 1, save a picture of a photograph and the mesh next to the mesh.");
+  options
+      .Add("save_levels",
+           &levels_path_,
+           "Folder in which the visual hull and the surface of each level "
+           "are saved. Default: none.")
+      .ForExperts();
+  options
+      .Add(
+          "picture",
+          &picture_,
+          "If 1, save a picture of a photograph and the mesh next to the mesh.")
+      .ForExperts();
   options.Add("extract_masks",
               &extract_masks_,
               "If 1, make the masks first, as mask_extractor does.");
-  DeclareMaskExtractionOptions(options, &extraction_);
+  DeclareMaskExtractionOptions(options, OptionAudience::kExperts, &extraction_);
+  quality_.Declare(options);
   DeclareMeshingOptions(options, &meshing_);
 }
 
@@ -91,6 +99,8 @@ LevelObserver OctahedralMesher::LevelWriter() const {
 
 void OctahedralMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
+  context.Info(quality_.Apply(environment.options, &meshing_));
+  meshing_.refinement.patch.hue_weight = meshing_.consistency.hue_weight;
   meshing_.confidence = workspace_.confidence;
   meshing_.Check();
   workspace_.Complete("meshed-octahedral.ply");

@@ -29,9 +29,7 @@ void VisualHullMesher::DeclareOptions(OptionManager& options) {
               &options_.hull.hull_level,
               "Level of the visual hull, which has (2^level)^3 voxels.");
   DeclareFillFalseGaps(options, &options_.fill_false_gaps);
-  options.Add("Smoothing.iterations",
-              &options_.smoothing.iterations,
-              "Number of smoothing iterations V <- V + 1/2 Laplacian(V).");
+  options.AddConstant("Smoothing.iterations", options_.smoothing.iterations);
 }
 
 void VisualHullMesher::Run(const CommandEnvironment& environment) {

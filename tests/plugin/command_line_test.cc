@@ -4,6 +4,9 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <map>
+
+#include "plugin/common_options.h"
 #include "plugin/registry.h"
 #include "plugin/report.h"
 #include "tests/plugin/run_octacut.h"
@@ -13,6 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Matches;
 using ::testing::MatchesRegex;
 using ::testing::Not;
 
@@ -26,7 +30,7 @@ TEST(CommandLine, HelpListsEveryCommand) {
   EXPECT_EQ(RunOctacut({}).out, help.out);
 }
 
-TEST(CommandLine, HelpOfEveryCommandListsEveryOptionWithItsDefault) {
+TEST(CommandLine, HelpOfEveryCommandListsItsOptionsWithTheirDefaults) {
   for (const RegistryEntry& entry : CommandRegistry()) {
     SCOPED_TRACE(entry.name);
     const std::string name(entry.name);
@@ -34,27 +38,82 @@ TEST(CommandLine, HelpOfEveryCommandListsEveryOptionWithItsDefault) {
     EXPECT_EQ(help.exit_code, 0);
     EXPECT_THAT(help.err, IsEmpty());
     EXPECT_EQ(RunOctacut({name, "-h"}).out, help.out);
+    const ProgramResult all = RunOctacut({name, "--help_all", "1"});
+    EXPECT_EQ(all.exit_code, 0);
     OptionManager options;
-    entry.make()->DeclareOptions(options);
-    EXPECT_GE(options.Options().size(), 1u);
+    const std::unique_ptr<Command> command = entry.make();
+    command->DeclareOptions(options);
+    CommonOptions common;
+    common.Declare(options, command->UsesRandomSeed());
     for (const Option& option : options.Options()) {
       const std::string value = option.required ? " (required)"
                                 : option.default_text.empty()
                                     ? ""
                                     : " (=" + option.default_text + ")";
-      EXPECT_THAT(help.out,
-                  HasSubstr("  --" + option.name + " arg" + value + "\n"));
+      const auto listed =
+          HasSubstr("  --" + option.name + " arg" + value + "\n");
+      const bool for_all = option.audience == OptionAudience::kEveryone;
+      const bool for_experts = option.audience == OptionAudience::kExperts;
+      EXPECT_EQ(Matches(listed)(help.out), for_all) << option.name;
+      EXPECT_EQ(Matches(listed)(all.out), for_all || for_experts)
+          << option.name;
       EXPECT_FALSE(option.description.empty()) << option.name;
     }
-    for (const char* common : {"num_threads arg (=-1)",
-                               "random_seed arg (=0)",
-                               "log_to_stderr arg (=0)",
-                               "log_level arg (=0)",
-                               "log_target arg (=stderr)",
-                               "log_path arg",
-                               "log_color arg (=1)"}) {
-      EXPECT_THAT(help.out, HasSubstr(std::string("  --") + common + "\n"));
+  }
+}
+
+// What a newcomer has to read.
+TEST(CommandLine, HelpIsShort) {
+  for (const RegistryEntry& entry : CommandRegistry()) {
+    OptionManager options;
+    const std::unique_ptr<Command> command = entry.make();
+    command->DeclareOptions(options);
+    CommonOptions common;
+    common.Declare(options, command->UsesRandomSeed());
+    std::map<OptionAudience, int> counts = {{OptionAudience::kEveryone, 1}};
+    for (const Option& option : options.Options()) {
+      ++counts[option.audience];  // and -h
     }
+    EXPECT_LE(counts[OptionAudience::kEveryone], 24) << entry.name;
+    // Examples have a family of options for each kind of scene.
+    EXPECT_LE(counts[OptionAudience::kExperts],
+              entry.name == "example_creator" ? 30 : 20)
+        << entry.name;
+  }
+}
+
+TEST(CommandLine, TheSeedIsAcceptedEverywhereAndListedWhereItIsUsed) {
+  EXPECT_EQ(RunOctacut({"version", "--random_seed", "3"}).exit_code, 0);
+  for (const auto& [command, is_listed] :
+       {std::pair("version", false),
+        std::pair("octahedral_mesher", false),
+        std::pair("mesh_comparer", true),
+        std::pair("example_creator", true)}) {
+    const std::string help = RunOctacut({command, "--help_all", "1"}).out;
+    EXPECT_EQ(help.find("--random_seed") != std::string::npos, is_listed)
+        << command;
+  }
+}
+
+TEST(CommandLine, OptionsOfEarlierVersionsAreExplained) {
+  const std::vector<std::vector<std::string>> cases = {
+      {"octahedral_mesher",
+       "--Refinement.step",
+       "option `--Refinement.step` is a constant now (0.5)"},
+      {"mesh_refiner",
+       "--Refinement.hue_weight",
+       "is called `--OctahedralMeshing.hue_weight` now"},
+      {"octahedral_mesher",
+       "--DepthSweep.num_neighbors",
+       "can only be set in a project file (--project_path)"},
+      {"visual_hull_mesher", "--Smoothing.iterations", "constant now (2)"},
+      {"mesh_evaluator", "--Reprojection.min_angle", "constant now (5)"},
+      {"mesh_comparer", "--Alignment.tolerance", "constant now (1e-06)"}};
+  for (const std::vector<std::string>& example : cases) {
+    const ProgramResult result = RunOctacut({example[0], example[1], "1"});
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, MatchesRegex("ERROR: [^\n]+\n"));
+    EXPECT_THAT(result.err, HasSubstr(example[2]));
   }
 }
 
@@ -146,8 +205,10 @@ TEST(CommandLine, SignalsStopARunWithExitCode130) {
                             "--num_views",
                             "500",
                             "--num_threads",
+                            "1",
+                            "--log_level",
                             "1"});
-    // The first phase says that the handler is there.
+    // The first message says that the handler is there.
     while (octacut.Err().empty() && !octacut.HasEnded()) {
       usleep(20000);
     }

@@ -63,9 +63,6 @@ TEST_F(MeshEvaluatorTest, MistakesAreNamed) {
               HasSubstr("points.obj: the mesh has no faces"));
   EXPECT_THAT(Evaluate({"--mesh_path", Truth(), "--output_path", Truth()}).err,
               HasSubstr("--output_path = "));
-  EXPECT_THAT(
-      Evaluate({"--mesh_path", Truth(), "--Reprojection.min_angle", "0"}).err,
-      HasSubstr("--Reprojection.min_angle = 0: must be"));
   EXPECT_THAT(Evaluate({"--mesh_path", Truth(), "--image_level", "0"}).err,
               HasSubstr("--image_level = 0: must be in 1 .. 20"));
 }

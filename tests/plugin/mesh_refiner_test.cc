@@ -117,7 +117,7 @@ TEST_F(MeshRefiner, IsTheLastStepOfAReconstruction) {
   const Json report = Json::parse(ReadFile(folder_ / "refined.json"));
   const Json& refinement = report["reconstruction"]["refinement"];
   EXPECT_EQ(refinement["rounds"].size(), 6u);
-  EXPECT_EQ(report["options"]["Refinement"]["fine_rounds"], 2);
+  EXPECT_EQ(report["options"]["Refinement"]["coarse_passes"], 2);
   // As if by hand, but for the single precision of the file between and for
   // the colours, which are those of where the vertices have gone.
   const IndexedMesh by_hand = ReadMesh(Refined()).mesh;
@@ -139,24 +139,20 @@ TEST_F(MeshRefiner, MistakesAreNamed) {
                                       "0 1 0\n3 0 1 2\n3 0 2 3\n");
   ExpectError("open.off: 4 boundary edge", {"--mesh_path", open.string()});
   const std::string closed = (Workspace() / "gt" / "reference.ply").string();
-  const std::vector<std::pair<std::string, std::string>> refused = {
-      {"fine_rounds", "0"},
-      {"coarse_rounds", "5"},
-      {"coarse_passes", "0"},
-      {"smoothness", "0"},
-      {"patch_radius", "5"},
-      {"max_views", "1"},
-      {"max_angle", "90"},
-      {"pixel_noise", "0"},
-      {"hue_weight", "-1"}};
-  for (const auto& [field, value] : refused) {
-    const std::string option = "--Refinement." + field;
-    ExpectError(option + " = " + value + ": must",
-                {"--mesh_path", closed, option, value});
+  for (const std::string option :
+       {"Refinement.border_noise", "OctahedralMeshing.hue_weight"}) {
+    ExpectError("--" + option + " = -1: must",
+                {"--mesh_path", closed, "--" + option, "-1"});
     // Other groups of the mesher's have fields of the same names.
-    const ProgramResult mesher = RunMesher({option, value});
+    const ProgramResult mesher = RunMesher({"--" + option, "-1"});
     EXPECT_EQ(mesher.exit_code, 1);
-    EXPECT_THAT(mesher.err, HasSubstr(option + " = " + value + ": must"));
+    EXPECT_THAT(mesher.err, HasSubstr("--" + option + " = -1: must"));
+  }
+  for (const std::string key : {"coarse_passes", "alignment_steps"}) {
+    const fs::path project =
+        folder_.Write("project.ini", "[Refinement]\n" + key + " = 99\n");
+    ExpectError("ERROR: Refinement." + key + " = 99: must",
+                {"--mesh_path", closed, "--project_path", project.string()});
   }
   ExpectError(
       "mask_tolerance = -1: must be in",

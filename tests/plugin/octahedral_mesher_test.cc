@@ -214,17 +214,35 @@ TEST_F(OctahedralMesher, EveryConsistencyReconstructs) {
   }
 }
 
-// Three groups have an option of this name.
-TEST_F(OctahedralMesher, ErrorsNameTheOptionOfTheRightGroup) {
-  for (const char* option : {"OctahedralMeshing.max_angle",
-                             "DepthSweep.max_angle",
-                             "Refinement.max_angle"}) {
-    const ProgramResult result = RunMesher({std::string("--") + option, "95"});
-    EXPECT_EQ(result.exit_code, 1);
-    EXPECT_THAT(result.err,
-                HasSubstr(std::string("--") + option + " = 95: must"));
-    EXPECT_FALSE(fs::exists(Result(".ply")));
-  }
+TEST_F(OctahedralMesher, ErrorsNameOptionsAndKeys) {
+  const ProgramResult option = RunMesher({"--Refinement.border_noise", "-1"});
+  EXPECT_EQ(option.exit_code, 1);
+  EXPECT_THAT(option.err,
+              HasSubstr("ERROR: --Refinement.border_noise = -1: must"));
+  const fs::path project =
+      folder_.Write("project.ini", "[DepthSweep]\nnum_neighbors = 1\n");
+  const ProgramResult key = RunMesher({"--project_path", project.string()});
+  EXPECT_EQ(key.exit_code, 1);
+  EXPECT_THAT(key.err, HasSubstr("ERROR: DepthSweep.num_neighbors = 1: must"));
+  EXPECT_FALSE(fs::exists(Result(".ply")));
+}
+
+// The log of a run that nobody watches.
+TEST_F(OctahedralMesher, LogIsShortAndSaysWhatWasChosen) {
+  const ProgramResult result = RunMesher({"--quality", "low"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_LE(std::count(result.err.begin(), result.err.end(), '\n'), 40)
+      << result.err;
+  EXPECT_EQ(result.err.rfind("Quality low, changed by "
+                             "--OctahedralMeshing.target_level: 64^3 voxels "
+                             "(level 6), without refinement.\n",
+                             0),
+            0u)
+      << result.err;
+  const Json report = Json::parse(ReadFile(Result(".json")));
+  EXPECT_EQ(report["options"]["quality"], "low");
+  EXPECT_EQ(report["options"]["OctahedralMeshing"]["refine"], false);
+  EXPECT_TRUE(report["reconstruction"]["refinement"].is_null());
 }
 
 TEST_F(OctahedralMesher, VisualHullAlone) {

@@ -24,6 +24,11 @@ struct Bound {
                     &color,
                     {{"red", Color::kRed}, {"green", Color::kGreen}},
                     "Colour");
+    manager.Add("Meshing.smooth", &smooth, "Smoothing").ForExperts();
+    manager.Add("Meshing.rounds", &rounds, "Rounds").ForProjectFiles();
+    manager.AddConstant("Meshing.step", 0.5);
+    manager.AddRenamed("Meshing.depth", "Meshing.level");
+    manager.AddRemoved("Meshing.width", "it is estimated");
   }
 
   OptionManager::ParseResult Parse(std::vector<std::string> arguments) {
@@ -44,6 +49,8 @@ struct Bound {
   int level = 7;
   std::optional<std::array<double, 6>> box;
   Color color = Color::kGreen;
+  bool smooth = true;
+  int rounds = 3;
   OptionManager manager;
 };
 
@@ -151,13 +158,62 @@ TEST(OptionManager, ProjectFileErrorsNameFileLineAndKey) {
             "--project_path = /gone.ini: the file cannot be opened");
 }
 
+TEST(OptionManager, KeysOfProjectFilesAreNoOptions) {
+  const TemporaryFolder folder;
+  const std::string file =
+      folder.Write("p.ini", "[Meshing]\nrounds = 5\nsmooth = 0\n").string();
+  Bound bound;
+  bound.Parse({"--workspace_path", "w", "--project_path", file});
+  EXPECT_EQ(bound.rounds, 5);
+  EXPECT_FALSE(bound.smooth);
+  EXPECT_TRUE(bound.manager.IsSet("Meshing.rounds"));
+  EXPECT_FALSE(bound.manager.IsSet("Meshing.level"));
+  EXPECT_EQ(Bound().ErrorOf({"--Meshing.rounds", "5"}),
+            "option `--Meshing.rounds` can only be set in a project file "
+            "(--project_path), as `Meshing.rounds`");
+  EXPECT_EQ(bound.manager.NameOption("rounds = 9: must be less"),
+            "Meshing.rounds = 9: must be less");
+  // Nor are they suggested.
+  EXPECT_EQ(Bound().ErrorOf({"--Meshing.round", "5"}),
+            "unknown option `--Meshing.round`; did you mean `--Meshing.box`?");
+}
+
+TEST(OptionManager, OptionsOfEarlierVersionsAreExplained) {
+  EXPECT_EQ(Bound().ErrorOf({"--Meshing.step", "1"}),
+            "option `--Meshing.step` is a constant now (0.5)");
+  EXPECT_EQ(Bound().ErrorOf({"--Meshing.depth=1"}),
+            "option `--Meshing.depth` is called `--Meshing.level` now");
+  EXPECT_EQ(Bound().ErrorOf({"--Meshing.width", "1"}),
+            "option `--Meshing.width` has been removed: it is estimated");
+  const TemporaryFolder folder;
+  const auto error_of = [&](const std::string& text) {
+    const std::string file = folder.Write("p.ini", text).string();
+    return Bound().ErrorOf({"--project_path", file}).substr(file.size());
+  };
+  EXPECT_EQ(error_of("Meshing.step = 1\n"),
+            ":1: key `Meshing.step` is a constant now (0.5)");
+  EXPECT_EQ(error_of("[Meshing]\ndepth = 1\n"),
+            ":2: key `Meshing.depth` is called `Meshing.level` now");
+}
+
+TEST(OptionManager, HelpInBothLengths) {
+  using Result = OptionManager::ParseResult;
+  EXPECT_EQ(Bound().Parse({"-h"}), Result::kHelp);
+  EXPECT_EQ(Bound().Parse({"--help"}), Result::kHelp);
+  EXPECT_EQ(Bound().Parse({"--help_all", "1"}), Result::kHelpForExperts);
+  EXPECT_EQ(Bound().Parse({"--help_all", "0", "--workspace_path", "w"}),
+            Result::kRun);
+  EXPECT_EQ(Bound().ErrorOf({"--help_all", "x"}),
+            "--help_all = x: must be 0 or 1");
+}
+
 TEST(OptionManager, JsonHoldsEveryOptionWithItsValue) {
   Bound bound;
   bound.Parse({"--workspace_path", "w", "--Meshing.level", "8"});
   EXPECT_EQ(bound.manager.ToJson().dump(),
             R"({"project_path":"","workspace_path":"w","verbose":false,)"
             R"("input_path":["default.ply"],"Meshing":{"level":8,)"
-            R"("box":null,"color":"green"}})");
+            R"("box":null,"color":"green","smooth":true,"rounds":3}})");
 }
 
 TEST(OptionManager, CompletesMessagesOfChecks) {

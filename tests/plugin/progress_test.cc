@@ -10,12 +10,18 @@
 namespace octacut {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::Not;
 
 // Every status and line at once, whatever the machine's speed.
-ProgressReporter::Intervals NoIntervals() { return {{}, {}}; }
+ProgressReporter::Intervals NoIntervals() { return {{}, {}, {}}; }
+
+// Ended phases alone.
+ProgressReporter::Intervals LongIntervals() {
+  return {std::chrono::hours(1), std::chrono::hours(1), {}};
+}
 
 spdlog::sink_ptr SinkTo(std::ostringstream& stream) {
   return std::make_shared<spdlog::sinks::ostream_sink_mt>(stream);
@@ -30,16 +36,21 @@ std::vector<std::string> LinesOf(const std::ostringstream& stream) {
   return lines;
 }
 
+// As a level does: some phases twice, one with an inner phase.
 void RunPhases(ProgressReporter& reporter) {
   const Context context(1, &reporter);
-  Phase outer(context, "level 8");
-  {
-    Phase inner(context, "cut", 40);
-    for (int i = 0; i < 40; ++i) {
-      inner.Advance();
+  for (int run = 0; run < 2; ++run) {
+    {
+      const Phase outer(context, "photo-consistency");
+      Phase inner(context, "patches", 40);
+      for (int i = 0; i < 40; ++i) {
+        inner.Advance();
+      }
     }
+    const Phase cut(context, run == 0 ? "cut" : "cut again");
   }
   context.Warn("careful");
+  const Phase last(context, "colours");
 }
 
 TEST(FormatDuration, ReadsLikeAClock) {
@@ -51,35 +62,64 @@ TEST(FormatDuration, ReadsLikeAClock) {
   EXPECT_EQ(FormatDuration(std::chrono::milliseconds(59700)), "1:00");
 }
 
-TEST(ProgressReporter, PlainLinesWithoutATerminal) {
+TEST(ProgressReporter, EndedPhasesAreSummedBeforeTheNextMessage) {
+  std::ostringstream console;
+  Log log(SinkTo(console), nullptr, nullptr);
+  {
+    ProgressReporter reporter(log, LongIntervals());
+    RunPhases(reporter);
+    EXPECT_EQ(LinesOf(console).size(), 4u) << "colours may be repeated";
+  }
+  const std::vector<std::string> lines = LinesOf(console);
+  ASSERT_EQ(lines.size(), 5u) << console.str();
+  EXPECT_THAT(lines[0],
+              MatchesRegex("photo-consistency: [0-9]+.[0-9] s .2 times."));
+  EXPECT_THAT(lines[1], MatchesRegex("cut: [0-9]+.[0-9] s"));
+  EXPECT_THAT(lines[2], MatchesRegex("cut again: [0-9]+.[0-9] s"));
+  EXPECT_EQ(lines[3], "WARNING: careful");
+  EXPECT_THAT(lines[4], MatchesRegex("colours: [0-9]+.[0-9] s"));
+}
+
+TEST(ProgressReporter, PhasesThatTookNoTimeAreLeftOut) {
+  std::ostringstream console;
+  Log log(SinkTo(console), nullptr, nullptr);
+  {
+    ProgressReporter reporter(log);
+    RunPhases(reporter);
+  }
+  EXPECT_THAT(LinesOf(console), ElementsAre("WARNING: careful"));
+}
+
+TEST(ProgressReporter, LongPhasesHaveLinesOfProgressWithoutATerminal) {
   std::ostringstream console;
   Log log(SinkTo(console), nullptr, nullptr);
   ProgressReporter reporter(log, NoIntervals());
-  RunPhases(reporter);
+  reporter.BeginPhase("masks", 0);
+  reporter.EndPhase();
+  reporter.BeginPhase("cut", 4);
+  reporter.Advance(1);
   const std::vector<std::string> lines = LinesOf(console);
-  ASSERT_EQ(lines.size(), 14u) << console.str();
-  EXPECT_EQ(lines[0], "level 8 ...");
-  EXPECT_EQ(lines[1], "  cut ...");
-  for (size_t tenth = 1; tenth < 10; ++tenth) {
-    EXPECT_THAT(lines[1 + tenth],
-                HasSubstr("  cut  " + std::to_string(10 * tenth) + " %, "));
-    EXPECT_THAT(lines[1 + tenth], HasSubstr(" left"));
-  }
-  EXPECT_THAT(lines[11], MatchesRegex("  cut: [0-9]+.[0-9]+ s"));
-  EXPECT_EQ(lines[12], "WARNING: careful");
-  EXPECT_THAT(lines[13], MatchesRegex("level 8: [0-9]+.[0-9]+ s"));
+  ASSERT_EQ(lines.size(), 2u) << console.str();
+  EXPECT_THAT(lines[0], HasSubstr("masks: "));
+  EXPECT_THAT(lines[1],
+              MatchesRegex("cut  25 %, [0-9:]+ elapsed, about [0-9:]+ left"));
+  reporter.EndPhase();
 }
 
-TEST(ProgressReporter, FewLinesOfFastPhases) {
+TEST(ProgressReporter, PhasesThatAnErrorEndsAreStopped) {
   std::ostringstream console;
   Log log(SinkTo(console), nullptr, nullptr);
-  ProgressReporter reporter(log,
-                            {std::chrono::hours(1), std::chrono::hours(1)});
-  RunPhases(reporter);
-  EXPECT_EQ(LinesOf(console).size(), 5u) << console.str();
+  try {
+    ProgressReporter reporter(log);
+    const Context context(1, &reporter);
+    const Phase phase(context, "cut");
+    throw CancelledError();
+  } catch (const CancelledError&) {
+  }
+  EXPECT_THAT(LinesOf(console), ElementsAre("cut: stopped after 0.0 s"));
 }
 
-TEST(ProgressReporter, OneLineThatIsUpdatedOnATerminal) {
+TEST(ProgressReporter, ABarThatIsUpdatedOnATerminal) {
   std::ostringstream console;
   std::ostringstream file;
   char* text = nullptr;
@@ -87,19 +127,21 @@ TEST(ProgressReporter, OneLineThatIsUpdatedOnATerminal) {
   std::FILE* const terminal = open_memstream(&text, &size);
   {
     Log log(SinkTo(console), SinkTo(file), terminal);
-    ProgressReporter reporter(log, NoIntervals());
+    ProgressReporter reporter(log,
+                              {{}, std::chrono::hours(1), /*shortest=*/{}});
     RunPhases(reporter);
   }
   std::fclose(terminal);
   const std::string screen(text, size);
   std::free(text);
   EXPECT_THAT(screen, Not(HasSubstr("\n")));
-  EXPECT_THAT(screen, HasSubstr("\r\033[Kcut  50 %, 0:00 elapsed, about "));
+  EXPECT_THAT(screen,
+              HasSubstr("\r\033[Kpatches [##########----------]  50 %, 0:00 "
+                        "elapsed, about "));
   EXPECT_TRUE(screen.ends_with("\r\033[K")) << "the last status stays";
-  // Lines that stay: messages and the end of outer phases.
-  EXPECT_EQ(LinesOf(console).size(), 2u) << console.str();
-  // The file gets the plain lines all the same.
-  EXPECT_EQ(LinesOf(file).size(), 14u) << file.str();
+  // Lines that stay are the same everywhere.
+  EXPECT_EQ(LinesOf(console).size(), 5u) << console.str();
+  EXPECT_EQ(LinesOf(file), LinesOf(console));
 }
 
 TEST(ProgressReporter, ReportsThatOvertakeEachOtherDoNoHarm) {

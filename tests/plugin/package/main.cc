@@ -14,8 +14,8 @@ int main() {
   const octacut::Context context(2);
   octacut::PolygonizeOptions options;
   options.resolution = 20;
-  const octacut::IndexedMesh mesh = octacut::Polygonize(
-      octacut::MakeObject("torus").shape, options, context);
+  const octacut::IndexedMesh mesh =
+      octacut::Polygonize(octacut::MakeObject("torus").shape, options, context);
   std::stringstream file;
   octacut::WriteMesh(file, octacut::MeshFormat::kPly, mesh);
   const octacut::MeshFile read =

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <span>
 
+#include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/grid/morphology.h"
-#include "core/grid/parallel_voxels.h"
 #include "core/visibility/surface_normals.h"
 
 namespace octacut {
@@ -18,6 +18,7 @@ float AtLevel(double weight, int level, const ReconstructionOptions& options) {
   return float(std::ldexp(weight, options.hull.hull_level - level));
 }
 
+constexpr size_t kBrickGrain = 64;
 // Of a voxel, in voxels: all of one whose centre is that far outside is.
 constexpr float kHalfDiagonal = 0.87f;
 // Masks that are half in doubt do not bound the hull.
@@ -94,6 +95,86 @@ std::vector<float> EdgeWeights(const std::vector<float>& phi,
   return weights;
 }
 
+namespace {
+
+// The views that bound a brick's voxels, found once for all of them: where the
+// object reaches far beyond the brick in a view, others decide.
+class BoundingViews {
+ public:
+  BoundingViews(const ViewSet& views,
+                const std::vector<float>& mask_trust,
+                int level)
+      : views_(views),
+        mask_trust_(mask_trust),
+        voxel_(1.0f / float(1 << level)) {}
+
+  const std::vector<uint32_t>& Of(uint64_t brick) {
+    if (!has_brick_ || brick != brick_) {
+      Find(brick);
+    }
+    return chosen_;
+  }
+
+ private:
+  void Find(uint64_t brick) {
+    has_brick_ = true;
+    brick_ = brick;
+    const Eigen::Vector3f center =
+        4 * voxel_ *
+        (DecodeMorton(brick).cast<float>() + Eigen::Vector3f::Constant(0.5f));
+    least_.assign(views_.size(), -Silhouette::kFarInside);
+    float bound = Silhouette::kFarInside;
+    for (size_t i = 0; i < views_.size(); ++i) {
+      const ViewProjection& projection = views_[i].projection;
+      const std::optional<ProjectedPoint> p =
+          projection.ProjectIntoFrame(center);
+      if (!p) {
+        continue;  // some of its voxels may be in the frame
+      }
+      const float footprint = projection.Footprint(voxel_, p->depth);
+      const float depth = (views_[i].silhouette.SignedDistance(p->u, p->v) -
+                           views_[i].border_shift) /
+                          footprint;
+      // Distances are in pixels and may jump by one at a border; depths
+      // across the brick change by less than the share that is added.
+      const float reach = kBrickReach + kBorderStep / footprint +
+                          kDepthChange * std::abs(depth);
+      least_[i] = depth - reach;
+      const float margin = reach * footprint;
+      if (mask_trust_[i] > kTrusted &&
+          projection.InFrame(p->u - margin, p->v - margin) &&
+          projection.InFrame(p->u + margin, p->v + margin)) {
+        bound = std::min(bound, depth + reach);
+      }
+    }
+    // Those that show the brick's voxels outside or beside the border count,
+    // too, as evidence.
+    bound = std::max(bound, 1.0f);
+    chosen_.clear();
+    for (uint32_t i = 0; i < views_.size(); ++i) {
+      if (least_[i] <= bound) {
+        chosen_.push_back(i);
+      }
+    }
+  }
+
+  // Voxels: from the middle of a brick to the centres of its voxels, and as
+  // much again for views that see it far from their axes.
+  static constexpr float kBrickReach = 5.2f;
+  static constexpr float kBorderStep = 2;  // pixels
+  static constexpr float kDepthChange = 0.1f;
+
+  const ViewSet& views_;
+  const std::vector<float>& mask_trust_;
+  float voxel_;
+  bool has_brick_ = false;
+  uint64_t brick_ = 0;
+  std::vector<float> least_;
+  std::vector<uint32_t> chosen_;
+};
+
+}  // namespace
+
 SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
                                         const std::vector<float>& mask_trust,
                                         const VoxelGrid& voxels,
@@ -105,36 +186,46 @@ SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
   SilhouetteTerms terms{std::vector<float>(voxels.Size()),
                         std::vector<float>(voxels.Size())};
   const float voxel = 1.0f / float(voxels.Resolution());
-  ParallelForVoxels(
-      context, voxels, [&](VoxelGrid::Index index, MortonCode code) {
-        const Eigen::Vector3f center =
-            VoxelCenter(DecodeMorton(code), voxels.Level());
-        float least_depth = Silhouette::kFarInside;
-        float evidence = 0;
-        for (size_t i = 0; i < views.size(); ++i) {
-          const ViewProjection& projection = views[i].projection;
-          const std::optional<ProjectedPoint> p =
-              projection.ProjectIntoFrame(center);
-          if (!p) {
-            continue;
-          }
-          const float pixels = views[i].silhouette.SignedDistance(p->u, p->v);
-          const float footprint = projection.Footprint(voxel, p->depth);
-          const float depth = (pixels - views[i].border_shift) / footprint;
-          const float tolerance =
-              std::max(views[i].mask_tolerance, -views[i].border_shift);
-          const bool is_sure =
-              pixels <= -(tolerance + kHalfDiagonal * footprint);
-          if (is_sure || mask_trust[i] > kTrusted) {
-            least_depth = std::min(least_depth, depth);
-          }
-          const double weight = is_sure ? options.energy.silhouette_weight
-                                        : near_weight * mask_trust[i];
-          evidence = std::min(
-              evidence, -float(weight) * std::clamp(-2 * depth, 0.0f, 1.0f));
-        }
-        terms.evidence[index] = evidence;
-        terms.hull_depth[index] = least_depth;
+  ParallelFor(
+      context,
+      voxels.Bricks().size(),
+      kBrickGrain,
+      [&](size_t begin, size_t end) {
+        BoundingViews bounding(views, mask_trust, voxels.Level());
+        voxels.ForEachInBricks(
+            begin, end, [&](VoxelGrid::Index index, MortonCode code) {
+              const Eigen::Vector3f center =
+                  VoxelCenter(DecodeMorton(code), voxels.Level());
+              float least_depth = Silhouette::kFarInside;
+              float evidence = 0;
+              for (const uint32_t i : bounding.Of(code >> 6)) {
+                const ViewProjection& projection = views[i].projection;
+                const std::optional<ProjectedPoint> p =
+                    projection.ProjectIntoFrame(center);
+                if (!p) {
+                  continue;
+                }
+                const float pixels =
+                    views[i].silhouette.SignedDistance(p->u, p->v);
+                const float footprint = projection.Footprint(voxel, p->depth);
+                const float depth =
+                    (pixels - views[i].border_shift) / footprint;
+                const float tolerance =
+                    std::max(views[i].mask_tolerance, -views[i].border_shift);
+                const bool is_sure =
+                    pixels <= -(tolerance + kHalfDiagonal * footprint);
+                if (is_sure || mask_trust[i] > kTrusted) {
+                  least_depth = std::min(least_depth, depth);
+                }
+                const double weight = is_sure ? options.energy.silhouette_weight
+                                              : near_weight * mask_trust[i];
+                evidence = std::min(
+                    evidence,
+                    -float(weight) * std::clamp(-2 * depth, 0.0f, 1.0f));
+              }
+              terms.evidence[index] = evidence;
+              terms.hull_depth[index] = least_depth;
+            });
       });
   return terms;
 }

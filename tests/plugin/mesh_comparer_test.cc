@@ -27,7 +27,7 @@ const char kTetrahedron[] =
     "property list uchar int vertex_indices\nend_header\n"
     "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 
-class MeshComparerTest : public testing::Test {
+class MeshComparerTest : public ::testing::Test {
  protected:
   // Runs with the options and few samples.
   ProgramResult Compare(std::vector<std::string> arguments) const {

@@ -25,7 +25,7 @@ if(NOT output MATCHES "octacut ${VERSION}")
   message(FATAL_ERROR "the installed executable says ${output}")
 endif()
 
-foreach(file share/doc/octacut/LICENSE include/octacut/core/base/error.h
+foreach(file share/doc/octacut/copyright include/octacut/core/base/error.h
              include/octacut/colmap_io/mesh/mesh_io.h)
   if(NOT EXISTS ${scratch}/prefix/${file})
     file(REMOVE_RECURSE ${scratch})

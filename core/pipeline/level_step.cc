@@ -181,6 +181,7 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
         DecideByPhotographs(crust, terms.phi, evidence.depth_trust, context);
     std::vector<float> weights = EdgeWeights(terms.phi, options.energy);
     FlattenUndecidedWeights(decision, options, &weights);
+    FavorHullBorder(decision, terms.hull_depth, &weights);
     std::vector<float> held = terms.evidence;
     HoldUndecidedSurface(crust, decision, terms.hull_depth, context, &held);
     summary->crust_seconds += stopwatch.Lap();

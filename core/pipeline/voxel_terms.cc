@@ -7,7 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/base/stopwatch.h"
 #include "core/grid/morphology.h"
-#include "core/visibility/surface_normals.h"
+#include "core/visibility/surface_shape.h"
 
 namespace octacut {
 namespace {
@@ -52,17 +52,17 @@ void ExtendTerms(const ViewSet& views,
     }
   });
   summary->crust_seconds += stopwatch.Lap();
-  const std::vector<Eigen::Vector3f> normals =
-      EstimateNormals(crust.voxels,
-                      crust.ties,
-                      crust.prior,
-                      options.normal_blur,
-                      context,
-                      all_new ? std::span<const uint8_t>() : is_new);
+  const std::vector<SurfaceShape> shapes =
+      EstimateSurfaceShape(crust.voxels,
+                           crust.ties,
+                           crust.prior,
+                           options.normal_blur,
+                           context,
+                           all_new ? std::span<const uint8_t>() : is_new);
   summary->visibility_seconds += stopwatch.Lap();
   const VoxelGrid added = Subset(crust.voxels, is_new);
   const PhotoConsistency consistency = EstimateConsistency(
-      views, added, normals, visibility, options.consistency, context);
+      views, added, shapes, visibility, options.consistency, context);
   summary->consistency_seconds += stopwatch.Lap();
   summary->consistency.Add(consistency.summary);
   const SilhouetteTerms silhouettes =

@@ -1,6 +1,8 @@
 #include "core/consistency/patch.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace octacut {
 namespace {
@@ -24,8 +26,15 @@ void Patch::Sample(const ViewSet& views,
   TangentBasis(surface.normal, &steps.u, &steps.v);
   steps.u *= surface.spacing;
   steps.v *= surface.spacing;
+  // At the corners the patch is turned by 45 degrees at most: a smaller part of
+  // the surface is turned farther, and is no paraboloid.
+  const float largest_curvature =
+      std::numbers::sqrt2_v<float> /
+      (2 * float(std::max(surface.radius, 1)) * surface.spacing);
+  const float curvature =
+      std::clamp(surface.curvature, -largest_curvature, largest_curvature);
   steps.fall = surface.normal *
-               (-0.5f * surface.curvature * surface.spacing * surface.spacing);
+               (-0.5f * curvature * surface.spacing * surface.spacing);
   num_samples_ = (2 * surface.radius + 1) * (2 * surface.radius + 1);
   num_views_ = 0;
   for (int i = 0; i < selection.count; ++i) {

@@ -76,7 +76,7 @@ bool Patch::SampleView(const PreparedView& view,
   return float(num_background) <= kMaxBackgroundShare * float(sample);
 }
 
-void Patch::Normalize(float pixel_noise, float hue_weight) {
+void Patch::Normalize(float pixel_noise, float chroma_weight) {
   const float noise = 3 * float(num_samples_) * pixel_noise * pixel_noise;
   for (int i = 0; i < num_views_; ++i) {
     Colors& colors = views_[i];
@@ -87,7 +87,7 @@ void Patch::Normalize(float pixel_noise, float hue_weight) {
     mean /= float(num_samples_);
     Float4 squares = {0, 0, 0, 0};
     for (int s = 0; s < num_samples_; ++s) {
-      colors.samples[s] = WeightHue(colors.samples[s] - mean, hue_weight);
+      colors.samples[s] = WeightChroma(colors.samples[s] - mean, chroma_weight);
       squares += colors.samples[s] * colors.samples[s];
     }
     const float contrast = SumChannels(squares);

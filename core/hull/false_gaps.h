@@ -18,7 +18,7 @@ struct FalseGap {
   size_t num_pixels = 0;
 };
 
-struct FilledScene {
+struct RepairedScene {
   Scene scene;  // shares images and masks that are as they were
   std::vector<FalseGap> gaps;
 };
@@ -31,13 +31,13 @@ struct FilledScene {
 // within `mask_tolerance` (pixels of the photographs) of the object everywhere,
 // and bays within twice that, do no harm and stay; larger ones than a twentieth
 // of the object are believed. Says what it fills.
-FilledScene FillFalseGaps(const Scene& scene,
-                          const BoundingCube& cube,
-                          double mask_tolerance,
-                          const Context& context);
+RepairedScene FillFalseGaps(const Scene& scene,
+                            const BoundingCube& cube,
+                            double mask_tolerance,
+                            const Context& context);
 
 // That, or the scene as it is: with masks as they are to be believed.
-FilledScene BelievedScene(const Scene& scene,
+RepairedScene RepairMasks(const Scene& scene,
                           const BoundingCube& cube,
                           double mask_tolerance,
                           bool fill_false_gaps,

@@ -23,14 +23,14 @@ namespace octacut {
 struct Decision {
   // By their agreement near the voxel, as far as that can be believed.
   std::vector<float> here;
-  // By their agreement around it, or the trust in depths.
+  // By their agreement around it, or the confidence in depths.
   std::vector<float> around;
 };
 
-// `depth_trust` is that of InsideEvidence.
+// `depth_confidence` is that of InsideEvidence.
 Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
-                             const VoxelValues& depth_trust,
+                             const VoxelValues& depth_confidence,
                              const Context& context);
 
 // Of the cut voxels, how much of them the photographs decide.

@@ -17,13 +17,13 @@ using NeighborValues = std::array<float, kNumFaces>;
 NeighborValues ValuesAcross(const std::vector<float>& values,
                             const std::vector<FaceTies>& ties,
                             const VoxelWalk& walk,
-                            const VoxelPlace& place) {
+                            const VoxelSlot& slot) {
   NeighborValues result;
   for (int face = 0; face < kNumFaces; ++face) {
-    const VoxelGrid::Index n = walk.Neighbor(place, face);
+    const VoxelGrid::Index n = walk.Neighbor(slot, face);
     result[face] = n != VoxelGrid::kNone
                        ? values[n]
-                       : ((ties[place.index] & InsideTie(face)) ? 1.0f : 0.0f);
+                       : ((ties[slot.index] & InsideTie(face)) ? 1.0f : 0.0f);
   }
   return result;
 }
@@ -46,8 +46,8 @@ Eigen::Vector3f OutwardNormal(const NeighborValues& across) {
 
 // What is within so many 6-neighbour steps of some voxels.
 struct Rings {
-  std::vector<VoxelPlace> places;  // the nearer ones first
-  std::vector<size_t> ends;        // of the places within k steps, by k
+  std::vector<VoxelSlot> slots;  // the nearer ones first
+  std::vector<size_t> ends;      // of the slots within k steps, by k
 };
 
 Rings RingsAround(const VoxelWalk& walk,
@@ -55,24 +55,24 @@ Rings RingsAround(const VoxelWalk& walk,
                   int num_steps) {
   Rings rings;
   std::vector<uint8_t> found(centers.begin(), centers.end());
-  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
-    if (found[place.index]) {
-      rings.places.push_back(place);
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelSlot& slot) {
+    if (found[slot.index]) {
+      rings.slots.push_back(slot);
     }
   });
-  rings.ends = {rings.places.size()};
+  rings.ends = {rings.slots.size()};
   for (size_t k = 0; int(rings.ends.size()) <= num_steps;) {
     for (; k < rings.ends.back(); ++k) {
-      const VoxelPlace from = rings.places[k];
+      const VoxelSlot from = rings.slots[k];
       for (int face = 0; face < kNumFaces; ++face) {
         const VoxelGrid::Index n = walk.Neighbor(from, face);
         if (n != VoxelGrid::kNone && !found[n]) {
           found[n] = 1;
-          rings.places.push_back(walk.Step(from, face));
+          rings.slots.push_back(walk.Step(from, face));
         }
       }
     }
-    rings.ends.push_back(rings.places.size());
+    rings.ends.push_back(rings.slots.size());
   }
   return rings;
 }
@@ -90,19 +90,19 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
   const VoxelWalk walk(voxels, context);
   const Rings rings =
       wanted.empty() ? Rings() : RingsAround(walk, wanted, blur_steps);
-  // Calls body(slot, index, values across) for what is so near to what is
+  // Calls body(element, index, values across) for what is so near to what is
   // wanted; that itself has the slots of its normals.
   const auto for_all_within = [&](int num_steps, auto&& body) {
-    const auto call = [&](size_t slot, const VoxelPlace& place) {
-      body(slot, place.index, ValuesAcross(values, ties, walk, place));
+    const auto call = [&](size_t element, const VoxelSlot& slot) {
+      body(element, slot.index, ValuesAcross(values, ties, walk, slot));
     };
     if (wanted.empty()) {
       ParallelFor(context,
                   walk.NumBricks(),
                   kBrickGrain,
                   [&](size_t begin, size_t end) {
-                    walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-                      call(place.index, place);
+                    walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
+                      call(slot.index, slot);
                     });
                   });
       return;
@@ -112,7 +112,7 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
                 kVoxelGrain,
                 [&](size_t begin, size_t end) {
                   for (size_t k = begin; k < end; ++k) {
-                    call(k, rings.places[k]);
+                    call(k, rings.slots[k]);
                   }
                 });
   };
@@ -128,8 +128,8 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
   std::vector<Eigen::Vector3f> normals(wanted.empty() ? values.size()
                                                       : rings.ends.front());
   for_all_within(
-      0, [&](size_t slot, VoxelGrid::Index, const NeighborValues& across) {
-        normals[slot] = OutwardNormal(across);
+      0, [&](size_t element, VoxelGrid::Index, const NeighborValues& across) {
+        normals[element] = OutwardNormal(across);
       });
   return normals;
 }
@@ -145,9 +145,9 @@ std::vector<float> SmoothPrior(const VoxelGrid& voxels,
   for (int step = 0; step < blur_steps; ++step) {
     ParallelFor(
         context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
-          walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-            blurred[place.index] = MeanWith(
-                values[place.index], ValuesAcross(values, ties, walk, place));
+          walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
+            blurred[slot.index] = MeanWith(
+                values[slot.index], ValuesAcross(values, ties, walk, slot));
           });
         });
     values.swap(blurred);

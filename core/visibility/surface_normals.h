@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/cut/octahedral_cut.h"
+#include "core/grid/face.h"
 #include "core/grid/voxel_grid.h"
 
 namespace octacut {

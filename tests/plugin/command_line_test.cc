@@ -102,7 +102,7 @@ TEST(CommandLine, OptionsOfEarlierVersionsAreExplained) {
        "option `--Refinement.step` is a constant now (0.5)"},
       {"mesh_refiner",
        "--Refinement.hue_weight",
-       "is called `--OctahedralMeshing.hue_weight` now"},
+       "is called `--OctahedralMeshing.chroma_weight` now"},
       {"octahedral_mesher",
        "--DepthSweep.num_neighbors",
        "can only be set in a project file (--project_path)"},

@@ -22,7 +22,7 @@ class InitialLevelTest : public ::testing::Test {
     hull_ = ComputeVisualHull(
                 test_.views, TestScene::UnitBox(), options_.hull, Context(2))
                 .voxels;
-    evidence_.mask_trust.assign(test_.views.size(), 1.0f);
+    evidence_.mask_confidence.assign(test_.views.size(), 1.0f);
   }
 
   LabeledVoxels Solve(int cover_rounds, float free_space) {

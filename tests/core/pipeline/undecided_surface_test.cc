@@ -57,7 +57,7 @@ std::vector<float> Held(const Decision& decision, float top) {
 
 // Of a crust in which all voxels have a low phi, by what depths found on a grid
 // of `depth_level` are worth.
-float DecidedByAgreement(float trust, int depth_level) {
+float DecidedByAgreement(float confidence, int depth_level) {
   const Crust crust = FlatCrust();
   std::vector<MortonCode> codes;
   crust.voxels.ForEach([&](VoxelGrid::Index, MortonCode code) {
@@ -66,12 +66,12 @@ float DecidedByAgreement(float trust, int depth_level) {
     }
     codes.push_back(code);
   });
-  VoxelValues depth_trust{VoxelGrid::FromCodes(depth_level, codes), {}};
-  depth_trust.values.assign(depth_trust.voxels.Size(), trust);
+  VoxelValues depth_confidence{VoxelGrid::FromCodes(depth_level, codes), {}};
+  depth_confidence.values.assign(depth_confidence.voxels.Size(), confidence);
   const Decision decision =
       DecideByPhotographs(crust,
                           std::vector<float>(crust.voxels.Size(), 0.1f),
-                          depth_trust,
+                          depth_confidence,
                           Context(2));
   return decision.here[crust.voxels.Find(Eigen::Vector3i(16, 16, 15))];
 }
@@ -138,9 +138,9 @@ TEST(UndecidedSurface, AgreementIsBelievedAsFarAsDepthsAre) {
   });
   const LocalAgreement agreement =
       EstimateLocalAgreement(crust.voxels, phi, Context(2));
-  const VoxelValues half_trusted{VoxelGrid::FromCodes(0, {0}), {0.5f}};
+  const VoxelValues half_reliable{VoxelGrid::FromCodes(0, {0}), {0.5f}};
   const Decision decision =
-      DecideByPhotographs(crust, phi, half_trusted, Context(2));
+      DecideByPhotographs(crust, phi, half_reliable, Context(2));
   int num_doubtful = 0;
   int num_believed = 0;
   for (size_t i = 0; i < phi.size(); ++i) {

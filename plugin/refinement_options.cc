@@ -70,10 +70,12 @@ void DeclareRefinementOptions(OptionManager& options,
 }
 
 void DeclareChromaWeight(OptionManager& options, double* chroma_weight) {
+  options.AddRenamed("OctahedralMeshing.hue_weight",
+                     "OctahedralMeshing.chroma_weight");
   options.Add("OctahedralMeshing.chroma_weight",
               chroma_weight,
-              "Chroma weight: weight of colour differences relative to "
-              "brightness differences, 0 to 8. Raise it for shiny paint.");
+              "Weight of differences in chroma relative to differences in "
+              "brightness, 0 to 8. Raise it for shiny paint.");
 }
 
 Json RefinementToJson(const RefineSummary& summary) {

@@ -21,7 +21,7 @@ namespace octacut {
 // How far the photographs decide on the surface near each voxel of a crust,
 // 0 .. 1.
 struct Decision {
-  // By their agreement near the voxel, as far as that can be believed.
+  // By their agreement near the voxel, as far as that is reliable.
   std::vector<float> here;
   // By their agreement around it, or the confidence in depths.
   std::vector<float> around;

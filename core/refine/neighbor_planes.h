@@ -1,6 +1,6 @@
 // How a quantity goes on from the neighbours of a point to the point itself:
-// by the plane through its values, so that what tilts evenly has no bend,
-// however uneven the points are spread.
+// by the plane through its values, so that what tilts evenly has no bending
+// energy, however uneven the points are spread.
 #pragma once
 
 #include <Eigen/Core>

@@ -37,8 +37,8 @@ struct RefineOptions {
   // coarse pass but the first, and each one at their scale; 0: their poses are
   // exact.
   int alignment_steps = 4;
-  // Weight of the surface's bend, against an offset that is known to a pixel.
-  // 20 and 45 are worse ("Patches of 7 x 7").
+  // Weight of the bending energy relative to an offset that is known to a
+  // pixel. 20 and 45 are worse ("Patches of 7 x 7").
   double smoothness = 30;
   // Offsets that are wrong by more than this many standard deviations weigh
   // like outliers.

@@ -37,10 +37,10 @@ struct OffsetProblem {
 
 // Of RefineOptions, which has the defaults and limits.
 struct SolveOffsetsOptions {
-  // Of the bend that the offsets add to the surface: how far the plane through
-  // those of its neighbours is above a point. Over the spacing there, so the
-  // weight means the same for any: a bend goes with its square, and there are
-  // as many fewer.
+  // Weight of the bending energy that the offsets add to the surface: the
+  // square of the height of the plane through a point's neighbours above the
+  // point, relative to their spacing. Because of that ratio a weight has the
+  // same effect for any spacing.
   double smoothness;
   // Of an offset that nothing is known of.
   double anchor = 0.02;

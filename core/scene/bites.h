@@ -29,10 +29,10 @@ struct Bite {
 // least three other views and a quarter of all; what leaves most unexplained is
 // settled first, and what that explains counts no more. Bites are more than
 // twice `mask_tolerance` (pixels of the photographs) deep, and at most a
-// twentieth of the object: larger ones are believed. One mask of at least four
-// may have a bite at a point, two of eight and more. Only masks and cameras are
-// read; masks of low resolution will do. Views that do not bound the object
-// have no bites. The same for any number of threads.
+// twentieth of the object: larger ones are left as they are. One mask of at
+// least four may have a bite at a point, two of eight and more. Only masks and
+// cameras are read; masks of low resolution will do. Views that do not bound
+// the object have no bites. The same for any number of threads.
 std::vector<Bite> FindBites(const std::vector<View>& views,
                             double mask_tolerance,
                             const Context& context);

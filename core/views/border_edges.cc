@@ -34,10 +34,11 @@ constexpr size_t kMinPoints = 100;
 // of one sixth.
 constexpr double kMinShare = 1.0 / 3;
 
-// Pixels that edges alone are believed: what masks differ by that cover each
-// pixel which the object touches, or only those that it fills. Where an object
-// is dark towards its contour, before a dark background, edges lie pixels too
-// far inside; larger shifts are left to the offsets of refinement.
+// The largest shift, in pixels, that edges alone may cause: masks differ by it
+// that cover each pixel which the object touches, or only those that it fills.
+// Where an object is dark towards its contour, before a dark background, edges
+// lie pixels too far inside; larger shifts are left to the offsets of
+// refinement.
 constexpr float kMaxEdgeShift = 1;
 
 constexpr int kNumSteps = int(2 * kRange / kStep) + 1;

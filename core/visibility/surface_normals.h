@@ -1,4 +1,4 @@
-// Normals throughout a crust, from where its inside is believed to be.
+// Normals throughout a crust, from an estimate of where its inside is.
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,7 @@ float ValueNoise(const Eigen::Vector3f& point, uint32_t seed);
 float FractalNoise(const Eigen::Vector3f& point, int octaves, uint32_t seed);
 
 // Spots, one in each unit cell: how deep inside its cell's spot the point is
-// (1 at the centre, 0 at the rim and outside), and a number in [0, 1) that
+// (1 at the centre, 0 at the border and outside), and a number in [0, 1) that
 // belongs to the spot.
 struct SpotSample {
   float depth;

@@ -53,7 +53,7 @@ Vector3f Palette(float choice) {
   return {color[0], color[1], color[2]};
 }
 
-// Spots of one size over `color`; the rim is as wide as a fifth of a spot.
+// Spots of one size over `color`; their border is as wide as a fifth of a spot.
 Vector3f PaintSpots(const Vector3f& color,
                     const Vector3f& point,
                     float strength,

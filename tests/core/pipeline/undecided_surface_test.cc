@@ -126,7 +126,7 @@ TEST(UndecidedSurface, CostsWhatNobodySees) {
   EXPECT_NEAR(weights[3], unseen, 1e-6f);
 }
 
-TEST(UndecidedSurface, AgreementIsBelievedAsFarAsDepthsAre) {
+TEST(UndecidedSurface, AgreementCountsAsFarAsDepthsDo) {
   const Crust crust = FlatCrust();
   // Some agreement: less than most of the region.
   std::vector<float> phi(crust.voxels.Size(), 0.6f);
@@ -142,19 +142,19 @@ TEST(UndecidedSurface, AgreementIsBelievedAsFarAsDepthsAre) {
   const Decision decision =
       DecideByPhotographs(crust, phi, half_reliable, Context(2));
   int num_doubtful = 0;
-  int num_believed = 0;
+  int num_counted = 0;
   for (size_t i = 0; i < phi.size(); ++i) {
     const float near = agreement.near_voxel[i];
     if (near > 0 && agreement.in_region[i] < 0.5f) {
       ++num_doubtful;
       ASSERT_NEAR(decision.here[i], 0.5f * near, 1e-6f) << i;
     } else if (near > 0) {
-      ++num_believed;
+      ++num_counted;
       ASSERT_GE(decision.here[i], 0.5f * near) << i;
     }
   }
   EXPECT_GT(num_doubtful, 100);
-  EXPECT_GT(num_believed, 100);
+  EXPECT_GT(num_counted, 100);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(EstimateNormals, OfAPlaneAreExact) {
   });
   const std::vector<Eigen::Vector3f> normals =
       EstimateNormals(slab, ties, prior, 4, Context(1));
-  // Far from the slab's rim.
+  // Far from the slab's border.
   for (int z = 6; z < 10; ++z) {
     const Eigen::Vector3f normal = normals[slab.Find(Eigen::Vector3i(8, 8, z))];
     EXPECT_LT((normal - Eigen::Vector3f::UnitZ()).norm(), 1e-3) << z;

@@ -236,9 +236,9 @@ TEST(Silhouette, SmallCubesAreDecidedUnlessTheyMeetAContour) {
       const Containment containment =
           view.silhouette.TestCube(view.projection, center, 1e-4f);
       if (count == 0) {
-        EXPECT_EQ(footprint, Containment::kBackground);
+        EXPECT_EQ(containment, Containment::kBackground);
       } else if (count == 9) {
-        EXPECT_EQ(footprint, Containment::kObject);
+        EXPECT_EQ(containment, Containment::kObject);
       } else {
         ++mixed;
       }

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/compare/compare_meshes.h"
+#include "core/benchmark/compare/compare_meshes.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
 

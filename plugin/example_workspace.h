@@ -6,7 +6,7 @@
 
 #include "colmap_io/model/sparse_model.h"
 #include "core/base/context.h"
-#include "core/synthetic/synthetic_scene.h"
+#include "core/benchmark/synthetic/synthetic_scene.h"
 
 namespace octacut {
 

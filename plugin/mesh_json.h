@@ -1,8 +1,8 @@
 // Measurements of meshes as members of a report.
 #pragma once
 
-#include "core/compare/compare_meshes.h"
-#include "core/evaluate/evaluate_mesh.h"
+#include "core/benchmark/compare/compare_meshes.h"
+#include "core/benchmark/evaluate/evaluate_mesh.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
 #include "plugin/option_value.h"

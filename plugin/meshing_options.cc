@@ -31,7 +31,7 @@ void DeclareMainOptions(OptionManager& options,
               "Bias towards the inside for voxels of the visual hull that no "
               "view decides. Lower values open deeper concavities, higher "
               "values keep more of untextured objects.");
-  DeclareHueWeight(options, &meshing->consistency.hue_weight);
+  DeclareChromaWeight(options, &meshing->consistency.chroma_weight);
   options.Add("OctahedralMeshing.min_component",
               &meshing->min_component,
               "Remove components with less than this share of the largest "

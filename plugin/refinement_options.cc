@@ -6,10 +6,10 @@ namespace {
 Json RoundToJson(const RoundSummary& round) {
   return {{"scale", round.scale},
           {"range", round.range},
-          {"places", round.num_places},
-          {"seen_places", round.num_seen},
+          {"surface_points", round.num_points},
+          {"seen_surface_points", round.num_seen},
           {"measured", round.num_measured},
-          {"silhouette_targets", round.num_rim_targets},
+          {"silhouette_targets", round.num_contour_targets},
           {"border_shift", round.border_shift},
           {"mean_displacement", round.mean_displacement},
           {"fit_seconds", round.fit_seconds},
@@ -46,7 +46,8 @@ void DeclareRefinementOptions(OptionManager& options,
            "Number of times that all coarse rounds are run, 1 to 4.")
       .ForProjectFiles();
   // Options of earlier versions. The structs say why each has its value.
-  options.AddRenamed("Refinement.hue_weight", "OctahedralMeshing.hue_weight");
+  options.AddRenamed("Refinement.hue_weight",
+                     "OctahedralMeshing.chroma_weight");
   options.AddConstant("Refinement.fine_rounds", refinement->fine_rounds);
   options.AddConstant("Refinement.coarse_rounds", refinement->coarse_rounds);
   options.AddConstant("Refinement.range", refinement->range);
@@ -68,11 +69,13 @@ void DeclareRefinementOptions(OptionManager& options,
   options.AddConstant("Refinement.min_separation", views.min_separation);
 }
 
-void DeclareHueWeight(OptionManager& options, double* hue_weight) {
-  options.Add("OctahedralMeshing.hue_weight",
-              hue_weight,
-              "Chroma weight: weight of colour differences relative to "
-              "brightness differences, 0 to 8. Raise it for shiny paint.");
+void DeclareChromaWeight(OptionManager& options, double* chroma_weight) {
+  options.AddRenamed("OctahedralMeshing.hue_weight",
+                     "OctahedralMeshing.chroma_weight");
+  options.Add("OctahedralMeshing.chroma_weight",
+              chroma_weight,
+              "Weight of differences in chroma relative to differences in "
+              "brightness, 0 to 8. Raise it for shiny paint.");
 }
 
 Json RefinementToJson(const RefineSummary& summary) {

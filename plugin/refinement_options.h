@@ -11,7 +11,7 @@ void DeclareRefinementOptions(OptionManager& options,
                               RefineOptions* refinement);
 
 // One weight for all comparisons of patches, in the cuts and in refinement.
-void DeclareHueWeight(OptionManager& options, double* hue_weight);
+void DeclareChromaWeight(OptionManager& options, double* chroma_weight);
 
 Json RefinementToJson(const RefineSummary& summary);
 

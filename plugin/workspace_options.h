@@ -15,7 +15,7 @@ void DeclareLoadingOptions(OptionManager& options,
                            std::filesystem::path* workspace_path,
                            LoadSceneOptions* loading);
 
-// How far masks are believed; each for the commands that use it.
+// The tolerance for errors of the masks; for the commands that use it.
 void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance);
 void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps);
 

@@ -120,11 +120,11 @@ ablated_scenes=(example lump cup-1 rods-3 rocker-exact)
 single_ablations=(
   "cup-2 all-handles" "cup-2 agreeing-1" "cup-2 no-plausible"
   "walls agreeing-1" "walls no-plausible" "walls no-ballooning"
-  "walls ncc" "walls variance" "walls hue-1"
-  "shiny ncc" "shiny variance" "shiny hue-1"
-  "turntable-light ncc" "turntable-light variance" "turntable-light hue-1"
+  "walls ncc" "walls variance" "walls chroma-1"
+  "shiny ncc" "shiny variance" "shiny chroma-1"
+  "turntable-light ncc" "turntable-light variance" "turntable-light chroma-1"
   "dino no-ballooning" "dino no-cover" "dino masks-trusted"
-  "dino gaps-believed"
+  "dino gaps-kept"
   "temple masks-trusted"
 )
 option_sets=(
@@ -140,8 +140,8 @@ option_sets=(
   "no-silhouettes  OctahedralMeshing.silhouette_weight=0"
   "ncc             OctahedralMeshing.consistency=ncc"
   "variance        OctahedralMeshing.consistency=variance"
-  "hue-1           OctahedralMeshing.hue_weight=1"
-  "hue-4           OctahedralMeshing.hue_weight=4"
+  "chroma-1        OctahedralMeshing.chroma_weight=1"
+  "chroma-4        OctahedralMeshing.chroma_weight=4"
   "no-growing      OctahedralMeshing.max_grow_rounds=0"
   "no-smoothing    Smoothing.iterations=0"
   "smoothing-5     Smoothing.iterations=5"
@@ -151,7 +151,7 @@ option_sets=(
   "all-handles     OctahedralMeshing.min_handle=0"
   "mask-tolerance-0 OctahedralMeshing.mask_tolerance=0"
   "masks-trusted   Refinement.border_noise=1000"
-  "gaps-believed   OctahedralMeshing.fill_false_gaps=0"
+  "gaps-kept       OctahedralMeshing.fill_false_gaps=0"
 )
 
 fail() {

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures the cut engine against Boost and OpenCV on synthetic crusts and on
-# stored ones, and writes docs/cut_results.md.
+# stored ones, and writes docs/experiments/cut_engine_tables.md.
 #
 #   workflows/benchmark_cut.sh [options] [INSTANCE.oct...]
 #
@@ -10,7 +10,7 @@
 # --threads 1           also the engine on 2 threads, by the wall's clock:
 #                       0 on a machine that has other work
 # --work_path DIR       what was measured; default build/cut
-# --results_path FILE   default docs/cut_results.md
+# --results_path FILE   default docs/experiments/cut_engine_tables.md
 # --measure 1           0: only write the tables of what was measured before
 #
 # Instances of a real reconstruction up to 512^3 (16 bytes a voxel) are written by
@@ -26,7 +26,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${OCTACUT_BUILD_DIR:-$root/build}
 work=$build/cut
-results=$root/docs/cut_results.md
+results=$root/docs/experiments/cut_engine_tables.md
 max_resolution=2048
 peers=1
 threads=1

@@ -1,4 +1,4 @@
-# docs/cut_results.md from the runs of octacut_cut_bench, an array of its JSON
+# docs/experiments/cut_engine_tables.md from the runs of octacut_cut_bench, an array of its JSON
 # objects. Arguments: $machine (text).
 
 def missing: "–";
@@ -86,7 +86,7 @@ map(select(.solver == "growing")) as $growing
 | by_instance
 | "# Cut engine: measured",
   "",
-  "Written by `workflows/benchmark_cut.sh`; docs/cut_engine.md says what it means.",
+  "Written by `workflows/benchmark_cut.sh`; docs/experiments/cut_engine.md says what it means.",
   "",
   $machine + ".",
   "",

@@ -60,7 +60,8 @@ bool ObjectAround(const cv::Mat& blocks, int x, int y) {
 }
 
 // Bounding box of the tangents of the object; not complete when a part of it
-// lies beyond kMaxTangent. Only the blocks on the object's rim can be extreme.
+// lies beyond kMaxTangent. Only the blocks on the object's outline can be
+// extreme.
 Frame FrameOfObject(const cv::Mat& blocks,
                     int k,
                     const CameraProjector& projector) {
@@ -128,7 +129,7 @@ cv::Mat WarpBlocks(const cv::Mat& blocks,
       const int block_y = int(std::floor(map_y[x] / float(k)));
       const bool there = block_x >= 0 && block_y >= 0 &&
                          block_x < blocks.cols && block_y < blocks.rows;
-      // At the rim of the frame a pixel outside may still show object.
+      // At the border of the frame a pixel outside may still show object.
       row[x] = ObjectAround(blocks, block_x, block_y) ? 255
                : there                                ? 0
                                                       : unknown;

@@ -33,8 +33,8 @@ void OverNeighbors(const VoxelWalk& walk,
   ParallelFor(
       context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
         walk.ForEachWithNeighbors(
-            begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
-              result[place.index] = combine((*values)[place.index], neighbors);
+            begin, end, [&](const VoxelSlot& slot, const auto& neighbors) {
+              result[slot.index] = combine((*values)[slot.index], neighbors);
             });
       });
   values->swap(result);

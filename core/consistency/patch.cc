@@ -33,8 +33,8 @@ void Patch::Sample(const ViewSet& views,
       (2 * float(std::max(surface.radius, 1)) * surface.spacing);
   const float curvature =
       std::clamp(surface.curvature, -largest_curvature, largest_curvature);
-  steps.fall = surface.normal *
-               (-0.5f * curvature * surface.spacing * surface.spacing);
+  steps.fall =
+      surface.normal * (-0.5f * curvature * surface.spacing * surface.spacing);
   num_samples_ = (2 * surface.radius + 1) * (2 * surface.radius + 1);
   num_views_ = 0;
   for (int i = 0; i < selection.count; ++i) {
@@ -82,7 +82,7 @@ bool Patch::SampleView(const PreparedView& view,
   return float(num_background) <= kMaxBackgroundShare * float(sample);
 }
 
-void Patch::Normalize(float pixel_noise, float hue_weight) {
+void Patch::Normalize(float pixel_noise, float chroma_weight) {
   const float noise = 3 * float(num_samples_) * pixel_noise * pixel_noise;
   for (int i = 0; i < num_views_; ++i) {
     Colors& colors = views_[i];
@@ -93,7 +93,7 @@ void Patch::Normalize(float pixel_noise, float hue_weight) {
     mean /= float(num_samples_);
     Float4 squares = {0, 0, 0, 0};
     for (int s = 0; s < num_samples_; ++s) {
-      colors.samples[s] = WeightHue(colors.samples[s] - mean, hue_weight);
+      colors.samples[s] = WeightChroma(colors.samples[s] - mean, chroma_weight);
       squares += colors.samples[s] * colors.samples[s];
     }
     const float contrast = SumChannels(squares);

@@ -40,11 +40,11 @@ class Patch {
               const Visibility::Selection& selection,
               const PatchSurface& surface);
 
-  // Per view: subtracts the mean colour, weights hue (see WeightHue), and
+  // Per view: subtracts the mean colour, weights chroma (see WeightChroma), and
   // divides by the norm over samples and channels, regularised by the noise
   // (grey levels), so the squared norm that is left is the view's reliability
   // in 0 .. 1.
-  void Normalize(float pixel_noise, float hue_weight);
+  void Normalize(float pixel_noise, float chroma_weight);
 
   int NumViews() const { return num_views_; }
   int NumSamples() const { return num_samples_; }

@@ -56,7 +56,7 @@ WeightedVariance VarianceOverViews(const Patch& patch) {
 // same for any number of views. What the noise takes of the contrast pulls
 // towards the neutral value.
 float NormalizedVariance(Patch* patch, const ConsistencyOptions& options) {
-  patch->Normalize(float(options.pixel_noise), float(options.hue_weight));
+  patch->Normalize(float(options.pixel_noise), float(options.chroma_weight));
   const WeightedVariance v = VarianceOverViews(*patch);
   const float unbiased =
       v.variance * v.effective_views / std::max(v.effective_views - 1, 0.5f);
@@ -64,7 +64,7 @@ float NormalizedVariance(Patch* patch, const ConsistencyOptions& options) {
 }
 
 float PairwiseCorrelation(Patch* patch, const ConsistencyOptions& options) {
-  patch->Normalize(float(options.pixel_noise), float(options.hue_weight));
+  patch->Normalize(float(options.pixel_noise), float(options.chroma_weight));
   float sum = 0;
   float weights = 0;
   for (int j = 0; j < patch->NumViews(); ++j) {
@@ -148,9 +148,9 @@ void ConsistencyOptions::Check() const {
               "pixel_noise",
               pixel_noise,
               "must be positive and at most 64");
-  CheckOption(hue_weight >= 0 && hue_weight <= 8,
-              "hue_weight",
-              hue_weight,
+  CheckOption(chroma_weight >= 0 && chroma_weight <= 8,
+              "chroma_weight",
+              chroma_weight,
               "must be in 0 .. 8");
 }
 

@@ -36,9 +36,9 @@ struct ConsistencyOptions {
   // Standard deviation of pixel noise, in grey levels of 255: contrast below
   // it counts as plain. Not varied alone.
   double pixel_noise = 3;
-  // Of differences of hue against those of grey, to which gloss adds;
+  // Of differences of chroma against those of grey, to which gloss adds;
   // 0 .. 8.
-  double hue_weight = 2;
+  double chroma_weight = 2;
   void Check() const;
 };
 

@@ -21,23 +21,23 @@ void TieInterfaces(const LabelHierarchy& hierarchy,
   const int level = voxels.Level();
   const VoxelWalk walk(voxels, context);
   crust->ties.assign(voxels.Size(), 0);
-  const auto tie_face = [&](const VoxelPlace& place, int face) {
-    if (walk.Neighbor(place, face) != VoxelGrid::kNone) {
+  const auto tie_face = [&](const VoxelSlot& slot, int face) {
+    if (walk.Neighbor(slot, face) != VoxelGrid::kNone) {
       return;
     }
     const MortonCode code =
-        VoxelGrid::CodeOf(voxels.Bricks()[place.brick], int(place.bit));
+        VoxelGrid::CodeOf(voxels.Bricks()[slot.brick], int(slot.bit));
     const Eigen::Vector3i across = NeighborVoxel(DecodeMorton(code), face);
     const bool inside = (across.array() >= 0).all() &&
                         (across.array() < voxels.Resolution()).all() &&
                         hierarchy.InsideFraction(across, level) > 0.5f;
-    crust->ties[place.index] |= inside ? InsideTie(face) : OutsideTie(face);
+    crust->ties[slot.index] |= inside ? InsideTie(face) : OutsideTie(face);
   };
   ParallelFor(
       context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
-        walk.ForEach(begin, end, [&](const VoxelPlace& place) {
+        walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
           for (int face = 0; face < kNumFaces; ++face) {
-            tie_face(place, face);
+            tie_face(slot, face);
           }
         });
       });
@@ -111,16 +111,16 @@ std::vector<uint8_t> CutAtBorder(const Crust& crust,
   *num_voxels = size_t(ParallelSum(
       context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
         int64_t sum = 0;
-        walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-          if (!IsCut(labels[place.index])) {
+        walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
+          if (!IsCut(labels[slot.index])) {
             return;
           }
           for (int face = 0; face < kNumFaces; ++face) {
-            if (walk.Neighbor(place, face) == VoxelGrid::kNone) {
-              at_border[place.index] = 1;
+            if (walk.Neighbor(slot, face) == VoxelGrid::kNone) {
+              at_border[slot.index] = 1;
             }
           }
-          sum += at_border[place.index];
+          sum += at_border[slot.index];
         });
         return sum;
       }));

@@ -7,7 +7,7 @@
 
 #include "core/base/context.h"
 #include "core/crust/label_hierarchy.h"
-#include "core/cut/octahedral_cut.h"
+#include "core/grid/face.h"
 #include "core/grid/voxel_grid.h"
 
 namespace octacut {
@@ -35,9 +35,9 @@ Crust InitialCrust(const VoxelGrid& hull, const Context& context);
 
 // The crust of the level after hierarchy.Finest(): the children of its cut
 // voxels, dilated. Voxels outside the crust are inside or outside by the
-// coarser cuts. Where a limb (or a gap) is so thin that the crust spans it,
-// its medial voxels are tied, so that a minimal cut can neither amputate the
-// limb nor fill the gap.
+// coarser cuts. Where a structure (or a gap) is so thin that the crust spans
+// it, its medial voxels are tied, so that a minimal cut can neither amputate
+// the structure nor fill the gap.
 Crust RefineCrust(const LabelHierarchy& hierarchy,
                   const CrustOptions& options,
                   const Context& context);

@@ -16,9 +16,9 @@ constexpr FaceTies kAllInside = 0x3f << 6;
 
 // Whether any of a voxel's neighbours is one that `fits`.
 template <typename Fits>
-bool AnyNeighbor(const VoxelWalk& walk, const VoxelPlace& place, Fits&& fits) {
+bool AnyNeighbor(const VoxelWalk& walk, const VoxelSlot& slot, Fits&& fits) {
   for (int face = 0; face < kNumFaces; ++face) {
-    const VoxelGrid::Index n = walk.Neighbor(place, face);
+    const VoxelGrid::Index n = walk.Neighbor(slot, face);
     if (n != VoxelGrid::kNone && fits(n)) {
       return true;
     }
@@ -45,14 +45,14 @@ std::vector<int8_t> SignedDepth(const VoxelWalk& walk,
                    walk.NumBricks(),
                    kBrickGrain,
                    [&](size_t chunk, size_t begin, size_t end) {
-                     walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-                       const int own = sign(place.index);
-                       if (depth[place.index] == 0 &&
-                           AnyNeighbor(walk, place, [&](VoxelGrid::Index n) {
+                     walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
+                       const int own = sign(slot.index);
+                       if (depth[slot.index] == 0 &&
+                           AnyNeighbor(walk, slot, [&](VoxelGrid::Index n) {
                              return step == 1 ? sign(n) != own
                                               : sign(n) == own && depth[n] != 0;
                            })) {
-                         next[place.index] = int8_t(step * own);
+                         next[slot.index] = int8_t(step * own);
                          changed[chunk] = 1;
                        }
                      });
@@ -73,13 +73,13 @@ void Spread(const VoxelWalk& walk,
   const std::vector<uint8_t> before = *flags;
   ParallelFor(
       context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
-        walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-          const bool inside = depth[place.index] > 0;
-          if (!before[place.index] &&
-              AnyNeighbor(walk, place, [&](VoxelGrid::Index n) {
+        walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
+          const bool inside = depth[slot.index] > 0;
+          if (!before[slot.index] &&
+              AnyNeighbor(walk, slot, [&](VoxelGrid::Index n) {
                 return before[n] && (depth[n] > 0) == inside;
               })) {
-            (*flags)[place.index] = 1;
+            (*flags)[slot.index] = 1;
           }
         });
       });
@@ -107,14 +107,14 @@ std::vector<int8_t> FindMedial(const VoxelWalk& walk,
                                const std::vector<int8_t>& depth,
                                const std::vector<uint8_t>& near) {
   std::vector<int8_t> medial(depth.size(), 0);
-  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
-    const int8_t own = depth[place.index];
-    if (std::abs(own) >= 2 && !near[place.index] &&
-        !AnyNeighbor(walk, place, [&](VoxelGrid::Index n) {
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelSlot& slot) {
+    const int8_t own = depth[slot.index];
+    if (std::abs(own) >= 2 && !near[slot.index] &&
+        !AnyNeighbor(walk, slot, [&](VoxelGrid::Index n) {
           return (depth[n] > 0) == (own > 0) &&
                  std::abs(depth[n]) > std::abs(own);
         })) {
-      medial[place.index] = own > 0 ? 1 : -1;
+      medial[slot.index] = own > 0 ? 1 : -1;
     }
   });
   return medial;
@@ -131,15 +131,15 @@ size_t TieMedialVoxels(const VoxelGrid& voxels,
   const std::vector<int8_t> medial =
       FindMedial(walk, depth, NearOwnInterface(walk, depth, *ties, context));
   size_t count = 0;
-  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
-    const int8_t own = medial[place.index];
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelSlot& slot) {
+    const int8_t own = medial[slot.index];
     // A face shared with a voxel that is tied the other way stays free.
     const FaceTies other = own > 0 ? kAllOutside : kAllInside;
-    if (own != 0 && ((*ties)[place.index] & other) == 0 &&
-        !AnyNeighbor(walk, place, [&](VoxelGrid::Index n) {
+    if (own != 0 && ((*ties)[slot.index] & other) == 0 &&
+        !AnyNeighbor(walk, slot, [&](VoxelGrid::Index n) {
           return medial[n] == -own;
         })) {
-      (*ties)[place.index] |= own > 0 ? kAllInside : kAllOutside;
+      (*ties)[slot.index] |= own > 0 ? kAllInside : kAllOutside;
       ++count;
     }
   });

@@ -1,12 +1,12 @@
-// Seeds for limbs and gaps that are too thin to have an interior (exterior)
-// outside the crust.
+// Seeds for structures and gaps that are too thin to have an interior
+// (exterior) outside the crust.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/cut/octahedral_cut.h"
+#include "core/grid/face.h"
 #include "core/grid/voxel_grid.h"
 
 namespace octacut {

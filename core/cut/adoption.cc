@@ -12,7 +12,7 @@ template <typename Flow>
 void SearchForest<Flow>::MakeOrphan(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   word = WithParent(word, kOrphan);
-  orphans_.Add(Label(word), node.axis, IdOf(node.place), pool_);
+  orphans_.Add(Label(word), node.axis, IdOf(node.slot), pool_);
 }
 
 template <typename Flow>
@@ -86,7 +86,7 @@ void SearchForest<Flow>::Lift(const AxisNode<kAxis>& node,
   if (least < RankOf(depth_)) {
     const int32_t label = LabelOfRank(least) + 1;
     word = MakeWord(label, word & kFlagMask);
-    orphans_.Add(label, kAxis, IdOf(node.place), pool_);
+    orphans_.Add(label, kAxis, IdOf(node.slot), pool_);
   } else if (word & kExcess) {
     word = kSourceNode;
     ++num_sources_;

@@ -17,15 +17,15 @@ namespace octacut {
 
 class ChunkPool {
  public:
-  // Its items end at its own alignment, so that the place for the next item
+  // Its items end at its own alignment, so that the slot for the next item
   // tells by itself whether there is one.
   struct alignas(256) Chunk {
     Chunk* next;
     uint32_t size;  // known once no item is added any more
     uint32_t items[61];
 
-    static bool IsEnd(const uint32_t* place) {
-      return (reinterpret_cast<uintptr_t>(place) & (sizeof(Chunk) - 1)) == 0;
+    static bool IsEnd(const uint32_t* slot) {
+      return (reinterpret_cast<uintptr_t>(slot) & (sizeof(Chunk) - 1)) == 0;
     }
   };
   static_assert(sizeof(Chunk) == 256);

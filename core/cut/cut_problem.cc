@@ -71,14 +71,14 @@ void CheckAll(size_t count,
 
 // Names the first face that is tied both ways, or on the border and not tied.
 [[noreturn]] void ThrowTies(const VoxelGrid& grid,
-                            const VoxelPlace& place,
+                            const VoxelSlot& slot,
                             int both_ways,
                             int untied) {
   const int face = std::countr_zero(unsigned(both_ways ? both_ways : untied));
   throw InputError(fmt::format(
       "cut problem: face {} of voxel {} is {}",
       kFaceNames[face],
-      VoxelName(VoxelGrid::CodeOf(grid.Bricks()[place.brick], int(place.bit))),
+      VoxelName(VoxelGrid::CodeOf(grid.Bricks()[slot.brick], int(slot.bit))),
       both_ways ? "tied both outside and inside"
                 : "on the border of the crust and not tied"));
 }
@@ -135,8 +135,8 @@ std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
       kCutBrickGrain,
       [&](size_t begin, size_t end) {
         walk.ForEachWithNeighbors(
-            begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
-              const uint32_t i = place.index;
+            begin, end, [&](const VoxelSlot& slot, const auto& neighbors) {
+              const uint32_t i = slot.index;
               int ties = problem.ties[i] & 0xfff;
               int border = 0;
               for (int face = 0; face < kNumFaces; ++face) {
@@ -150,7 +150,7 @@ std::vector<FaceTies> MergeFaceTies(const OctahedralCutProblem& problem,
               const int both_ways = ties & (ties >> kNumFaces) & kAllFaces;
               const int untied = border & ~(ties | (ties >> kNumFaces));
               if (both_ways | untied) {
-                ThrowTies(grid, place, both_ways, untied);
+                ThrowTies(grid, slot, both_ways, untied);
               }
               merged[i] = FaceTies(ties);
             });
@@ -186,8 +186,8 @@ int64_t LabellingCost(const OctahedralCutProblem& problem,
       [&](size_t begin, size_t end) {
         int64_t cost = 0;
         walk.ForEachWithNeighbors(
-            begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
-              const uint32_t i = place.index;
+            begin, end, [&](const VoxelSlot& slot, const auto& neighbors) {
+              const uint32_t i = slot.index;
               const int outside_ties = merged_ties[i] & kAllFaces;
               const int inside_ties = merged_ties[i] >> kNumFaces;
               if ((labels[i] & outside_ties) || (~labels[i] & inside_ties)) {

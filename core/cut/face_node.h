@@ -11,26 +11,24 @@
 
 namespace octacut {
 
-// The node on the low face of axis `axis` of the voxel at `place`.
+// The node on the low face of axis `axis` of the voxel at `slot`.
 struct FaceNode {
-  VoxelPlace place;
+  VoxelSlot slot;
   uint32_t axis;
 };
 
 // The same with its axis known when compiled, and the voxel below the face.
 template <int kAxis>
 struct AxisNode {
-  VoxelPlace place;
-  VoxelPlace low;
+  VoxelSlot slot;
+  VoxelSlot low;
 };
 
 // A voxel of a list of nodes of one axis, in 32 bits: brick (26 bits),
 // position in it (6).
 using NodeId = uint32_t;
 inline constexpr size_t kMaxCutBricks = size_t{1} << 26;
-inline NodeId IdOf(const VoxelPlace& place) {
-  return place.brick << 6 | place.bit;
-}
+inline NodeId IdOf(const VoxelSlot& slot) { return slot.brick << 6 | slot.bit; }
 
 // The words of a node of no forest, and of a face that is no node; those of
 // nodes on the source side are < 0: source nodes, and in the end what these

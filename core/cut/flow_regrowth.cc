@@ -42,12 +42,12 @@ std::vector<NodeId> FlowState<Flow>::GrowTo(
                  walk.NumBricks(),
                  kCutBrickGrain,
                  [&](size_t chunk, size_t begin, size_t end) {
-                   walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-                     const FaceTies ties = merged_ties[place.index];
-                     if (Revise(problem, place, ties)) {
-                       changed[chunk].push_back(IdOf(place));
+                   walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
+                     const FaceTies ties = merged_ties[slot.index];
+                     if (Revise(problem, slot, ties)) {
+                       changed[chunk].push_back(IdOf(slot));
                      }
-                     tallies[chunk].Add(TallyVoxel(problem, place, ties));
+                     tallies[chunk].Add(TallyVoxel(problem, slot, ties));
                    });
                  });
   TakeTallies(tallies);
@@ -97,9 +97,9 @@ void FlowState<Flow>::Spread(const VoxelGrid& grid,
 
 template <typename Flow>
 bool FlowState<Flow>::Revise(const OctahedralCutProblem& problem,
-                             const VoxelPlace& place,
+                             const VoxelSlot& slot,
                              FaceTies ties) {
-  const uint32_t voxel = place.index;
+  const uint32_t voxel = slot.index;
   SearchRecord& search = search_[voxel];
   FlowRecord<Flow>& record = flows_[voxel];
   const Flow weight = Flow(scale_.Weight(problem.weights[voxel]));

@@ -31,15 +31,15 @@ FlowState<Flow>::FlowState(const OctahedralCutProblem& problem,
   std::vector<Tally> tallies(region_ends.size());
   ParallelFor(context, region_ends.size(), 1, [&](size_t region, size_t) {
     const size_t begin = region == 0 ? 0 : region_ends[region - 1];
-    walk.ForEach(begin, region_ends[region], [&](const VoxelPlace& place) {
-      const uint32_t i = place.index;
+    walk.ForEach(begin, region_ends[region], [&](const VoxelSlot& slot) {
+      const uint32_t i = slot.index;
       const FaceTies ties = merged_ties[i];
-      InitVoxel(problem, place, ties, region_ends[region]);
+      InitVoxel(problem, slot, ties, region_ends[region]);
       for (uint32_t axis = 0; axis < 3; ++axis) {
         const bool is_node = ((ties >> (2 * axis)) & 0x41) == 0;
         search_[i].word[axis] = is_node ? kFreeNode : kNoNode;
       }
-      tallies[region].Add(TallyVoxel(problem, place, ties));
+      tallies[region].Add(TallyVoxel(problem, slot, ties));
     });
   });
   TakeTallies(tallies);
@@ -48,18 +48,18 @@ FlowState<Flow>::FlowState(const OctahedralCutProblem& problem,
 
 template <typename Flow>
 auto FlowState<Flow>::TallyVoxel(const OctahedralCutProblem& problem,
-                                 const VoxelPlace& place,
+                                 const VoxelSlot& slot,
                                  FaceTies ties) const -> Tally {
   Tally tally;
-  tally.capacity = int64_t{NumSinkEdges(ties)} * flows_[place.index].weight;
+  tally.capacity = int64_t{NumSinkEdges(ties)} * flows_[slot.index].weight;
   for (uint32_t axis = 0; axis < 3; ++axis) {
     if ((ties >> (2 * axis)) & 0x41) {
       continue;
     }
     ++tally.num_nodes;
     if (!evidence_.empty()) {
-      const float low = problem.evidence[Low({place, axis}).index];
-      const float high = problem.evidence[place.index];
+      const float low = problem.evidence[Low({slot, axis}).index];
+      const float high = problem.evidence[slot.index];
       tally.capacity += std::max<int64_t>(
           0, int64_t{scale_.FaceEvidence(low)} + scale_.FaceEvidence(high));
     }
@@ -79,10 +79,10 @@ void FlowState<Flow>::TakeTallies(std::span<const Tally> tallies) {
 
 template <typename Flow>
 void FlowState<Flow>::InitVoxel(const OctahedralCutProblem& problem,
-                                const VoxelPlace& place,
+                                const VoxelSlot& slot,
                                 FaceTies ties,
                                 uint32_t region_end) {
-  const uint32_t voxel = place.index;
+  const uint32_t voxel = slot.index;
   const int32_t weight = scale_.Weight(problem.weights[voxel]);
   FlowRecord<Flow>& record = flows_[voxel];
   record = {Flow(weight), {}};
@@ -95,7 +95,7 @@ void FlowState<Flow>::InitVoxel(const OctahedralCutProblem& problem,
   uint32_t blocked = tied;
   for (int face = 1; face < kNumFaces; face += 2) {
     // A brick beside a high face comes later in Morton order.
-    const bool foreign = walk_->StepBrick(place, face) >= region_end;
+    const bool foreign = walk_->StepBrick(slot, face) >= region_end;
     blocked |= uint32_t{foreign} << face;
   }
   search_[voxel].residual = kFreeArcs[blocked] | blocked << kNumOctahedronArcs;
@@ -105,13 +105,13 @@ void FlowState<Flow>::InitVoxel(const OctahedralCutProblem& problem,
 }
 
 template <typename Flow>
-uint32_t FlowState<Flow>::OpenArcs(const VoxelPlace& place, uint32_t end) {
-  const uint32_t residual = Residual(place.index);
+uint32_t FlowState<Flow>::OpenArcs(const VoxelSlot& slot, uint32_t end) {
+  const uint32_t residual = Residual(slot.index);
   const uint32_t before = residual >> kNumOctahedronArcs;
   uint32_t blocked = before;
   for (int face = 1; face < kNumFaces; face += 2) {
     if ((blocked >> face) & 1) {
-      const uint32_t owner = walk_->Neighbor(place, face);
+      const uint32_t owner = walk_->Neighbor(slot, face);
       if (owner != VoxelGrid::kNone && owner < walk_->FirstVoxelOrEnd(end) &&
           search_[owner].word[face / 2] != kNoNode) {
         blocked &= ~(1u << face);
@@ -124,12 +124,12 @@ uint32_t FlowState<Flow>::OpenArcs(const VoxelPlace& place, uint32_t end) {
   uint32_t opened = kFreeArcs[blocked] & ~kFreeArcs[before];
   for (uint32_t rest = opened; rest != 0; rest &= rest - 1) {
     const uint32_t arc = uint32_t(std::countr_zero(rest));
-    if (Capacity(place.index, arc) == 0) {
+    if (Capacity(slot.index, arc) == 0) {
       opened &= ~(1u << arc);
     }
   }
   constexpr uint32_t kArcs = (1u << kNumOctahedronArcs) - 1;
-  SetResidual(place.index,
+  SetResidual(slot.index,
               (residual & kArcs) | blocked << kNumOctahedronArcs | opened);
   return opened;
 }
@@ -142,11 +142,11 @@ int64_t FlowState<Flow>::FlowValue(const Context& context) const {
       kCutBrickGrain,
       [&](size_t begin, size_t end) {
         int64_t sum = 0;
-        walk_->ForEach(begin, end, [&](const VoxelPlace& place) {
+        walk_->ForEach(begin, end, [&](const VoxelSlot& slot) {
           for (uint32_t axis = 0; axis < 3; ++axis) {
             // Free nodes and those that are none have none.
-            if (search_[place.index].word[axis] > kNoNode) {
-              sum += std::min<int64_t>(0, Imbalance(FaceNode{place, axis}));
+            if (search_[slot.index].word[axis] > kNoNode) {
+              sum += std::min<int64_t>(0, Imbalance(FaceNode{slot, axis}));
             }
           }
         });

@@ -75,18 +75,18 @@ class FlowState {
     return NodeAt<kAxis>(walk_->At(id >> 6, id & 63));
   }
   template <int kAxis>
-  AxisNode<kAxis> NodeAt(const VoxelPlace& place) const {
-    return {place, walk_->Step(place, 2 * kAxis)};
+  AxisNode<kAxis> NodeAt(const VoxelSlot& slot) const {
+    return {slot, walk_->Step(slot, 2 * kAxis)};
   }
   // The voxel on the low side of a node.
-  VoxelPlace Low(const FaceNode& node) const {
-    return walk_->Step(node.place, int(2 * node.axis));
+  VoxelSlot Low(const FaceNode& node) const {
+    return walk_->Step(node.slot, int(2 * node.axis));
   }
   // The node at the other end of an arc.
   template <int kAxis>
   FaceNode Across(const AxisNode<kAxis>& node, int code) const {
     const NodeArc& arc = kNodeArcs[kAxis][code];
-    return {walk_->Step(arc.side ? node.low : node.place, arc.step), arc.axis};
+    return {walk_->Step(arc.side ? node.low : node.slot, arc.step), arc.axis};
   }
   // Words at the other ends of `arcs`, bit c for code c, all of them inside
   // the region; the others mean nothing.
@@ -94,11 +94,11 @@ class FlowState {
   WordsAround Around(const AxisNode<kAxis>& node, uint32_t arcs) const;
 
   int32_t& Word(const FaceNode& node) {
-    return search_[node.place.index].word[node.axis];
+    return search_[node.slot.index].word[node.axis];
   }
   template <int kAxis>
   int32_t& Word(const AxisNode<kAxis>& node) {
-    return search_[node.place.index].word[kAxis];
+    return search_[node.slot.index].word[kAxis];
   }
   // Another region may change arcs of its own in a mask that both look at.
   uint32_t Residual(uint32_t voxel) const {
@@ -115,7 +115,7 @@ class FlowState {
   };
   template <int kAxis>
   ResidualArcs ResidualOf(const AxisNode<kAxis>& node) const {
-    const uint32_t own = Residual(node.place.index);
+    const uint32_t own = Residual(node.slot.index);
     const uint32_t low = Residual(node.low.index);
     return {ArcsOut(own, 2 * kAxis) | ArcsOut(low, 2 * kAxis + 1) << 4,
             ArcsIn(own, 2 * kAxis) | ArcsIn(low, 2 * kAxis + 1) << 4};
@@ -145,10 +145,10 @@ class FlowState {
   // Shows the arcs of a voxel whose high faces have their nodes in bricks
   // below `end`; returns those that have a residual and did not show before,
   // bit a for arc a.
-  uint32_t OpenArcs(const VoxelPlace& place, uint32_t end);
+  uint32_t OpenArcs(const VoxelSlot& slot, uint32_t end);
   // The node of a voxel's face, which must exist.
-  FaceNode NodeOf(const VoxelPlace& place, int face) const {
-    return {walk_->Step(place, (face & 1) ? face : kNumFaces),
+  FaceNode NodeOf(const VoxelSlot& slot, int face) const {
+    return {walk_->Step(slot, (face & 1) ? face : kNumFaces),
             uint32_t(face / 2)};
   }
 
@@ -158,11 +158,11 @@ class FlowState {
   int64_t Imbalance(const FaceNode& node) const {
     switch (node.axis) {
       case 0:
-        return Imbalance(NodeAt<0>(node.place));
+        return Imbalance(NodeAt<0>(node.slot));
       case 1:
-        return Imbalance(NodeAt<1>(node.place));
+        return Imbalance(NodeAt<1>(node.slot));
       default:
-        return Imbalance(NodeAt<2>(node.place));
+        return Imbalance(NodeAt<2>(node.slot));
     }
   }
 
@@ -170,20 +170,20 @@ class FlowState {
   // tied face nor evidence. May say no where it is so.
   bool StartsBalanced(const FaceNode& node) const {
     return evidence_.empty() &&
-           ((Residual(node.place.index) | Residual(Low(node).index)) >>
+           ((Residual(node.slot.index) | Residual(Low(node).index)) >>
             kNumOctahedronArcs) == 0;
   }
 
   template <int kAxis>
   void PrefetchSearch(NodeId id) const {
     const AxisNode node = Node<kAxis>(id);
-    __builtin_prefetch(&search_[node.place.index], 1);
+    __builtin_prefetch(&search_[node.slot.index], 1);
     __builtin_prefetch(&search_[node.low.index], 1);
   }
   template <int kAxis>
   void PrefetchFlows(NodeId id) const {
     const AxisNode node = Node<kAxis>(id);
-    for (const uint32_t voxel : {node.place.index, node.low.index}) {
+    for (const uint32_t voxel : {node.slot.index, node.low.index}) {
       __builtin_prefetch(&search_[voxel], 1);
       __builtin_prefetch(&flows_[voxel], 1);
       __builtin_prefetch(&flows_[voxel].flow[11], 1);
@@ -204,7 +204,7 @@ class FlowState {
 
  private:
   void InitVoxel(const OctahedralCutProblem& problem,
-                 const VoxelPlace& place,
+                 const VoxelSlot& slot,
                  FaceTies ties,
                  uint32_t region_end);
   // straight_paths.cc
@@ -213,7 +213,7 @@ class FlowState {
                       const Context& context);
   template <int kFrom>
   void PushAlongLine(std::span<const FaceTies> merged_ties,
-                     const VoxelPlace& first);
+                     const VoxelSlot& first);
   template <int kFrom>
   int64_t MeasureWays(FaceTies ties, Line& line, uint32_t k) const;
   template <int kFrom>
@@ -228,15 +228,15 @@ class FlowState {
     }
   };
   Tally TallyVoxel(const OctahedralCutProblem& problem,
-                   const VoxelPlace& place,
+                   const VoxelSlot& slot,
                    FaceTies ties) const;
   void TakeTallies(std::span<const Tally> tallies);
-  // Moves every voxel's records to its place in the problem's grid.
+  // Moves every voxel's records to its slot in the problem's grid.
   void Spread(const VoxelGrid& grid, std::span<const VoxelGrid::Brick> before);
   // Brings a voxel's records in line with the problem; returns whether that
   // changed any.
   bool Revise(const OctahedralCutProblem& problem,
-              const VoxelPlace& place,
+              const VoxelSlot& slot,
               FaceTies ties);
   void SetResidual(uint32_t voxel, uint32_t residual) {
     std::atomic_ref(search_[voxel].residual)
@@ -255,10 +255,10 @@ class FlowState {
 template <typename Flow>
 template <int kAxis>
 inline int64_t FlowState<Flow>::Imbalance(const AxisNode<kAxis>& node) const {
-  int64_t inflow = -flows_[node.place.index].template Outflow<2 * kAxis>() -
+  int64_t inflow = -flows_[node.slot.index].template Outflow<2 * kAxis>() -
                    flows_[node.low.index].template Outflow<2 * kAxis + 1>();
   if (!evidence_.empty()) {
-    inflow -= int64_t{evidence_[node.place.index]} + evidence_[node.low.index];
+    inflow -= int64_t{evidence_[node.slot.index]} + evidence_[node.low.index];
   }
   return inflow;
 }
@@ -270,17 +270,16 @@ inline WordsAround FlowState<Flow>::Around(const AxisNode<kAxis>& node,
   constexpr int kNext = 2 * ((kAxis + 1) % 3) + 1;
   constexpr int kLast = 2 * ((kAxis + 2) % 3) + 1;
   // Elsewhere there may be no voxel, or one that another thread works on.
-  const auto reach = [&](uint32_t codes, const VoxelPlace& from, int face) {
+  const auto reach = [&](uint32_t codes, const VoxelSlot& from, int face) {
     const uint32_t index = walk_->Step(from, face).index;
-    return (arcs & codes) ? index : node.place.index;
+    return (arcs & codes) ? index : node.slot.index;
   };
-  const uint32_t holders[6] = {
-      node.place.index,
-      (arcs & 0x50) ? node.low.index : node.place.index,
-      reach(0x02, node.place, kNext),
-      reach(0x08, node.place, kLast),
-      reach(0x20, node.low, kNext),
-      reach(0x80, node.low, kLast)};
+  const uint32_t holders[6] = {node.slot.index,
+                               (arcs & 0x50) ? node.low.index : node.slot.index,
+                               reach(0x02, node.slot, kNext),
+                               reach(0x08, node.slot, kLast),
+                               reach(0x20, node.low, kNext),
+                               reach(0x80, node.low, kLast)};
   const auto word = [&](int code) {
     return search_[holders[kNodeArcHolder[code]]]
         .word[kNodeArcs[kAxis][code].axis];

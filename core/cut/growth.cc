@@ -18,9 +18,9 @@ SearchForest<Flow>::SearchForest(FlowState<Flow>& state,
 
 template <typename Flow>
 void SearchForest<Flow>::PlantRoots() {
-  state_.Walk().ForEach(begin_, end_, [&](const VoxelPlace& place) {
+  state_.Walk().ForEach(begin_, end_, [&](const VoxelSlot& slot) {
     for (uint32_t axis = 0; axis < 3; ++axis) {
-      const FaceNode node{place, axis};
+      const FaceNode node{slot, axis};
       int32_t& word = state_.Word(node);
       if (word == kNoNode || state_.StartsBalanced(node)) {
         continue;
@@ -86,7 +86,7 @@ void SearchForest<Flow>::ScanNode(const AxisNode<kAxis>& node, int32_t label) {
     if (!IsSourceNode(words[code]) || TakeExcess(other, node, code)) {
       state_.Word(other) =
           MakeWord(label + 1, kNodeArcs[kAxis][code].back | kActive);
-      active_.Add(label + 1, other.axis, IdOf(other.place), pool_);
+      active_.Add(label + 1, other.axis, IdOf(other.slot), pool_);
     }
   }
 }
@@ -115,7 +115,7 @@ void SearchForest<Flow>::Activate(const FaceNode& node) {
   int32_t& word = state_.Word(node);
   if ((word & kActive) == 0) {
     word |= kActive;
-    active_.Add(Label(word), node.axis, IdOf(node.place), pool_);
+    active_.Add(Label(word), node.axis, IdOf(node.slot), pool_);
   }
 }
 
@@ -127,9 +127,9 @@ void SearchForest<Flow>::Absorb(SearchForest& next) {
   num_sources_ += next.num_sources_;
   active_.Append(std::move(next.active_));
   pool_.Absorb(next.pool_);
-  const auto wake_head = [this](const VoxelPlace& place, uint32_t arc) {
-    const FaceNode from = state_.NodeOf(place, int(arc / 4));
-    const FaceNode to = state_.NodeOf(place, kOctahedron.head[arc]);
+  const auto wake_head = [this](const VoxelSlot& slot, uint32_t arc) {
+    const FaceNode from = state_.NodeOf(slot, int(arc / 4));
+    const FaceNode to = state_.NodeOf(slot, kOctahedron.head[arc]);
     if (Label(state_.Word(to)) > 0 && Label(state_.Word(from)) <= 0) {
       Activate(to);
     }
@@ -141,10 +141,10 @@ void SearchForest<Flow>::Absorb(SearchForest& next) {
       return beside >= middle && beside < end_;
     };
     if (crosses(1) || crosses(3) || crosses(5)) {
-      state_.Walk().ForEach(brick, brick + 1, [&](const VoxelPlace& place) {
-        for (uint32_t arcs = state_.OpenArcs(place, end_); arcs != 0;
+      state_.Walk().ForEach(brick, brick + 1, [&](const VoxelSlot& slot) {
+        for (uint32_t arcs = state_.OpenArcs(slot, end_); arcs != 0;
              arcs &= arcs - 1) {
-          wake_head(place, uint32_t(std::countr_zero(arcs)));
+          wake_head(slot, uint32_t(std::countr_zero(arcs)));
         }
       });
     }

@@ -18,7 +18,7 @@ namespace {
 // Labels of a voxel: its ties, and the sides its nodes are on.
 template <typename Flow>
 FaceLabels LabelsOf(const FlowState<Flow>& state,
-                    const VoxelPlace& place,
+                    const VoxelSlot& slot,
                     FaceTies ties) {
   const auto records = state.SearchRecords();
   int labels = ties >> kNumFaces;
@@ -28,7 +28,7 @@ FaceLabels LabelsOf(const FlowState<Flow>& state,
       continue;
     }
     const uint32_t owner =
-        state.Walk().Step(place, (face & 1) ? face : kNumFaces).index;
+        state.Walk().Step(slot, (face & 1) ? face : kNumFaces).index;
     const bool is_source = IsSourceNode(records[owner].word[face / 2]);
     labels |= int(!is_source) << face;
   }
@@ -46,9 +46,9 @@ std::vector<FaceLabels> EmitLabels(const FlowState<Flow>& state,
       state.Walk().NumBricks(),
       kCutBrickGrain,
       [&](size_t begin, size_t end) {
-        state.Walk().ForEach(begin, end, [&](const VoxelPlace& place) {
-          const uint32_t i = place.index;
-          labels[i] = LabelsOf(state, place, merged_ties[i]);
+        state.Walk().ForEach(begin, end, [&](const VoxelSlot& slot) {
+          const uint32_t i = slot.index;
+          labels[i] = LabelsOf(state, slot, merged_ties[i]);
           if (state.Residual(i) & kLeavingArcs[labels[i]]) {
             throw InvariantError("cut: a residual arc leaves the source side");
           }

@@ -19,15 +19,6 @@
 
 namespace octacut {
 
-// Ties of a voxel's faces. Bit f: face f is outside (tied to the source);
-// bit 6 + f: face f is inside (tied to the sink). A face between two crust
-// voxels is tied when either voxel says so; both kinds at once are an error.
-using FaceTies = uint16_t;
-inline constexpr FaceTies OutsideTie(int face) { return FaceTies(1u << face); }
-inline constexpr FaceTies InsideTie(int face) {
-  return FaceTies(1u << (6 + face));
-}
-
 struct OctahedralCutProblem {
   const VoxelGrid* crust = nullptr;
   // psi(phi(v)) + a of every voxel; > 0 and at most 1023. The solver works

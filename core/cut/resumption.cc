@@ -22,20 +22,20 @@ SearchForest<Flow>::SearchForest(FlowState<Flow>& state,
       end_(uint32_t(state.Walk().NumBricks())) {
   RecoverForest();
   for (const NodeId voxel : changed) {
-    const VoxelPlace place = state_.Walk().At(voxel >> 6, voxel & 63);
+    const VoxelSlot slot = state_.Walk().At(voxel >> 6, voxel & 63);
     for (int face = 0; face < kNumFaces; ++face) {
-      if (((state_.Residual(place.index) >> (kNumOctahedronArcs + face)) & 1) ==
+      if (((state_.Residual(slot.index) >> (kNumOctahedronArcs + face)) & 1) ==
           0) {
-        const FaceNode node = state_.NodeOf(place, face);
+        const FaceNode node = state_.NodeOf(slot, face);
         switch (node.axis) {
           case 0:
-            Reconsider(state_.template NodeAt<0>(node.place));
+            Reconsider(state_.template NodeAt<0>(node.slot));
             break;
           case 1:
-            Reconsider(state_.template NodeAt<1>(node.place));
+            Reconsider(state_.template NodeAt<1>(node.slot));
             break;
           default:
-            Reconsider(state_.template NodeAt<2>(node.place));
+            Reconsider(state_.template NodeAt<2>(node.slot));
         }
       }
     }
@@ -61,12 +61,12 @@ void SearchForest<Flow>::RunByNeighborhood() {
         });
   }
   std::sort(waiting.begin(), waiting.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.place.index, a.axis) < std::pair(b.place.index, b.axis);
+    return std::pair(a.slot.index, a.axis) < std::pair(b.slot.index, b.axis);
   });
   for (size_t k = 0; k < waiting.size();) {
-    const uint32_t neighborhood = waiting[k].place.index / kNeighborhoodVoxels;
+    const uint32_t neighborhood = waiting[k].slot.index / kNeighborhoodVoxels;
     for (; k < waiting.size() &&
-           waiting[k].place.index / kNeighborhoodVoxels == neighborhood;
+           waiting[k].slot.index / kNeighborhoodVoxels == neighborhood;
          ++k) {
       // Unless it was scanned meanwhile, it is active but in no list.
       int32_t& word = state_.Word(waiting[k]);
@@ -83,9 +83,9 @@ void SearchForest<Flow>::RunByNeighborhood() {
 // reached from its source nodes is free.
 template <typename Flow>
 void SearchForest<Flow>::RecoverForest() {
-  state_.Walk().ForEach(begin_, end_, [&](const VoxelPlace& place) {
+  state_.Walk().ForEach(begin_, end_, [&](const VoxelSlot& slot) {
     for (uint32_t axis = 0; axis < 3; ++axis) {
-      const FaceNode node{place, axis};
+      const FaceNode node{slot, axis};
       int32_t& word = state_.Word(node);
       if (word == kSourceNode) {
         ++num_sources_;

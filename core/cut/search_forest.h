@@ -109,11 +109,11 @@ class SearchForest {
 
   template <int kAxis>
   static uint32_t VoxelOf(const AxisNode<kAxis>& node, int code) {
-    return code >= 4 ? node.low.index : node.place.index;
+    return code >= 4 ? node.low.index : node.slot.index;
   }
   template <int kAxis>
   static FaceNode Untyped(const AxisNode<kAxis>& node) {
-    return {node.place, uint32_t(kAxis)};
+    return {node.slot, uint32_t(kAxis)};
   }
 
   // growth.cc
@@ -134,8 +134,8 @@ class SearchForest {
     int32_t& word = state_.Word(node);
     if ((word & kDraining) == 0) {
       word |= kDraining;
-      state_.PrefetchFlowsOf(node.place.index);
-      draining_.Add(Label(word), node.axis, IdOf(node.place), pool_);
+      state_.PrefetchFlowsOf(node.slot.index);
+      draining_.Add(Label(word), node.axis, IdOf(node.slot), pool_);
     }
   }
   void Drain();

@@ -24,10 +24,10 @@ class RangeFlood {
 
   void AddSources() {
     const auto records = state_.SearchRecords();
-    const auto add = [&](const VoxelPlace& place) {
+    const auto add = [&](const VoxelSlot& slot) {
       for (uint32_t axis = 0; axis < 3; ++axis) {
-        if (records[place.index].word[axis] == kSourceNode) {
-          Add(axis, IdOf(place));
+        if (records[slot.index].word[axis] == kSourceNode) {
+          Add(axis, IdOf(slot));
         }
       }
     };
@@ -65,8 +65,8 @@ class RangeFlood {
     const auto arcs = [&](uint32_t codes, uint32_t brick) {
       return Holds(brick) ? codes : 0;
     };
-    return 0x05u | arcs(0x02, walk.StepBrick(node.place, kNext)) |
-           arcs(0x08, walk.StepBrick(node.place, kLast)) |
+    return 0x05u | arcs(0x02, walk.StepBrick(node.slot, kNext)) |
+           arcs(0x08, walk.StepBrick(node.slot, kLast)) |
            arcs(0x50, node.low.brick) |
            arcs(0x20, walk.StepBrick(node.low, kNext)) |
            arcs(0x80, walk.StepBrick(node.low, kLast));
@@ -83,7 +83,7 @@ class RangeFlood {
     for (arcs &= words.Equal(kFreeNode); arcs != 0; arcs &= arcs - 1) {
       const FaceNode other = state_.Across(node, std::countr_zero(arcs));
       state_.Word(other) = kReachedNode;
-      Add(other.axis, IdOf(other.place));
+      Add(other.axis, IdOf(other.slot));
     }
   }
 

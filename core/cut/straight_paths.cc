@@ -41,13 +41,13 @@ void FlowState<Flow>::PushAlongLines(std::span<const FaceTies> merged_ties,
                                      const Context& context) {
   // Lines of one axis share no voxel, so their order does not matter.
   const auto push = [&](auto axis) {
-    const auto push_from = [&](const VoxelPlace& place) {
-      const FaceTies ties = merged_ties[place.index];
+    const auto push_from = [&](const VoxelSlot& slot) {
+      const FaceTies ties = merged_ties[slot.index];
       if (ties & OutsideTie(2 * axis())) {
-        PushAlongLine<2 * axis()>(merged_ties, place);
+        PushAlongLine<2 * axis()>(merged_ties, slot);
       }
       if (ties & OutsideTie(2 * axis() + 1)) {
-        PushAlongLine<2 * axis() + 1>(merged_ties, place);
+        PushAlongLine<2 * axis() + 1>(merged_ties, slot);
       }
     };
     ParallelFor(context,
@@ -65,16 +65,16 @@ void FlowState<Flow>::PushAlongLines(std::span<const FaceTies> merged_ties,
 template <typename Flow>
 template <int kFrom>
 void FlowState<Flow>::PushAlongLine(std::span<const FaceTies> merged_ties,
-                                    const VoxelPlace& first) {
+                                    const VoxelSlot& first) {
   constexpr int kTo = OppositeFace(kFrom);
   Line line;
   FaceTies ties = 0;
-  for (VoxelPlace place = first;; place = walk_->Step(place, kTo)) {
+  for (VoxelSlot slot = first;; slot = walk_->Step(slot, kTo)) {
     if (line.size == Line::kMostVoxels) {
       return;
     }
-    ties = merged_ties[place.index];
-    line.voxels[line.size++] = place.index;
+    ties = merged_ties[slot.index];
+    line.voxels[line.size++] = slot.index;
     if (ties & (OutsideTie(kTo) | InsideTie(kTo))) {
       break;
     }

@@ -123,13 +123,13 @@ class CoverSearch {
     found_->is_covering.resize(crust.Size());
   }
 
-  // The believed voxels that at least two views miss.
-  void TakeBelieved(const std::vector<SampleRays>& rays,
-                    const std::vector<std::vector<int>>& samples) {
+  // The likely voxels that at least two views miss.
+  void TakeLikely(const std::vector<SampleRays>& rays,
+                  const std::vector<std::vector<int>>& samples) {
     CountWitnesses(rays, samples);
     std::vector<Eigen::Vector3i> taken;
     crust_.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-      if (candidates_.is_believed[index] && IsWitnessed(index)) {
+      if (candidates_.is_likely[index] && IsWitnessed(index)) {
         Take(index);
         taken.push_back(DecodeMorton(code));
       }
@@ -202,7 +202,7 @@ class CoverSearch {
     }
   }
 
-  // All are where nothing is believed.
+  // All are where nothing is likely.
   bool IsWitnessed(VoxelGrid::Index index) const {
     return num_witnesses_.empty() || num_witnesses_[index] >= kWitnesses;
   }
@@ -283,8 +283,8 @@ CoveringVoxels FindCoveringVoxels(const ViewSet& views,
     samples.push_back(FromCoveredOutward(maps[i]));
   }
   CoverSearch search(crust, labels, candidates, &found);
-  if (!candidates.is_believed.empty()) {
-    search.TakeBelieved(rays, samples);
+  if (!candidates.is_likely.empty()) {
+    search.TakeLikely(rays, samples);
   }
   for (size_t i = 0; i < views.size(); ++i) {
     for (const int sample : samples[i]) {

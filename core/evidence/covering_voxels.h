@@ -22,7 +22,7 @@ struct CoverCandidates {
   std::vector<float> scores;
   // One a voxel: inside by a coarser labelling or an earlier cut; empty for
   // none.
-  std::vector<uint8_t> is_believed;
+  std::vector<uint8_t> is_likely;
 };
 
 struct CoveringVoxels {
@@ -34,13 +34,13 @@ struct CoveringVoxels {
 
 // The voxels of `crust` that have to be inside besides those of `labels` (one a
 // voxel) so that the samples of `maps`, which MapSamples has made of them, are
-// covered, but for impossible ones. Where something is believed, only voxels on
-// uncovered rays of at least two views count: the believed ones, so that a part
+// covered, but for impossible ones. Where something is likely, only voxels on
+// uncovered rays of at least two views count: the likely ones, so that a part
 // that was lost comes back as it was, and for each ray that meets none of them
 // one beside matter, so that it grows back from there. What one view alone
 // misses stays, and so does what could only be joined by a bridge: masks that
 // contradict each other would make fins and holes of it. Where nothing is
-// believed, they are for each ray the one with the highest score, joined to the
+// likely, they are for each ray the one with the highest score, joined to the
 // object. Rays go from what is covered outward.
 CoveringVoxels FindCoveringVoxels(const ViewSet& views,
                                   const VoxelGrid& crust,

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/evidence/depth_trust.h"
+#include "core/evidence/depth_confidence.h"
 #include "core/evidence/inside_evidence.h"
 #include "core/grid/voxel_grid.h"
 #include "core/views/view_set.h"
@@ -17,7 +17,7 @@ size_t CountDepths(const std::vector<SweptDepthMap>& maps);
 // Evidence of each voxel, in units of the graph's weights; > 0 for inside.
 std::vector<float> EvidenceOf(const ViewSet& views,
                               const VoxelGrid& voxels,
-                              const TrustedDepths& depths,
+                              const ReliableDepths& depths,
                               const InsideEvidenceOptions& options,
                               const Context& context);
 

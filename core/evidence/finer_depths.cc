@@ -4,8 +4,8 @@
 
 #include "core/base/parallel.h"
 #include "core/evidence/confirmed_depths.h"
+#include "core/evidence/depth_confidence.h"
 #include "core/evidence/depth_evidence.h"
-#include "core/evidence/depth_trust.h"
 #include "core/evidence/neighbor_views.h"
 #include "core/evidence/surface_sweep.h"
 #include "core/grid/morphology.h"
@@ -120,12 +120,12 @@ VoxelGrid VoxelsBeyond(const ViewSet& views,
                 context);
 }
 
-// Trust in a depth is no more than the first sweep has in those around it.
-void LimitTrust(const ViewSet& views,
-                const VoxelValues& depth_trust,
-                int level,
-                const Context& context,
-                TrustedDepths* depths) {
+// Confidence in a depth is no more than the first sweep has in those around it.
+void LimitConfidence(const ViewSet& views,
+                     const VoxelValues& depth_confidence,
+                     int level,
+                     const Context& context,
+                     ReliableDepths* depths) {
   const int resolution = 1 << level;
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
@@ -138,10 +138,11 @@ void LimitTrust(const ViewSet& views,
                 (views[i].projection.center + depth * ray) * float(resolution);
             if ((point.array() >= 0).all() &&
                 (point.array() < float(resolution)).all()) {
-              float& trust = depths->trust[i][size_t(y) * map.width + x];
-              trust =
-                  std::min(trust,
-                           depth_trust.At(
+              float& confidence =
+                  depths->confidence[i][size_t(y) * map.width + x];
+              confidence =
+                  std::min(confidence,
+                           depth_confidence.At(
                                EncodeMorton(Eigen::Vector3i(point.cast<int>())),
                                level,
                                1));
@@ -163,7 +164,7 @@ struct FinerMaps {
 // Empty where a sample of the surface says that it does not pay.
 FinerMaps SweepNearSurface(const ViewSet& views,
                            const LabeledVoxels& surface,
-                           const VoxelValues& depth_trust,
+                           const VoxelValues& depth_confidence,
                            const InsideEvidenceOptions& options,
                            const Context& context) {
   const DepthSweepOptions& sweep = options.sweep;
@@ -181,7 +182,7 @@ FinerMaps SweepNearSurface(const ViewSet& views,
     }
   });
   const SurfaceSweep around(
-      reduced, depth_trust, surface.voxels.Level(), sweep);
+      reduced, depth_confidence, surface.voxels.Level(), sweep);
   for (size_t i = 0; i < views.size(); ++i) {
     maps.swept[i] = around.EmptyMap(int(i));
   }
@@ -214,11 +215,11 @@ FinerMaps SweepNearSurface(const ViewSet& views,
 
 FinerEvidence FindFinerDepths(const ViewSet& views,
                               const LabeledVoxels& surface,
-                              const VoxelValues& depth_trust,
+                              const VoxelValues& depth_confidence,
                               const InsideEvidenceOptions& options,
                               const Context& context) {
   FinerMaps maps =
-      SweepNearSurface(views, surface, depth_trust, options, context);
+      SweepNearSurface(views, surface, depth_confidence, options, context);
   FinerEvidence finer;
   finer.num_depths = maps.num_depths;
   finer.num_beyond = maps.num_beyond;
@@ -226,9 +227,10 @@ FinerEvidence FindFinerDepths(const ViewSet& views,
     return finer;
   }
   finer.voxels = Union(surface.voxels, maps.beyond);
-  TrustedDepths depths =
-      EstimateDepthTrust(views, finer.voxels, maps.agreeing, context);
-  LimitTrust(views, depth_trust, surface.voxels.Level(), context, &depths);
+  ReliableDepths depths =
+      EstimateDepthConfidence(views, finer.voxels, maps.agreeing, context);
+  LimitConfidence(
+      views, depth_confidence, surface.voxels.Level(), context, &depths);
   InsideEvidenceOptions without_ballooning = options;
   without_ballooning.ballooning = 0;
   finer.values =

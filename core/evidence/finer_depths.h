@@ -29,13 +29,13 @@ struct FinerEvidence {
 };
 
 // `surface` is the labelled crust of the level whose voxels the depths are
-// found in; `depth_trust` as that of InsideEvidence. Where that is less than a
-// half nothing is looked for: finer windows see the same reflections. An eighth
-// of space is looked at first, and where hardly any depth leads into the
+// found in; `depth_confidence` as that of InsideEvidence. Where that is less
+// than a half nothing is looked for: finer windows see the same reflections. An
+// eighth of space is looked at first, and where hardly any depth leads into the
 // surface there, that is all.
 FinerEvidence FindFinerDepths(const ViewSet& views,
                               const LabeledVoxels& surface,
-                              const VoxelValues& depth_trust,
+                              const VoxelValues& depth_confidence,
                               const InsideEvidenceOptions& options,
                               const Context& context);
 

@@ -7,9 +7,9 @@
 
 #include "core/base/check_option.h"
 #include "core/evidence/confirmed_depths.h"
+#include "core/evidence/depth_confidence.h"
 #include "core/evidence/depth_evidence.h"
-#include "core/evidence/depth_trust.h"
-#include "core/evidence/mask_trust.h"
+#include "core/evidence/mask_confidence.h"
 #include "core/grid/parallel_voxels.h"
 
 namespace octacut {
@@ -33,7 +33,7 @@ constexpr double kSolidViews = 0.8;
 // doubtful depth says of matter is right or does no harm, what it says of free
 // space and of surfaces counts as far as it can be relied upon.
 float EvidenceAt(const ViewSet& views,
-                 const TrustedDepths& depths,
+                 const ReliableDepths& depths,
                  const Eigen::Vector3f& point,
                  float voxel,
                  const InsideEvidenceOptions& options) {
@@ -50,14 +50,14 @@ float EvidenceAt(const ViewSet& views,
     if (depth == 0) {
       continue;
     }
-    const float trust = map.ValueAt(depths.trust[i], p->u, p->v);
+    const float confidence = map.ValueAt(depths.confidence[i], p->u, p->v);
     const float behind = (p->depth - depth) / voxel;
     if (behind < -kFreeBefore) {
-      free_space += trust;
+      free_space += confidence;
     } else if (behind > kMatterFrom && behind < kMatterTo) {
       matter += 1;
     } else if (behind <= kMatterFrom) {
-      near_surface = std::max(near_surface, trust);
+      near_surface = std::max(near_surface, confidence);
     }
   }
   // Beside a surface that some view has found, photo-consistency decides.
@@ -80,7 +80,7 @@ size_t CountDepths(const std::vector<SweptDepthMap>& maps) {
 
 std::vector<float> EvidenceOf(const ViewSet& views,
                               const VoxelGrid& hull,
-                              const TrustedDepths& depths,
+                              const ReliableDepths& depths,
                               const InsideEvidenceOptions& options,
                               const Context& context) {
   std::vector<float> values(hull.Size());
@@ -122,12 +122,12 @@ void AddPlausible(const ViewSet& views,
 namespace {
 
 // The depths that are rather right than wrong.
-std::vector<SweptDepthMap> KeepTrusted(const TrustedDepths& depths) {
+std::vector<SweptDepthMap> KeepReliable(const ReliableDepths& depths) {
   constexpr float kRatherRight = 0.5f;
   std::vector<SweptDepthMap> kept = depths.maps;
   for (size_t i = 0; i < kept.size(); ++i) {
     for (size_t k = 0; k < kept[i].depths.size(); ++k) {
-      if (depths.trust[i][k] < kRatherRight) {
+      if (depths.confidence[i][k] < kRatherRight) {
         kept[i].depths[k] = 0;
       }
     }
@@ -216,9 +216,11 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
       CountAgreeing(views, swept, neighbors, voxel, context);
   const std::vector<SweptDepthMap> agreeing =
       KeepAgreeing(swept, counts, options.min_agreeing_views);
-  TrustedDepths depths = EstimateDepthTrust(views, hull, agreeing, context);
+  ReliableDepths depths =
+      EstimateDepthConfidence(views, hull, agreeing, context);
   InsideEvidence evidence;
-  evidence.mask_trust = EstimateMaskTrust(views, KeepTrusted(depths), context);
+  evidence.mask_confidence =
+      EstimateMaskConfidence(views, KeepReliable(depths), context);
   evidence.values = EvidenceOf(views, hull, depths, options, context);
   evidence.summary.num_depths = CountDepths(swept);
   evidence.summary.num_agreeing = CountDepths(agreeing);
@@ -239,8 +241,8 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                  &depths.maps);
     evidence.values = EvidenceOf(views, hull, depths, options, context);
   }
-  evidence.depth_trust =
-      TrustInSpace(views, hull, depths.maps, depths.trust, context);
+  evidence.depth_confidence =
+      ConfidenceInSpace(views, hull, depths.maps, depths.confidence, context);
   evidence.summary.num_plausible = CountDepths(depths.maps) - num_kept;
   evidence.summary.num_free_voxels = size_t(std::count_if(
       evidence.values.begin(), evidence.values.end(), [](float value) {

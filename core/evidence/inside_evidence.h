@@ -61,9 +61,10 @@ struct InsideEvidenceSummary {
 };
 
 struct InsideEvidence {
-  std::vector<float> values;      // one a hull voxel; > 0 speaks for inside
-  VoxelValues depth_trust;        // as TrustInSpace has it, of the hull
-  std::vector<float> mask_trust;  // one a view, as EstimateMaskTrust has it
+  std::vector<float> values;     // one a hull voxel; > 0 speaks for inside
+  VoxelValues depth_confidence;  // as ConfidenceInSpace has it, of the hull
+  std::vector<float>
+      mask_confidence;  // one a view, as EstimateMaskConfidence has it
   InsideEvidenceSummary summary;
 };
 

@@ -26,7 +26,7 @@ inline constexpr float kBestAlone = 0.1f;
 
 // Zero-mean normalised cross-correlation of windows of (2 window_radius + 1)^2
 // samples, the mean over the best half of the neighbours; `one_is_enough`: or
-// that of the best one less kBestAlone, where that is more, for places that few
+// that of the best one less kBestAlone, where that is more, for points that few
 // views see.
 ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
                         int reference,

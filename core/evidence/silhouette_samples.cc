@@ -51,7 +51,8 @@ bool IsSure(const PreparedView& view, const SampleMap& map, int x, int y) {
   return view.silhouette.Test(float(x - 1) / map.scale,
                               float(y - 1) / map.scale,
                               float(x + 2) / map.scale,
-                              float(y + 2) / map.scale) == Footprint::kObject &&
+                              float(y + 2) / map.scale) ==
+             Containment::kObject &&
          view.silhouette.SignedDistance((float(x) + 0.5f) / map.scale,
                                         (float(y) + 0.5f) / map.scale) >
              view.SureDepth();

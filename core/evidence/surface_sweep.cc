@@ -54,11 +54,11 @@ struct SurfaceSweep::Square {
 };
 
 SurfaceSweep::SurfaceSweep(const std::vector<SweepView>& views,
-                           const VoxelValues& depth_trust,
+                           const VoxelValues& depth_confidence,
                            int level,
                            const DepthSweepOptions& options)
     : views_(views),
-      depth_trust_(depth_trust),
+      depth_confidence_(depth_confidence),
       level_(level),
       voxel_(1.0f / float(1 << level)),
       options_(options) {}
@@ -112,7 +112,7 @@ bool SurfaceSweep::IsWanted(const SweepView& view,
       const Eigen::Vector3f point =
           view.projection->center +
           (view.near_depth(y, x) + voxel_) * (rays * pixel);
-      balance += TrustAt(point) >= kRatherRight ? 1 : -1;
+      balance += ConfidenceAt(point) >= kRatherRight ? 1 : -1;
       const Eigen::Vector3i block =
           (point / (kBlock * voxel_)).array().floor().cast<int>();
       sample_balance +=
@@ -123,13 +123,13 @@ bool SurfaceSweep::IsWanted(const SweepView& view,
   return balance > 0 && (sample_balance > 0) == of_sample;
 }
 
-float SurfaceSweep::TrustAt(const Eigen::Vector3f& point) const {
+float SurfaceSweep::ConfidenceAt(const Eigen::Vector3f& point) const {
   const Eigen::Vector3i voxel =
       (point * float(1 << level_)).array().floor().cast<int>();
   if ((voxel.array() < 0).any() || (voxel.array() >= (1 << level_)).any()) {
     return 1;
   }
-  return depth_trust_.At(EncodeMorton(voxel), level_, 1);
+  return depth_confidence_.At(EncodeMorton(voxel), level_, 1);
 }
 
 void SurfaceSweep::SweepSquare(const SweepView& view,

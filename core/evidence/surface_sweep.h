@@ -14,10 +14,11 @@ namespace octacut {
 // that it shows to some way into it.
 class SurfaceSweep {
  public:
-  // `views` are reduced for the surface's cut voxels, of `level`; `depth_trust`
-  // is that of InsideEvidence. Keeps references to all of them.
+  // `views` are reduced for the surface's cut voxels, of `level`;
+  // `depth_confidence` is that of InsideEvidence. Keeps references to all of
+  // them.
   SurfaceSweep(const std::vector<SweepView>& views,
-               const VoxelValues& depth_trust,
+               const VoxelValues& depth_confidence,
                int level,
                const DepthSweepOptions& options);
 
@@ -36,7 +37,7 @@ class SurfaceSweep {
   bool IsWanted(const SweepView& view,
                 const Square& square,
                 bool of_sample) const;
-  float TrustAt(const Eigen::Vector3f& point) const;
+  float ConfidenceAt(const Eigen::Vector3f& point) const;
   void SweepSquare(const SweepView& view,
                    const Square& square,
                    const std::vector<int>& others,
@@ -44,7 +45,7 @@ class SurfaceSweep {
                    SweptDepthMap* map) const;
 
   const std::vector<SweepView>& views_;
-  const VoxelValues& depth_trust_;
+  const VoxelValues& depth_confidence_;
   int level_;
   float voxel_;
   const DepthSweepOptions& options_;

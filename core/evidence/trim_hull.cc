@@ -11,14 +11,14 @@ namespace {
 
 constexpr size_t kBrickGrain = 64;
 
-bool IsBackgroundOfTrusted(const ViewSet& views,
-                           const std::vector<float>& mask_trust,
-                           const Eigen::Vector3f& center,
-                           float half_edge) {
+bool IsBackgroundOfReliable(const ViewSet& views,
+                            const std::vector<float>& mask_confidence,
+                            const Eigen::Vector3f& center,
+                            float half_edge) {
   // Masks that are half in doubt take nothing.
-  constexpr float kTrusted = 0.5f;
+  constexpr float kReliable = 0.5f;
   for (size_t i = 0; i < views.size(); ++i) {
-    if (mask_trust[i] > kTrusted &&
+    if (mask_confidence[i] > kReliable &&
         views[i].silhouette.IsBackgroundCube(
             views[i].projection, center, half_edge)) {
       return true;
@@ -39,16 +39,16 @@ VoxelGrid TrimHull(const ViewSet& views,
   ParallelFor(
       context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
         walk.ForEachWithNeighbors(
-            begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
+            begin, end, [&](const VoxelSlot& slot, const auto& neighbors) {
               const MortonCode code =
-                  VoxelGrid::CodeOf(hull.Bricks()[place.brick], int(place.bit));
-              is_kept[place.index] =
+                  VoxelGrid::CodeOf(hull.Bricks()[slot.brick], int(slot.bit));
+              is_kept[slot.index] =
                   std::count(neighbors.begin(),
                              neighbors.end(),
                              VoxelGrid::kNone) == 0 ||
-                  !IsBackgroundOfTrusted(
+                  !IsBackgroundOfReliable(
                       views,
-                      evidence->mask_trust,
+                      evidence->mask_confidence,
                       VoxelCenter(DecodeMorton(code), hull.Level()),
                       half_edge);
             });

@@ -1,6 +1,6 @@
 // What a labelling of the hull cuts off: a pixel that a mask shows as object
 // has matter somewhere on its ray, so a labelling that leaves the ray empty
-// has believed wrong depths (compare Sinha & Pollefeys, ICCV 2005).
+// has relied upon wrong depths (compare Sinha & Pollefeys, ICCV 2005).
 #pragma once
 
 #include <cstddef>

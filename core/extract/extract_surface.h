@@ -30,7 +30,7 @@ struct ExtractedSurface {
   // Positions are voxel corners (close to the middles of grid edges, centres of
   // voxels for the extra vertices above) in world coordinates, and triangles do
   // not intersect; no normals, no colours.
-  // PlaceVertices moves them to where they belong.
+  // PositionVertices moves them to where they belong.
   IndexedMesh mesh;
   // Of every vertex: the octants around it that the voxels of its polygons
   // fill.

@@ -50,7 +50,7 @@ inline bool CrossesItself(const SplitLoop& loop, int choice) {
 }
 
 // Judges the shapes with each vertex at the mean of the centres of the voxels
-// of its umbrella, where PlaceVertices moves it.
+// of its umbrella, where PositionVertices moves it.
 LoopChoices ChooseLoops(const CutVoxels& cut,
                         const UmbrellaVertices& umbrellas,
                         const Context& context);

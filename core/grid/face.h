@@ -18,4 +18,13 @@ inline constexpr bool IsCut(FaceLabels labels) {
   return labels != 0 && labels != kAllFaces;
 }
 
+// Ties of a voxel's faces. Bit f: face f is outside (tied to the source);
+// bit 6 + f: face f is inside (tied to the sink). A face between two crust
+// voxels is tied when either voxel says so; both kinds at once are an error.
+using FaceTies = uint16_t;
+inline constexpr FaceTies OutsideTie(int face) { return FaceTies(1u << face); }
+inline constexpr FaceTies InsideTie(int face) {
+  return FaceTies(1u << (6 + face));
+}
+
 }  // namespace octacut

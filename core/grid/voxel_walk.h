@@ -1,7 +1,7 @@
 // Stepping between face-adjacent voxels of a crust without a neighbour table.
 //
-// A voxel is addressed by a place: its brick and its position in it, which
-// two small tables a brick turn into the voxel's index and into the places
+// A voxel is addressed by a slot: its brick and its position in it, which
+// two small tables a brick turn into the voxel's index and into the slots
 // beside it. Some 3 bytes a voxel; a neighbour table would take 24.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace octacut {
 
-struct VoxelPlace {
+struct VoxelSlot {
   uint32_t brick;
   uint32_t bit;    // position in the brick, 0 .. 63
   uint32_t index;  // of the voxel in per-voxel arrays
@@ -40,25 +40,25 @@ class VoxelWalk {
   }
 
   // A voxel of the crust.
-  VoxelPlace At(uint32_t brick, uint32_t bit) const {
+  VoxelSlot At(uint32_t brick, uint32_t bit) const {
     return {brick, bit, links_[brick].first + ranks_[brick].rank[bit]};
   }
 
   // The voxel across `face`; `face` = kNumFaces stays. Where there is none, a
   // place whose index must not be used.
-  VoxelPlace Step(const VoxelPlace& from, int face) const {
+  VoxelSlot Step(const VoxelSlot& from, int face) const {
     const BrickStep step = kSteps[face][from.bit];
     return At(links_[from.brick].brick[step.link], step.bit);
   }
 
   // The brick across `face` of a voxel, which may be its own; NumBricks()
   // where there is none.
-  uint32_t StepBrick(const VoxelPlace& from, int face) const {
+  uint32_t StepBrick(const VoxelSlot& from, int face) const {
     return links_[from.brick].brick[kSteps[face][from.bit].link];
   }
 
   // Index of the voxel across `face`, kNone where there is none.
-  Index Neighbor(const VoxelPlace& from, int face) const {
+  Index Neighbor(const VoxelSlot& from, int face) const {
     const BrickStep step = kSteps[face][from.bit];
     const uint32_t brick = links_[from.brick].brick[step.link];
     const uint8_t rank = ranks_[brick].rank[step.bit];
@@ -69,27 +69,27 @@ class VoxelWalk {
   std::vector<float> SumOverBrickNeighbors(
       const std::vector<float>& values) const;
 
-  // Calls body(place, neighbors) in order for the voxels of bricks
+  // Calls body(slot, neighbors) in order for the voxels of bricks
   // [begin, end); neighbors[f] is the index across face f or kNone.
   template <typename Body>
   void ForEachWithNeighbors(size_t begin, size_t end, Body&& body) const {
     std::array<Index, kNumFaces> neighbors;
-    ForEach(begin, end, [&](const VoxelPlace& place) {
+    ForEach(begin, end, [&](const VoxelSlot& slot) {
       for (int face = 0; face < kNumFaces; ++face) {
-        neighbors[face] = Neighbor(place, face);
+        neighbors[face] = Neighbor(slot, face);
       }
-      body(place, neighbors);
+      body(slot, neighbors);
     });
   }
 
-  // Calls body(place) in order for the voxels of bricks [begin, end).
+  // Calls body(slot) in order for the voxels of bricks [begin, end).
   template <typename Body>
   void ForEach(size_t begin, size_t end, Body&& body) const {
     for (size_t b = begin; b < end; ++b) {
       uint32_t index = links_[b].first;
       for (uint32_t bit = 0; bit < 64; ++bit) {
         if (ranks_[b].rank[bit] != kEmpty) {
-          body(VoxelPlace{uint32_t(b), bit, index++});
+          body(VoxelSlot{uint32_t(b), bit, index++});
         }
       }
     }

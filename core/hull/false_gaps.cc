@@ -118,7 +118,7 @@ ViewSet PrepareSilhouettes(Scene scene,
 // Fills what is false and takes it from the candidates.
 void FillFalse(std::vector<GapOfView>* candidates,
                ViewSet* views,
-               FilledScene* filled) {
+               RepairedScene* filled) {
   std::set<size_t> changed;
   for (const GapOfView& candidate : *candidates) {
     if (candidate.is_false) {
@@ -137,7 +137,7 @@ void FillFalse(std::vector<GapOfView>* candidates,
                 [](const GapOfView& candidate) { return candidate.is_false; });
 }
 
-void Report(const FilledScene& filled, const Context& context) {
+void Report(const RepairedScene& filled, const Context& context) {
   if (filled.gaps.empty()) {
     return;
   }
@@ -157,11 +157,11 @@ void Report(const FilledScene& filled, const Context& context) {
 
 }  // namespace
 
-FilledScene FillFalseGaps(const Scene& scene,
-                          const BoundingCube& cube,
-                          double mask_tolerance,
-                          const Context& context) {
-  FilledScene filled{scene, {}};
+RepairedScene FillFalseGaps(const Scene& scene,
+                            const BoundingCube& cube,
+                            double mask_tolerance,
+                            const Context& context) {
+  RepairedScene filled{scene, {}};
   Phase phase(context, "search for gaps in the masks", scene.views.size());
   std::vector<GapOfView> candidates =
       FindCandidates(scene, mask_tolerance, context, &phase);
@@ -185,13 +185,13 @@ FilledScene FillFalseGaps(const Scene& scene,
   return filled;
 }
 
-FilledScene BelievedScene(const Scene& scene,
+RepairedScene RepairMasks(const Scene& scene,
                           const BoundingCube& cube,
                           double mask_tolerance,
                           bool fill_false_gaps,
                           const Context& context) {
   return fill_false_gaps ? FillFalseGaps(scene, cube, mask_tolerance, context)
-                         : FilledScene{scene, {}};
+                         : RepairedScene{scene, {}};
 }
 
 }  // namespace octacut

@@ -18,7 +18,7 @@ struct FalseGap {
   size_t num_pixels = 0;
 };
 
-struct FilledScene {
+struct RepairedScene {
   Scene scene;  // shares images and masks that are as they were
   std::vector<FalseGap> gaps;
 };
@@ -30,14 +30,15 @@ struct FilledScene {
 // that were found are filled, since views share shadows. Enclosed gaps that are
 // within `mask_tolerance` (pixels of the photographs) of the object everywhere,
 // and bays within twice that, do no harm and stay; larger ones than a twentieth
-// of the object are believed. Says what it fills.
-FilledScene FillFalseGaps(const Scene& scene,
-                          const BoundingCube& cube,
-                          double mask_tolerance,
-                          const Context& context);
+// of the object are left as they are. Logs what it fills.
+RepairedScene FillFalseGaps(const Scene& scene,
+                            const BoundingCube& cube,
+                            double mask_tolerance,
+                            const Context& context);
 
-// That, or the scene as it is: with masks as they are to be believed.
-FilledScene BelievedScene(const Scene& scene,
+// The scene with the false gaps of its masks filled if `fill_false_gaps`, else
+// the scene as it is.
+RepairedScene RepairMasks(const Scene& scene,
                           const BoundingCube& cube,
                           double mask_tolerance,
                           bool fill_false_gaps,

@@ -10,27 +10,27 @@ namespace {
 
 constexpr size_t kGrain = 256;
 
-Footprint ClassifyVoxel(const ViewSet& views,
-                        const Eigen::AlignedBox3f& box,
-                        MortonCode code,
-                        int level) {
+Containment ClassifyVoxel(const ViewSet& views,
+                          const Eigen::AlignedBox3f& box,
+                          MortonCode code,
+                          int level) {
   const float edge = 1.0f / float(1 << level);
   const Eigen::Vector3f corner = DecodeMorton(code).cast<float>() * edge;
   const Eigen::AlignedBox3f cell(corner,
                                  corner + Eigen::Vector3f::Constant(edge));
   if (!box.intersects(cell)) {
-    return Footprint::kBackground;
+    return Containment::kBackground;
   }
   bool inside = box.contains(cell);
   for (const PreparedView& view : views) {
-    const Footprint footprint = view.silhouette.TestCube(
+    const Containment containment = view.silhouette.TestCube(
         view.projection, cell.center(), edge / 2, view.mask_tolerance);
-    if (footprint == Footprint::kBackground) {
-      return Footprint::kBackground;
+    if (containment == Containment::kBackground) {
+      return Containment::kBackground;
     }
-    inside = inside && footprint == Footprint::kObject;
+    inside = inside && containment == Containment::kObject;
   }
-  return inside ? Footprint::kObject : Footprint::kMixed;
+  return inside ? Containment::kObject : Containment::kMixed;
 }
 
 // Sorts the mixed voxels of the octree's level into mixed, inside, outside.
@@ -38,7 +38,7 @@ void TestMixed(const ViewSet& views,
                const Eigen::AlignedBox3f& box,
                const Context& context,
                HullOctree* octree) {
-  std::vector<Footprint> classes(octree->mixed.size());
+  std::vector<Containment> classes(octree->mixed.size());
   ParallelFor(context, classes.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       classes[i] = ClassifyVoxel(views, box, octree->mixed[i], octree->level);
@@ -48,9 +48,9 @@ void TestMixed(const ViewSet& views,
   std::vector<MortonCode>& inside = octree->inside.emplace_back();
   size_t kept = 0;
   for (size_t i = 0; i < classes.size(); ++i) {
-    if (classes[i] == Footprint::kObject) {
+    if (classes[i] == Containment::kObject) {
       inside.push_back(octree->mixed[i]);
-    } else if (classes[i] == Footprint::kMixed) {
+    } else if (classes[i] == Containment::kMixed) {
       octree->mixed[kept++] = octree->mixed[i];
     }
   }

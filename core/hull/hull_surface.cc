@@ -42,9 +42,9 @@ LabeledVoxels ComputeHullSurface(const ViewSet& views,
   ParallelFor(
       context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
         walk.ForEachWithNeighbors(
-            begin, end, [&](const VoxelPlace& place, const auto& neighbors) {
+            begin, end, [&](const VoxelSlot& slot, const auto& neighbors) {
               const Eigen::Vector3i voxel = DecodeMorton(VoxelGrid::CodeOf(
-                  crust.voxels.Bricks()[place.brick], int(place.bit)));
+                  crust.voxels.Bricks()[slot.brick], int(slot.bit)));
               for (int face = 0; face < kNumFaces; ++face) {
                 // What the octree has decided about a voxel holds for all of
                 // it, its faces included.
@@ -53,7 +53,7 @@ LabeledVoxels ComputeHullSurface(const ViewSet& views,
                         ? IsInsideHull(
                               views, box, FaceCenter(voxel, face, octree.level))
                         : IsInsideOctree(octree, NeighborVoxel(voxel, face));
-                crust.labels[place.index] |= FaceLabels(inside ? 1 << face : 0);
+                crust.labels[slot.index] |= FaceLabels(inside ? 1 << face : 0);
               }
             });
       });

@@ -26,9 +26,9 @@ CoverCandidates FindCandidates(const Crust& crust,
   if (preference.evidence.empty()) {
     candidates.scores =
         SmoothPrior(crust.voxels, crust.ties, crust.prior, kBlurSteps, context);
-    candidates.is_believed.resize(candidates.scores.size());
+    candidates.is_likely.resize(candidates.scores.size());
     for (size_t i = 0; i < candidates.scores.size(); ++i) {
-      candidates.is_believed[i] = candidates.scores[i] >= 0.5f;
+      candidates.is_likely[i] = candidates.scores[i] >= 0.5f;
     }
   } else {
     for (const float e : preference.evidence) {

@@ -25,13 +25,14 @@ constexpr float kFreeSpaceShare = 0.3f;
 
 // The first cut of `crust` is by evidence alone, as that of l0; where there is
 // none the present surface, which crust.prior holds, is the best guess.
-std::vector<FaceLabels> CutByFinerDepths(const ViewSet& views,
-                                         const std::vector<float>& mask_trust,
-                                         const Crust& crust,
-                                         const std::vector<float>& finer,
-                                         const ReconstructionOptions& options,
-                                         const Context& context,
-                                         LevelSummary* summary) {
+std::vector<FaceLabels> CutByFinerDepths(
+    const ViewSet& views,
+    const std::vector<float>& mask_confidence,
+    const Crust& crust,
+    const std::vector<float>& finer,
+    const ReconstructionOptions& options,
+    const Context& context,
+    LevelSummary* summary) {
   const std::vector<float> weights =
       EdgeWeights(std::vector<float>(crust.voxels.Size(),
                                      float(options.consistency.neutral)),
@@ -44,7 +45,7 @@ std::vector<FaceLabels> CutByFinerDepths(const ViewSet& views,
   }
   Stopwatch stopwatch;
   const SilhouetteTerms silhouettes = EstimateSilhouetteTerms(
-      views, mask_trust, crust.voxels, options, context);
+      views, mask_confidence, crust.voxels, options, context);
   summary->crust_seconds += stopwatch.Lap();
   OctahedralCutState state;
   OctahedralCut cut =
@@ -73,7 +74,7 @@ LabeledVoxels DeepenLevel(const ViewSet& views,
                           LevelSummary* summary) {
   Stopwatch stopwatch;
   const FinerEvidence finer = FindFinerDepths(
-      views, solved, evidence.depth_trust, options.evidence, context);
+      views, solved, evidence.depth_confidence, options.evidence, context);
   summary->crust_seconds += stopwatch.Lap();
   if (finer.voxels.Empty()) {
     return solved;
@@ -86,13 +87,14 @@ LabeledVoxels DeepenLevel(const ViewSet& views,
                   solved.voxels.Size(),
                   finer.voxels.Size()));
   Crust crust = WidenCrust(hierarchy, solved, finer.voxels, context);
-  const std::vector<FaceLabels> deepened = CutByFinerDepths(views,
-                                                            evidence.mask_trust,
-                                                            crust,
-                                                            finer.values,
-                                                            options,
-                                                            context,
-                                                            summary);
+  const std::vector<FaceLabels> deepened =
+      CutByFinerDepths(views,
+                       evidence.mask_confidence,
+                       crust,
+                       finer.values,
+                       options,
+                       context,
+                       summary);
   stopwatch.Lap();
   AdoptCut(deepened, context, &crust);
   summary->crust_seconds += stopwatch.Lap();
@@ -105,7 +107,7 @@ LabeledVoxels DeepenLevel(const ViewSet& views,
   summary->visibility_seconds += stopwatch.Lap();
   VoxelTerms terms;
   ExtendTerms(views,
-              evidence.mask_trust,
+              evidence.mask_confidence,
               visibility,
               crust,
               options,
@@ -113,7 +115,7 @@ LabeledVoxels DeepenLevel(const ViewSet& views,
               &terms,
               summary);
   const Decision decision =
-      DecideByPhotographs(crust, terms.phi, evidence.depth_trust, context);
+      DecideByPhotographs(crust, terms.phi, evidence.depth_confidence, context);
   std::vector<float> weights = EdgeWeights(terms.phi, options.energy);
   FlattenUndecidedWeights(decision, options, &weights);
   std::vector<float> held = terms.evidence;

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/extract/extract_surface.h"
-#include "core/extract/place_vertices.h"
+#include "core/extract/position_vertices.h"
 #include "core/handles/remove_handles.h"
 #include "core/mesh/keep_components.h"
 #include "core/mesh/normals.h"
@@ -53,12 +53,12 @@ SurfaceMesh::Color BlendColor(const ViewSet& views,
 
 }  // namespace
 
-IndexedMesh PlacedMesh(const LabeledVoxels& surface,
-                       const BoundingCube& cube,
-                       const Context& context) {
-  return PlaceVertices(
+IndexedMesh PositionedMesh(const LabeledVoxels& surface,
+                           const BoundingCube& cube,
+                           const Context& context) {
+  return PositionVertices(
              ExtractSurface(surface.voxels, surface.labels, cube, context),
-             PlaceVerticesOptions(),
+             PositionVerticesOptions(),
              context)
       .mesh;
 }
@@ -80,11 +80,12 @@ FinishedMesh FinalMesh(const ViewSet& views,
         options.evidence.ballooning,
         std::pow(options.consistency.neutral, options.energy.smoothness)));
   }
-  const PlaceVerticesOptions placing;
-  PlacedSurface placed = PlaceVertices(std::move(extracted), placing, context);
+  const PositionVerticesOptions placing;
+  PositionedSurface positioned =
+      PositionVertices(std::move(extracted), placing, context);
   const double voxel_size = cube.VoxelSize(surface.voxels.Level());
   KeptComponents kept =
-      KeepLargestComponents(std::move(placed.mesh), options.min_component);
+      KeepLargestComponents(std::move(positioned.mesh), options.min_component);
   const size_t num_needed =
       RestoreNeededComponents(views, cube, context, &kept);
   if (num_needed > 0) {

@@ -12,10 +12,10 @@
 
 namespace octacut {
 
-// The labelling's surface with vertices placed but not smoothed.
-IndexedMesh PlacedMesh(const LabeledVoxels& surface,
-                       const BoundingCube& cube,
-                       const Context& context);
+// The labelling's surface with vertices positioned but not smoothed.
+IndexedMesh PositionedMesh(const LabeledVoxels& surface,
+                           const BoundingCube& cube,
+                           const Context& context);
 
 struct FinishedMesh {
   IndexedMesh mesh;

@@ -102,7 +102,7 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
   Crust crust = InitialCrust(hull, context);
   summary->crust_seconds += stopwatch.Lap();
   SilhouetteTerms silhouettes = EstimateSilhouetteTerms(
-      views, evidence.mask_trust, hull, options, context);
+      views, evidence.mask_confidence, hull, options, context);
   std::vector<float> prior = std::move(silhouettes.evidence);
   for (size_t i = 0; i < prior.size(); ++i) {
     prior[i] += evidence.values[i];
@@ -121,7 +121,7 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
       views, crust.voxels, cut.labels, hull.Level(), options, context, summary);
   VoxelTerms terms;
   ExtendTerms(views,
-              evidence.mask_trust,
+              evidence.mask_confidence,
               visibility,
               crust,
               options,
@@ -129,7 +129,7 @@ LabeledVoxels SolveInitialLevel(const ViewSet& views,
               &terms,
               summary);
   const Decision decision =
-      DecideByPhotographs(crust, terms.phi, evidence.depth_trust, context);
+      DecideByPhotographs(crust, terms.phi, evidence.depth_confidence, context);
   std::vector<float> weights = EdgeWeights(terms.phi, options.energy);
   FlattenUndecidedWeights(decision, options, &weights);
   OctahedralCutState state;
@@ -170,15 +170,15 @@ LabeledVoxels SolveFinerLevel(const ViewSet& views,
   OctahedralCutState state;
   for (int round = 0;; ++round) {
     ExtendTerms(views,
-                evidence.mask_trust,
+                evidence.mask_confidence,
                 visibility,
                 crust,
                 options,
                 context,
                 &terms,
                 summary);
-    const Decision decision =
-        DecideByPhotographs(crust, terms.phi, evidence.depth_trust, context);
+    const Decision decision = DecideByPhotographs(
+        crust, terms.phi, evidence.depth_confidence, context);
     std::vector<float> weights = EdgeWeights(terms.phi, options.energy);
     FlattenUndecidedWeights(decision, options, &weights);
     FavorHullBorder(decision, terms.hull_depth, &weights);

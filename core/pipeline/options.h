@@ -19,8 +19,8 @@ struct EnergyOptions {
   double area_weight = 1e-5;  // a
   // Evidence for outside of a voxel that is background in a view, in units of
   // the weights; and at l0 of one that is no farther from the object than
-  // mask_tolerance, as far as the mask is trusted. Finer levels are held at the
-  // masks' borders where photographs do not decide. Both weights: tables of
+  // mask_tolerance, as far as the mask is reliable. Finer levels are held at
+  // the masks' borders where photographs do not decide. Both weights: tables of
   // docs/design.md, "Masks that are wrong by pixels".
   double silhouette_weight = 1;
   double mask_border_weight = 0.3;

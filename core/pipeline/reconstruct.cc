@@ -80,14 +80,14 @@ Reconstruction Reconstruct(const Scene& scene,
   Reconstruction result;
   ReconstructionSummary& summary = result.summary;
   Stopwatch stopwatch;
-  const FilledScene believed = BelievedScene(scene,
+  const RepairedScene repaired = RepairMasks(scene,
                                              region.cube,
                                              options.mask_tolerance,
                                              options.fill_false_gaps,
                                              context);
-  summary.num_false_gaps = believed.gaps.size();
+  summary.num_false_gaps = repaired.gaps.size();
   ViewSet views = PrepareViews(
-      believed.scene, region.cube, context, options.mask_tolerance);
+      repaired.scene, region.cube, context, options.mask_tolerance);
   summary.border_edges = ShiftBordersToEdges(context, &views);
   const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);
   summary.prepare_seconds = stopwatch.Lap();
@@ -96,10 +96,11 @@ Reconstruction Reconstruct(const Scene& scene,
   summary.hull = hull.summary;
   summary.hull_seconds = stopwatch.Lap();
   if (observer) {
-    observer(-1,
-             PlacedMesh(ComputeHullSurface(views, box, options.hull, context),
-                        region.cube,
-                        context));
+    observer(
+        -1,
+        PositionedMesh(ComputeHullSurface(views, box, options.hull, context),
+                       region.cube,
+                       context));
     stopwatch.Lap();
   }
 
@@ -132,7 +133,7 @@ Reconstruction Reconstruct(const Scene& scene,
     hierarchy.Add(std::move(solved));
     ReportLevel(step, context);
     if (observer) {
-      observer(level, PlacedMesh(hierarchy.Finest(), region.cube, context));
+      observer(level, PositionedMesh(hierarchy.Finest(), region.cube, context));
     }
   }
 
@@ -160,7 +161,7 @@ Reconstruction Reconstruct(const Scene& scene,
   result.verdict = JudgeMesh(
       ToIndexedMesh(result.mesh),
       removed,
-      {scene.views, believed.scene.views, views, region.cube},
+      {scene.views, repaired.scene.views, views, region.cube},
       {.mask_tolerance = options.mask_tolerance,
        .border_shift = summary.refinement ? summary.refinement->border_shift
                                           : views.front().border_shift,
@@ -178,9 +179,9 @@ HullReconstruction ReconstructHull(const Scene& scene,
   options.Check();
   CheckScene(scene, false);
   CheckFloatsResolve(region.cube, options.hull.hull_level);
-  const FilledScene believed =
-      BelievedScene(scene, region.cube, 0, options.fill_false_gaps, context);
-  const ViewSet views = PrepareViews(believed.scene, region.cube, context);
+  const RepairedScene repaired =
+      RepairMasks(scene, region.cube, 0, options.fill_false_gaps, context);
+  const ViewSet views = PrepareViews(repaired.scene, region.cube, context);
   const LabeledVoxels surface = ComputeHullSurface(
       views, BoxInUnitCoordinates(region), options.hull, context);
   ReconstructionOptions finishing;
@@ -195,7 +196,7 @@ HullReconstruction ReconstructHull(const Scene& scene,
   result.verdict =
       JudgeMesh(finished.mesh,
                 finished.removed,
-                {scene.views, believed.scene.views, views, region.cube},
+                {scene.views, repaired.scene.views, views, region.cube},
                 JudgeOptions(),
                 context);
   return result;

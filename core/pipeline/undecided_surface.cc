@@ -35,14 +35,15 @@ constexpr float kHullDiscount = 0.5f;
 // Levels from which on photo-consistency sees texture that the depth sweep did
 // not.
 constexpr int kFinerLevels = 2;
-// Trust in depths from which on agreement at coarser levels counts in full.
-constexpr float kEnoughTrust = 0.5f;
+// Confidence in depths from which on agreement at coarser levels counts in
+// full.
+constexpr float kEnoughConfidence = 0.5f;
 
 }  // namespace
 
 Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
-                             const VoxelValues& depth_trust,
+                             const VoxelValues& depth_confidence,
                              const Context& context) {
   LocalAgreement agreement = EstimateLocalAgreement(crust.voxels, phi, context);
   Decision decision{std::move(agreement.near_voxel),
@@ -52,13 +53,14 @@ Decision DecideByPhotographs(const Crust& crust,
   // than those in which the depths were looked for: on those, the shading of a
   // plain surface agrees at any depth.
   const bool is_coarse =
-      crust.voxels.Level() < depth_trust.voxels.Level() + kFinerLevels;
+      crust.voxels.Level() < depth_confidence.voxels.Level() + kFinerLevels;
   ParallelForVoxels(
       context, crust.voxels, [&](VoxelGrid::Index index, MortonCode code) {
         float& around = decision.around[index];
-        const float trust = depth_trust.At(code, crust.voxels.Level(), around);
-        around = is_coarse ? std::min(trust / kEnoughTrust, 1.0f)
-                           : std::max(around, trust);
+        const float confidence =
+            depth_confidence.At(code, crust.voxels.Level(), around);
+        around = is_coarse ? std::min(confidence / kEnoughConfidence, 1.0f)
+                           : std::max(around, confidence);
         decision.here[index] *= around;
       });
   return decision;

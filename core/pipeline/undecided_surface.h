@@ -21,16 +21,16 @@ namespace octacut {
 // How far the photographs decide on the surface near each voxel of a crust,
 // 0 .. 1.
 struct Decision {
-  // By their agreement near the voxel, as far as that can be believed.
+  // By their agreement near the voxel, as far as that is reliable.
   std::vector<float> here;
-  // By their agreement around it, or the trust in depths.
+  // By their agreement around it, or the confidence in depths.
   std::vector<float> around;
 };
 
-// `depth_trust` is that of InsideEvidence.
+// `depth_confidence` is that of InsideEvidence.
 Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
-                             const VoxelValues& depth_trust,
+                             const VoxelValues& depth_confidence,
                              const Context& context);
 
 // Of the cut voxels, how much of them the photographs decide.

@@ -22,12 +22,12 @@ constexpr size_t kBrickGrain = 64;
 // Of a voxel, in voxels: all of one whose centre is that far outside is.
 constexpr float kHalfDiagonal = 0.87f;
 // Masks that are half in doubt do not bound the hull.
-constexpr float kTrusted = 0.5f;
+constexpr float kReliable = 0.5f;
 
 }  // namespace
 
 void ExtendTerms(const ViewSet& views,
-                 const std::vector<float>& mask_trust,
+                 const std::vector<float>& mask_confidence,
                  const Visibility& visibility,
                  const Crust& crust,
                  const ReconstructionOptions& options,
@@ -66,7 +66,7 @@ void ExtendTerms(const ViewSet& views,
   summary->consistency_seconds += stopwatch.Lap();
   summary->consistency.Add(consistency.summary);
   const SilhouetteTerms silhouettes =
-      EstimateSilhouetteTerms(views, mask_trust, added, options, context);
+      EstimateSilhouetteTerms(views, mask_confidence, added, options, context);
   const float unseen =
       AtLevel(options.energy.unseen_weight, crust.voxels.Level(), options);
   size_t next = 0;
@@ -102,10 +102,10 @@ namespace {
 class BoundingViews {
  public:
   BoundingViews(const ViewSet& views,
-                const std::vector<float>& mask_trust,
+                const std::vector<float>& mask_confidence,
                 int level)
       : views_(views),
-        mask_trust_(mask_trust),
+        mask_confidence_(mask_confidence),
         voxel_(1.0f / float(1 << level)) {}
 
   const std::vector<uint32_t>& Of(uint64_t brick) {
@@ -141,7 +141,7 @@ class BoundingViews {
                           kDepthChange * std::abs(depth);
       least_[i] = depth - reach;
       const float margin = reach * footprint;
-      if (mask_trust_[i] > kTrusted &&
+      if (mask_confidence_[i] > kReliable &&
           projection.InFrame(p->u - margin, p->v - margin) &&
           projection.InFrame(p->u + margin, p->v + margin)) {
         bound = std::min(bound, depth + reach);
@@ -165,7 +165,7 @@ class BoundingViews {
   static constexpr float kDepthChange = 0.1f;
 
   const ViewSet& views_;
-  const std::vector<float>& mask_trust_;
+  const std::vector<float>& mask_confidence_;
   float voxel_;
   bool has_brick_ = false;
   uint64_t brick_ = 0;
@@ -175,11 +175,12 @@ class BoundingViews {
 
 }  // namespace
 
-SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
-                                        const std::vector<float>& mask_trust,
-                                        const VoxelGrid& voxels,
-                                        const ReconstructionOptions& options,
-                                        const Context& context) {
+SilhouetteTerms EstimateSilhouetteTerms(
+    const ViewSet& views,
+    const std::vector<float>& mask_confidence,
+    const VoxelGrid& voxels,
+    const ReconstructionOptions& options,
+    const Context& context) {
   const double near_weight = voxels.Level() == options.hull.hull_level
                                  ? options.energy.mask_border_weight
                                  : 0;
@@ -191,7 +192,7 @@ SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
       voxels.Bricks().size(),
       kBrickGrain,
       [&](size_t begin, size_t end) {
-        BoundingViews bounding(views, mask_trust, voxels.Level());
+        BoundingViews bounding(views, mask_confidence, voxels.Level());
         voxels.ForEachInBricks(
             begin, end, [&](VoxelGrid::Index index, MortonCode code) {
               const Eigen::Vector3f center =
@@ -214,11 +215,12 @@ SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
                     std::max(views[i].mask_tolerance, -views[i].border_shift);
                 const bool is_sure =
                     pixels <= -(tolerance + kHalfDiagonal * footprint);
-                if (is_sure || mask_trust[i] > kTrusted) {
+                if (is_sure || mask_confidence[i] > kReliable) {
                   least_depth = std::min(least_depth, depth);
                 }
-                const double weight = is_sure ? options.energy.silhouette_weight
-                                              : near_weight * mask_trust[i];
+                const double weight = is_sure
+                                          ? options.energy.silhouette_weight
+                                          : near_weight * mask_confidence[i];
                 evidence = std::min(
                     evidence,
                     -float(weight) * std::clamp(-2 * depth, 0.0f, 1.0f));

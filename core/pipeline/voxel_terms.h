@@ -23,10 +23,10 @@ struct VoxelTerms {
 };
 
 // Brings `terms` up to `crust`, which is at least as large: voxels that have
-// their terms keep them, so growing a crust costs what it adds. `mask_trust` is
-// that of InsideEvidence.
+// their terms keep them, so growing a crust costs what it adds.
+// `mask_confidence` is that of InsideEvidence.
 void ExtendTerms(const ViewSet& views,
-                 const std::vector<float>& mask_trust,
+                 const std::vector<float>& mask_confidence,
                  const Visibility& visibility,
                  const Crust& crust,
                  const ReconstructionOptions& options,
@@ -50,11 +50,12 @@ struct SilhouetteTerms {
   std::vector<float> hull_depth;
 };
 
-// One element a voxel each. `mask_trust` is that of InsideEvidence.
-SilhouetteTerms EstimateSilhouetteTerms(const ViewSet& views,
-                                        const std::vector<float>& mask_trust,
-                                        const VoxelGrid& voxels,
-                                        const ReconstructionOptions& options,
-                                        const Context& context);
+// One element a voxel each. `mask_confidence` is that of InsideEvidence.
+SilhouetteTerms EstimateSilhouetteTerms(
+    const ViewSet& views,
+    const std::vector<float>& mask_confidence,
+    const VoxelGrid& voxels,
+    const ReconstructionOptions& options,
+    const Context& context);
 
 }  // namespace octacut

@@ -11,8 +11,8 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 256;
-// Of so many places a pose is known well enough.
-constexpr size_t kMaxPlaces = 8000;
+// Of so many points a pose is known well enough.
+constexpr size_t kMaxPoints = 8000;
 constexpr size_t kMinPatches = 50;
 constexpr int kMinViews = 3;
 constexpr float kMinAgreement = 0.5f;
@@ -74,7 +74,7 @@ Eigen::Matrix<double, 2, 7> MotionOfPixel(const ViewProjection& projection,
   return motion.cast<double>();
 }
 
-void AddPlace(const ViewSet& views,
+void AddPoint(const ViewSet& views,
               const LocalSurface& surface,
               SurfacePatch* patch,
               std::vector<PoseEquations>* equations) {
@@ -164,7 +164,7 @@ size_t AlignViews(const std::vector<LocalSurface>& surfaces,
                   const PatchOptions& patch_options,
                   const Context& context,
                   ViewSet* views) {
-  const size_t stride = (surfaces.size() + kMaxPlaces - 1) / kMaxPlaces;
+  const size_t stride = (surfaces.size() + kMaxPoints - 1) / kMaxPoints;
   const size_t count = surfaces.size() / std::max<size_t>(stride, 1);
   std::vector<std::vector<PoseEquations>> of_chunks(NumChunks(count, kGrain));
   ParallelChunks(
@@ -178,9 +178,9 @@ size_t AlignViews(const std::vector<LocalSurface>& surfaces,
           if (chosen.count < kMinViews) {
             continue;
           }
-          patch.Place(surface, chosen, chosen.pixel);
+          patch.MoveTo(surface, chosen, chosen.pixel);
           if (patch.NumViews() >= kMinViews) {
-            AddPlace(*views, surface, &patch, &equations);
+            AddPoint(*views, surface, &patch, &equations);
           }
         }
       });

@@ -7,30 +7,30 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kMinRims = 100;
-constexpr size_t kMinShare = 10;  // one in so many of all rims
+constexpr size_t kMinContourTargets = 100;
+constexpr size_t kMinShare = 10;  // one in so many of all occluding contours
 
-struct RimExcess {
+struct ContourExcess {
   float pixels;
   double weight;
 };
 
 // By weight; in any order of `values`.
-float WeightedMedian(std::vector<RimExcess> values) {
+float WeightedMedian(std::vector<ContourExcess> values) {
   std::sort(values.begin(),
             values.end(),
-            [](const RimExcess& one, const RimExcess& other) {
+            [](const ContourExcess& one, const ContourExcess& other) {
               return std::pair(one.pixels, one.weight) <
                      std::pair(other.pixels, other.weight);
             });
   double sum = 0;
-  for (const RimExcess& value : values) {
+  for (const ContourExcess& value : values) {
     sum += value.weight;
   }
   double below = 0;
   return std::find_if(values.begin(),
                       values.end() - 1,
-                      [&](const RimExcess& value) {
+                      [&](const ContourExcess& value) {
                         below += value.weight;
                         return 2 * below >= sum;
                       })
@@ -40,18 +40,18 @@ float WeightedMedian(std::vector<RimExcess> values) {
 }  // namespace
 
 std::optional<BorderExcess> MedianExcess(
-    const std::vector<RimTarget>& rims,
+    const std::vector<ContourTarget>& contours,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,
     double min_radius,
     double curvature_bias) {
-  std::vector<RimExcess> excesses;
-  for (const auto& [edge, pixels_per_unit] : rims) {
-    const OffsetMeasurement& a = measurements[edge.places[0]];
-    const OffsetMeasurement& b = measurements[edge.places[1]];
+  std::vector<ContourExcess> excesses;
+  for (const auto& [edge, pixels_per_unit] : contours) {
+    const OffsetMeasurement& a = measurements[edge.points[0]];
+    const OffsetMeasurement& b = measurements[edge.points[1]];
     // In 1 / pixels.
-    const double curvature = std::max(surfaces[edge.places[0]].Curvature(),
-                                      surfaces[edge.places[1]].Curvature()) /
+    const double curvature = std::max(surfaces[edge.points[0]].Curvature(),
+                                      surfaces[edge.points[1]].Curvature()) /
                              pixels_per_unit;
     if (a.weight > 0 && b.weight > 0 && min_radius * curvature <= 1) {
       const float measured = a.offset + edge.fraction * (b.offset - a.offset);
@@ -60,11 +60,12 @@ std::optional<BorderExcess> MedianExcess(
                           std::pow(std::min(a.weight, b.weight), 4)});
     }
   }
-  if (excesses.size() < std::max(kMinRims, rims.size() / kMinShare)) {
+  if (excesses.size() <
+      std::max(kMinContourTargets, contours.size() / kMinShare)) {
     return std::nullopt;
   }
   const float median = WeightedMedian(excesses);
-  for (RimExcess& excess : excesses) {
+  for (ContourExcess& excess : excesses) {
     excess.pixels = std::abs(excess.pixels - median);
   }
   return BorderExcess{median, WeightedMedian(std::move(excesses))};

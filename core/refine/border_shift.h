@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/refine/contour_targets.h"
 #include "core/refine/local_surface.h"
 #include "core/refine/offset_search.h"
-#include "core/refine/rim_targets.h"
 
 namespace octacut {
 
@@ -18,15 +18,15 @@ struct BorderExcess {
   double deviation = 0;  // the median distance from it
 };
 
-// By how many pixels of their views `rims` lead farther outward than the
-// offsets measured at their places, where `surfaces` are: the median, weighted
+// By how many pixels of their views `contours` lead farther outward than the
+// offsets measured at their points, where `surfaces` are: the median, weighted
 // by the fourth power of the offsets' weights, since badly measured ones lie
-// too far inside. So do those of limbs: only places whose radius of curvature
-// is at least `min_radius` pixels count, and `curvature_bias` over that radius
-// (pixels^2) is taken off. None where fewer than a hundred rims, or than a
-// tenth of them, could tell.
+// too far inside. So do those of thin structures: only points whose radius of
+// curvature is at least `min_radius` pixels count, and `curvature_bias` over
+// that radius (pixels^2) is taken off. None where fewer than a hundred
+// occluding contours, or than a tenth of them, could tell.
 std::optional<BorderExcess> MedianExcess(
-    const std::vector<RimTarget>& rims,
+    const std::vector<ContourTarget>& contours,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,
     double min_radius,

@@ -19,7 +19,7 @@ inline constexpr double kLargestHullTolerance = 1.5;
 
 // Adds the edge targets to `problem`, whose lengths are in pixels, and sets
 // num_rim_targets, border_shift and hull_tolerance of `summary`. The shift is
-// judged only where `summary` knows the offsets of most places.
+// judged only where `summary` knows the offsets of most points.
 void AddBorderTerms(const ViewSet& views,
                     const SeenSurface& seen,
                     const std::vector<OffsetMeasurement>& measurements,

@@ -15,7 +15,7 @@ constexpr size_t kGrain = 4096;
 constexpr double kMinHeight = 0.01;
 // Averagings with the neighbours.
 constexpr int kRelaxations = 5;
-// Pixels out of a mask at which one place is as bad as another.
+// Pixels out of a mask at which one point is as bad as another.
 constexpr float kMaxReach = 200;
 
 bool IsBackground(const PreparedView& view,
@@ -23,10 +23,11 @@ bool IsBackground(const PreparedView& view,
                   float tolerance) {
   const std::optional<ProjectedPoint> p =
       view.projection.Project(point.cast<float>());
-  return p && view.silhouette.Test(p->u - tolerance,
-                                   p->v - tolerance,
-                                   p->u + tolerance,
-                                   p->v + tolerance) == Footprint::kBackground;
+  return p &&
+         view.silhouette.Test(p->u - tolerance,
+                              p->v - tolerance,
+                              p->u + tolerance,
+                              p->v + tolerance) == Containment::kBackground;
 }
 
 // Whether a view shows the point farther out than `tolerance`, `start` and
@@ -80,7 +81,7 @@ size_t WithdrawIntoHull(const ViewSet& views,
 
 // Smooths where vertices are not where they were `wanted`, and a ring around:
 // moved back one by one they stand out of a surface that has moved on, and with
-// normals so odd that no view or place speaks of them any more. What was to
+// normals so odd that no view or point speaks of them any more. What was to
 // stay where it was stays.
 void RelaxMoved(const std::vector<Eigen::Vector3d>& before,
                 const std::vector<Eigen::Vector3d>& wanted,

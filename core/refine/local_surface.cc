@@ -6,7 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/parallel.h"
-#include "core/refine/surface_samples.h"
+#include "core/refine/thinned_surface.h"
 
 namespace octacut {
 namespace {
@@ -27,7 +27,7 @@ constexpr double kRidge = 1e-3;
 // their joints.
 class Neighborhood {
  public:
-  explicit Neighborhood(const SurfaceSamples& samples)
+  explicit Neighborhood(const ThinnedSurface& samples)
       : samples_(samples), found_by_(samples.Positions().size(), kNone) {}
 
   // `vertex` is another one in every call.
@@ -62,7 +62,7 @@ class Neighborhood {
            samples_.Normals()[sample].dot(normal) >= kMinCosine;
   }
 
-  const SurfaceSamples& samples_;
+  const ThinnedSurface& samples_;
   std::vector<uint32_t> found_by_;
   std::vector<uint32_t> found_;
 };
@@ -80,7 +80,7 @@ LocalSurface TangentPlane(const Eigen::Vector3d& position,
 }
 
 // By their distance from the middle.
-void Weigh(const SurfaceSamples& samples,
+void Weigh(const ThinnedSurface& samples,
            const std::vector<uint32_t>& near,
            const Eigen::Vector3d& middle,
            double radius,
@@ -94,7 +94,7 @@ void Weigh(const SurfaceSamples& samples,
 }
 
 // Of what is near a vertex with this normal.
-Eigen::Vector3d MeanNormal(const SurfaceSamples& samples,
+Eigen::Vector3d MeanNormal(const ThinnedSurface& samples,
                            const std::vector<uint32_t>& near,
                            const std::vector<double>& weights,
                            const Eigen::Vector3f& normal) {
@@ -109,7 +109,7 @@ Eigen::Vector3d MeanNormal(const SurfaceSamples& samples,
 
 // z = a + b x + c y + d x^2 + e x y + f y^2 over `middle`, in the frame of the
 // mean normal, lengths in units of the radius.
-LocalSurface Fit(const SurfaceSamples& samples,
+LocalSurface Fit(const ThinnedSurface& samples,
                  const std::vector<uint32_t>& near,
                  const std::vector<double>& weights,
                  const Eigen::Vector3d& middle,
@@ -171,7 +171,7 @@ std::vector<LocalSurface> FitLocalSurfaces(
     const std::vector<uint32_t>& vertices,
     double radius,
     const Context& context) {
-  const SurfaceSamples samples(mesh, neighbors, radius / kSamplesPerRadius);
+  const ThinnedSurface samples(mesh, neighbors, radius / kSamplesPerRadius);
   std::vector<LocalSurface> surfaces(vertices.size());
   ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
     Neighborhood neighborhood(samples);

@@ -19,14 +19,14 @@ struct Blend {
   float weights = 0;
 };
 
-// What `place` says of a vertex.
-void AddPlace(const MovedPlaces& moved,
-              uint32_t place,
+// What `point` says of a vertex.
+void AddPoint(const MovedPoints& moved,
+              uint32_t point,
               const Eigen::Vector3f& position,
               const Eigen::Vector3f& normal,
               float radius,
               Blend* blend) {
-  const LocalSurface& surface = moved.surfaces[place];
+  const LocalSurface& surface = moved.surfaces[point];
   const Eigen::Vector3f offset = position - surface.center;
   const float nearness = 1 - offset.squaredNorm() / (radius * radius);
   if (nearness <= 0 || surface.normal.dot(normal) < kMinCosine) {
@@ -34,11 +34,11 @@ void AddPlace(const MovedPlaces& moved,
   }
   const float weight = nearness * nearness;
   blend->weights += weight;
-  if (!moved.is_free[place]) {
+  if (!moved.is_free[point]) {
     return;
   }
-  float way = float(moved.offsets[place]) + moved.slopes[place].dot(offset);
-  if (moved.is_smooth[place]) {
+  float way = float(moved.offsets[point]) + moved.slopes[point].dot(offset);
+  if (moved.is_smooth[point]) {
     way += surface.Height(offset.dot(surface.tangent_u),
                           offset.dot(surface.TangentV())) -
            offset.dot(surface.normal);
@@ -48,8 +48,8 @@ void AddPlace(const MovedPlaces& moved,
 
 }  // namespace
 
-double MoveVertices(const SurfacePlaces& places,
-                    const MovedPlaces& moved,
+double MoveVertices(const SurfacePoints& points,
+                    const MovedPoints& moved,
                     double radius,
                     const Context& context,
                     IndexedMesh* mesh) {
@@ -59,17 +59,17 @@ double MoveVertices(const SurfacePlaces& places,
   ParallelChunks(
       context, count, kGrain, [&](size_t chunk, size_t begin, size_t end) {
         for (size_t v = begin; v < end; ++v) {
-          const uint32_t own = places.place_of[v];
+          const uint32_t own = points.point_of[v];
           if (!moved.is_free[own]) {
             continue;
           }
           const Eigen::Vector3f position = mesh->positions[v].cast<float>();
           Blend blend;
-          AddPlace(
+          AddPoint(
               moved, own, position, mesh->normals[v], float(radius), &blend);
-          for (const uint32_t place : places.neighbors.Of(own)) {
-            AddPlace(moved,
-                     place,
+          for (const uint32_t point : points.neighbors.Of(own)) {
+            AddPoint(moved,
+                     point,
                      position,
                      mesh->normals[v],
                      float(radius),

@@ -65,16 +65,16 @@ OffsetMeasurement FindPeak(const std::vector<float>& scores,
   }
   const float before = scores[best - 1];
   const float after = scores[best + 1];
-  const float bend = 2 * scores[best] - before - after;
-  if (!(bend > 0)) {
+  const float curvature = 2 * scores[best] - before - after;
+  if (!(curvature > 0)) {
     return measurement;
   }
   const float step = float(search.step);
-  const float peak = 0.5f * (after - before) / bend;
+  const float peak = 0.5f * (after - before) / curvature;
   measurement.score += 0.25f * (after - before) * peak;
   measurement.offset = (float(best) - float(middle) + peak) * step * pixel;
   measurement.weight = WeightOfPeak(
-      1 - measurement.score, bend / (2 * step * step), num_views, search);
+      1 - measurement.score, curvature / (2 * step * step), num_views, search);
   return measurement;
 }
 
@@ -123,7 +123,7 @@ std::vector<OffsetMeasurement> SearchOffsets(
       if (chosen.count < 2) {
         continue;
       }
-      patch.Place(surface, chosen, float(search.spacing) * chosen.pixel);
+      patch.MoveTo(surface, chosen, float(search.spacing) * chosen.pixel);
       if (patch.NumViews() < 2) {
         continue;
       }

@@ -13,7 +13,7 @@
 namespace octacut {
 
 // What RefineOptions, which has the defaults and limits, comes to in one round.
-// Lengths in pixels: the mean size at the place of those of its views.
+// Lengths in pixels: the mean size at the point of those of its views.
 struct OffsetSearch {
   double range;      // offsets in -range .. range
   double step;       // between tried offsets

@@ -12,31 +12,31 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 8192;
-// Steps between neighbouring places, two pixels each, to those that are asked:
+// Steps between neighbouring points, two pixels each, to those that are asked:
 // patches of seven pixels do not overlap there.
 constexpr int kFirstRing = 4;
 constexpr int kLastRing = 5;
-// Shares of supporting places: up to the first, offsets are chance, from the
-// second on they are believed (docs/refinement.md).
+// Shares of supporting points: up to the first, offsets are chance, from the
+// second on they all count (docs/refinement.md).
 constexpr float kChance = 0.3f;
 constexpr float kSupported = 0.6f;
 
-// The places that are kFirstRing .. kLastRing steps away from another one.
+// The points that are kFirstRing .. kLastRing steps away from another one.
 class Surroundings {
  public:
-  explicit Surroundings(const VertexCorners& neighbors, size_t num_places)
-      : neighbors_(neighbors), reached_from_(num_places, kNowhere) {}
+  explicit Surroundings(const VertexCorners& neighbors, size_t num_points)
+      : neighbors_(neighbors), reached_from_(num_points, kNowhere) {}
 
   template <typename Visit>
-  void ForEach(uint32_t place, const Visit& visit) {
-    front_.assign(1, place);
-    reached_from_[place] = place;
+  void ForEach(uint32_t point, const Visit& visit) {
+    front_.assign(1, point);
+    reached_from_[point] = point;
     for (int ring = 1; ring <= kLastRing; ++ring) {
       next_.clear();
       for (const uint32_t from : front_) {
         for (const uint32_t to : neighbors_.Of(from)) {
-          if (reached_from_[to] != place) {
-            reached_from_[to] = place;
+          if (reached_from_[to] != point) {
+            reached_from_[to] = point;
             next_.push_back(to);
             if (ring >= kFirstRing) {
               visit(to);
@@ -57,7 +57,7 @@ class Surroundings {
   std::vector<uint32_t> next_;
 };
 
-// One a place; 1 of places without neighbours that far.
+// One a point; 1 of points without neighbours that far.
 std::vector<float> EstimateSupport(
     const VertexCorners& neighbors,
     const std::vector<uint8_t>& is_seen,

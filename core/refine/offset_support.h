@@ -15,12 +15,12 @@
 
 namespace octacut {
 
-// Measured offsets, one a place.
+// Measured offsets, one a point.
 size_t NumMeasured(const std::vector<OffsetMeasurement>& measurements);
 
-// Where at most half of the seen places have an offset that others support,
+// Where at most half of the seen points have an offset that others support,
 // lowers the weight of each of `measurements` by its support: the share of the
-// seen places around it, just beyond its own patch, whose offsets differ from
+// seen points around it, just beyond its own patch, whose offsets differ from
 // its own by no more than `tolerance` (unit coordinates). Offsets that few
 // support get none. Elsewhere nothing changes: at creases and in hollows of a
 // textured object, offsets without support are right. `neighbors` and

@@ -25,7 +25,7 @@ struct RefineOptions {
   int coarse_passes = 2;
   double range = 3;   // 2 and 1.5 are worse ("What made it good")
   double step = 0.5;  // between tried offsets; not varied alone
-  // Between the places where offsets are measured. 1.5 costs a third more time
+  // Between the points where offsets are measured. 1.5 costs a third more time
   // for F 0.949 instead of 0.948 ("Patches of 7 x 7").
   double measure_spacing = 2;
   // Of the pieces of the surface that are taken for smooth; 5 and 6 are worse
@@ -37,8 +37,8 @@ struct RefineOptions {
   // coarse pass but the first, and each one at their scale; 0: their poses are
   // exact.
   int alignment_steps = 4;
-  // Weight of the surface's bend, against an offset that is known to a pixel.
-  // 20 and 45 are worse ("Patches of 7 x 7").
+  // Weight of the bending energy relative to an offset that is known to a
+  // pixel. 20 and 45 are worse ("Patches of 7 x 7").
   double smoothness = 30;
   // Offsets that are wrong by more than this many standard deviations weigh
   // like outliers.
@@ -47,8 +47,8 @@ struct RefineOptions {
   // much makes no difference ("What made it good").
   double silhouette_weight = 1;
   // Pixels to which the photographs tell how far the masks' borders are shifted
-  // as a whole, less where all rims say the same: much smaller shifts are taken
-  // for noise. Large: masks are right.
+  // as a whole, less where all occluding contours say the same: much smaller
+  // shifts are taken for noise. Large: masks are right.
   double border_noise = 0.3;
   void Check() const;
 };

@@ -11,34 +11,34 @@
 #include "core/refine/border_terms.h"
 #include "core/refine/keep_valid.h"
 #include "core/refine/move_vertices.h"
+#include "core/refine/neighbor_planes.h"
 #include "core/refine/offset_search.h"
 #include "core/refine/offset_support.h"
-#include "core/refine/place_planes.h"
 #include "core/refine/seen_surface.h"
 #include "core/refine/solve_offsets.h"
 
 namespace octacut {
 namespace {
 
-// Rings of unseen places around seen ones that may move along with them.
+// Rings of unseen points around seen ones that may move along with them.
 constexpr int kBlendRings = 2;
 // By how much offsets a few patches apart may differ and still mean the same
 // surface, pixels of the round.
 constexpr double kSupportTolerance = 1;
-// How far a place speaks of vertices, in distances between places.
+// How far a point speaks of vertices, in distances between points.
 constexpr double kReach = 1.3;
 
-// Mean distance between neighbouring places.
-double MeanSpacing(const IndexedMesh& mesh, const SurfacePlaces& places) {
+// Mean distance between neighbouring points.
+double MeanSpacing(const IndexedMesh& mesh, const SurfacePoints& points) {
   double sum = 0;
-  for (size_t i = 0; i < places.vertices.size(); ++i) {
-    for (const uint32_t next : places.neighbors.Of(i)) {
-      sum += (mesh.positions[places.vertices[i]] -
-              mesh.positions[places.vertices[next]])
+  for (size_t i = 0; i < points.vertices.size(); ++i) {
+    for (const uint32_t next : points.neighbors.Of(i)) {
+      sum += (mesh.positions[points.vertices[i]] -
+              mesh.positions[points.vertices[next]])
                  .norm();
     }
   }
-  return sum / double(std::max<size_t>(places.neighbors.corners.size(), 1));
+  return sum / double(std::max<size_t>(points.neighbors.corners.size(), 1));
 }
 
 void Align(const SeenSurface& seen,
@@ -92,7 +92,7 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
     problem.weights.push_back(float(measurement.weight / scale));
   }
   summary->num_measured = NumMeasured(measurements);
-  problem.is_free = Dilate(seen.is_seen, seen.places.neighbors, kBlendRings);
+  problem.is_free = Dilate(seen.is_seen, seen.points.neighbors, kBlendRings);
   return problem;
 }
 
@@ -105,17 +105,17 @@ void MovePlaces(SeenSurface seen,
                 const Context& context,
                 IndexedMesh* mesh,
                 RoundSummary* summary) {
-  const VertexCorners& neighbors = seen.places.neighbors;
-  const PlacePlanes planes = FitPlacePlanes(seen.surfaces, neighbors);
+  const VertexCorners& neighbors = seen.points.neighbors;
+  const NeighborPlanes planes = FitNeighborPlanes(seen.surfaces, neighbors);
   problem.shares = planes.shares;
   for (const float spacing : planes.spacings) {
     problem.spacings.push_back(float(spacing / pixel));
   }
   const double mean_spacing =
-      std::max(MeanSpacing(*mesh, seen.places), seen.edge);
+      std::max(MeanSpacing(*mesh, seen.points), seen.edge);
   const SolveOffsetsOptions solving{.smoothness = options.smoothness,
                                     .outlier_scale = options.outlier_scale};
-  MovedPlaces moved;
+  MovedPoints moved;
   moved.offsets = SolveOffsets(problem, neighbors, solving, context);
   for (double& offset : moved.offsets) {
     offset *= pixel;
@@ -128,7 +128,7 @@ void MovePlaces(SeenSurface seen,
     moved.is_smooth.assign(moved.is_smooth.size(), 0);
   }
   summary->mean_displacement =
-      MoveVertices(seen.places, moved, kReach * mean_spacing, context, mesh) /
+      MoveVertices(seen.points, moved, kReach * mean_spacing, context, mesh) /
       pixel;
 }
 
@@ -155,7 +155,7 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
                     options,
                     context,
                     mesh);
-  summary.num_places = seen.choices.size();
+  summary.num_points = seen.choices.size();
   summary.num_seen = seen.NumSeen();
   summary.fit_seconds = seen.fit_seconds;
   summary.view_seconds = seen.view_seconds;
@@ -171,7 +171,7 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
       options,
       fmt::format("refinement: offsets up to {:.2g} pixels", summary.range),
       context);
-  DropChanceOffsets(seen.places.neighbors,
+  DropChanceOffsets(seen.points.neighbors,
                     seen.is_seen,
                     kSupportTolerance * plan.scale * pixel,
                     context,

@@ -15,10 +15,10 @@ namespace octacut {
 struct RoundSummary {
   double scale = 0;  // size of the round's pixels in those of the views
   double range = 0;  // of the search, pixels of the views
-  size_t num_places = 0;
-  size_t num_seen = 0;         // of them, by at least two views
-  size_t num_measured = 0;     // of them, with an offset that others support
-  size_t num_rim_targets = 0;  // from silhouettes
+  size_t num_points = 0;
+  size_t num_seen = 0;      // of them, by at least two views
+  size_t num_measured = 0;  // of them, with an offset that others support
+  size_t num_contour_targets = 0;  // from silhouettes
   // Pixels by which the masks' borders are taken to lie too far outside, after
   // the round; shrunk by the noise of what it measured.
   double border_shift = 0;
@@ -37,7 +37,7 @@ struct RoundSummary {
   double solve_seconds = 0;
   double validity_seconds = 0;
 
-  // Where most places have no offset, those of the others may be chance, and
+  // Where most points have no offset, those of the others may be chance, and
   // neither poses nor the masks' borders are judged by them.
   bool KnowsMost() const { return 2 * num_measured > num_seen; }
 };

@@ -5,7 +5,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/mesh/normals.h"
-#include "core/refine/surface_samples.h"
+#include "core/refine/thinned_surface.h"
 
 namespace octacut {
 namespace {
@@ -51,17 +51,17 @@ SeenSurface LookAtSurface(const ViewSet& views,
   Stopwatch stopwatch;
   mesh->normals = ComputeVertexNormals(*mesh, context);
   const double edge = MeanEdge(*mesh, neighbors);
-  SurfacePlaces places = SpreadPlaces(*mesh, neighbors, look.spacing);
+  SurfacePoints points = SpreadPoints(*mesh, neighbors, look.spacing);
   const double fit_radius =
       options.fit_radius * look.pixel * std::min(look.scale, kMaxFitScale);
   std::vector<LocalSurface> surfaces =
       FitLocalSurfaces(*mesh,
                        neighbors,
-                       places.vertices,
+                       points.vertices,
                        std::max(fit_radius, kMinFitEdges * edge),
                        context);
   SeenSurface seen{
-      edge, std::move(places), std::move(surfaces), RayScene(*mesh), {}, {}};
+      edge, std::move(points), std::move(surfaces), RayScene(*mesh), {}, {}};
   seen.fit_seconds = stopwatch.Lap();
   seen.choices = ChooseViews(views,
                              seen.rays,

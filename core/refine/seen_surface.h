@@ -1,4 +1,4 @@
-// What a round of refinement knows of the surface before it measures: places on
+// What a round of refinement knows of the surface before it measures: points on
 // it, its shape there and the views that see it.
 #pragma once
 
@@ -12,7 +12,7 @@
 #include "core/raycast/ray_scene.h"
 #include "core/refine/local_surface.h"
 #include "core/refine/refine_options.h"
-#include "core/refine/surface_places.h"
+#include "core/refine/surface_points.h"
 #include "core/refine/view_choice.h"
 #include "core/views/view_set.h"
 
@@ -22,15 +22,15 @@ namespace octacut {
 struct Look {
   double pixel;    // of the views, at the surface
   double scale;    // pixels between the samples of a patch
-  double spacing;  // between places
+  double spacing;  // between points
 };
 
 struct SeenSurface {
   double edge;  // mean one of the mesh
-  SurfacePlaces places;
-  std::vector<LocalSurface> surfaces;  // at the places
+  SurfacePoints points;
+  std::vector<LocalSurface> surfaces;  // at the points
   RayScene rays;                       // of the mesh
-  std::vector<ChosenViews> choices;    // of the places
+  std::vector<ChosenViews> choices;    // of the points
   std::vector<uint8_t> is_seen;        // by at least two views
   double fit_seconds = 0;
   double view_seconds = 0;

@@ -32,7 +32,7 @@ class PlaceCost final : public ceres::SizedCostFunction<1, 1> {
   double target_;
 };
 
-// A linear function of some places' offsets.
+// A linear function of some points' offsets.
 class LinearCost final : public ceres::CostFunction {
  public:
   LinearCost(std::vector<double> factors, double constant)
@@ -86,8 +86,8 @@ class Builder {
 
   ceres::Problem* Build() {
     for (size_t v = 0; v < offsets_.size(); ++v) {
-      AddPlace(v);
-      AddBend(v);
+      AddPoint(v);
+      AddBendingEnergy(v);
     }
     for (const EdgeTarget& target : input_.edge_targets) {
       AddEdgeTarget(target);
@@ -103,7 +103,7 @@ class Builder {
     return options;
   }
 
-  void AddPlace(size_t v) {
+  void AddPoint(size_t v) {
     if (!input_.is_free[v]) {
       return;
     }
@@ -120,7 +120,7 @@ class Builder {
     }
   }
 
-  void AddBend(size_t v) {
+  void AddBendingEnergy(size_t v) {
     const std::span<const uint32_t> around = neighbors_.Of(v);
     if (around.empty()) {
       return;
@@ -151,9 +151,9 @@ class Builder {
     std::vector<double*> blocks;
     const std::array<float, 2> shares = {1 - target.fraction, target.fraction};
     for (int i = 0; i < 2; ++i) {
-      if (input_.is_free[target.places[i]]) {
+      if (input_.is_free[target.points[i]]) {
         factors.push_back(double(target.weight) * shares[i]);
-        blocks.push_back(&offsets_[target.places[i]]);
+        blocks.push_back(&offsets_[target.points[i]]);
       }
     }
     if (!blocks.empty()) {

@@ -1,5 +1,5 @@
 // From what views and silhouettes measure here and there to one smooth,
-// robust offset a place: a sparse non-linear least-squares problem (Ceres).
+// robust offset a point: a sparse non-linear least-squares problem (Ceres).
 #pragma once
 
 #include <array>
@@ -12,35 +12,35 @@
 
 namespace octacut {
 
-// weight * (fraction of the way from one place's offset to the other's -
+// weight * (fraction of the way from one point's offset to the other's -
 // target) shall vanish.
 struct EdgeTarget {
-  std::array<uint32_t, 2> places;
-  float fraction;  // 0: of the first place, 1: of the second
+  std::array<uint32_t, 2> points;
+  float fraction;  // 0: of the first point, 1: of the second
   float target;
   float weight;
 };
 
-// Offsets of places along their normals.
+// Offsets of points along their normals.
 struct OffsetProblem {
   std::vector<Eigen::Vector3f> normals;
-  // 0: the place stays.
+  // 0: the point stays.
   std::vector<uint8_t> is_free;
   // weights[v] * (offset - targets[v]) shall vanish, robustly; weight 0: none.
   std::vector<float> targets;
   std::vector<float> weights;
   std::vector<EdgeTarget> edge_targets;
-  // As in PlacePlanes, spacings in the unit of the offsets.
+  // As in NeighborPlanes, spacings in the unit of the offsets.
   std::vector<float> shares;
   std::vector<float> spacings;
 };
 
 // Of RefineOptions, which has the defaults and limits.
 struct SolveOffsetsOptions {
-  // Of the bend that the offsets add to the surface: how far the plane through
-  // those of its neighbours is above a place. Over the spacing there, so the
-  // weight means the same for any: a bend goes with its square, and there are
-  // as many fewer.
+  // Weight of the bending energy that the offsets add to the surface: the
+  // square of the height of the plane through a point's neighbours above the
+  // point, relative to their spacing. Because of that ratio a weight has the
+  // same effect for any spacing.
   double smoothness;
   // Of an offset that nothing is known of.
   double anchor = 0.02;
@@ -48,8 +48,8 @@ struct SolveOffsetsOptions {
   double outlier_scale;
 };
 
-// The offsets, zero for places that stay; the same bytes for any number of
-// threads. `neighbors` are those of SurfacePlaces.
+// The offsets, zero for points that stay; the same bytes for any number of
+// threads. `neighbors` are those of SurfacePoints.
 std::vector<double> SolveOffsets(const OffsetProblem& problem,
                                  const VertexCorners& neighbors,
                                  const SolveOffsetsOptions& options,

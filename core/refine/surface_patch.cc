@@ -36,9 +36,9 @@ void PatchOptions::Check() const {
               "refinement.pixel_noise",
               pixel_noise,
               "must be positive and at most 64");
-  CheckOption(hue_weight >= 0 && hue_weight <= 8,
-              "refinement.hue_weight",
-              hue_weight,
+  CheckOption(chroma_weight >= 0 && chroma_weight <= 8,
+              "refinement.chroma_weight",
+              chroma_weight,
               "must be in 0 .. 8");
 }
 
@@ -47,7 +47,7 @@ SurfacePatch::SurfacePatch(const ViewSet& views, const PatchOptions& options)
       radius_(options.radius),
       num_samples_((2 * radius_ + 1) * (2 * radius_ + 1)),
       noise_(float(3 * options.pixel_noise * options.pixel_noise)),
-      hue_weight_(float(options.hue_weight)) {
+      chroma_weight_(float(options.chroma_weight)) {
   const float scale = 1 / (kSigma * float(radius_));
   float sum = 0;
   float squares = 0;  // of the columns
@@ -70,9 +70,9 @@ SurfacePatch::SurfacePatch(const ViewSet& views, const PatchOptions& options)
   }
 }
 
-void SurfacePatch::Place(const LocalSurface& surface,
-                         const ChosenViews& chosen,
-                         float spacing) {
+void SurfacePatch::MoveTo(const LocalSurface& surface,
+                          const ChosenViews& chosen,
+                          float spacing) {
   const Eigen::Vector3f tangent_v = surface.TangentV();
   num_views_ = 0;
   for (int n = 0; n < chosen.count; ++n) {
@@ -137,7 +137,7 @@ void SurfacePatch::Normalize(std::array<Float4, kMaxSamples>* image) const {
   for (int s = 0; s < num_samples_; ++s) {
     const Float4 trend = mean + slope_u * columns_[s] + slope_v * rows_[s];
     (*image)[s] =
-        WeightHue((*image)[s] - trend, hue_weight_) * root_weights_[s];
+        WeightChroma((*image)[s] - trend, chroma_weight_) * root_weights_[s];
   }
 }
 

@@ -31,9 +31,9 @@ struct PatchOptions {
   // Standard deviation of the images' noise, grey levels: contrast below it
   // counts as plain. 1 is worse: docs/refinement.md, "What made it good".
   double pixel_noise = 0.5;
-  // Of differences of hue against those of grey, to which gloss adds (see
-  // WeightHue); 0 .. 8.
-  double hue_weight = 2;
+  // Of differences of chroma against those of grey, to which gloss adds (see
+  // WeightChroma); 0 .. 8.
+  double chroma_weight = 2;
   void Check() const;
 };
 
@@ -48,9 +48,9 @@ class SurfacePatch {
   // Puts the patch onto `surface`, with samples `spacing` apart (unit
   // coordinates). Views in which more than a third of it is background are left
   // out.
-  void Place(const LocalSurface& surface,
-             const ChosenViews& chosen,
-             float spacing);
+  void MoveTo(const LocalSurface& surface,
+              const ChosenViews& chosen,
+              float spacing);
   int NumViews() const { return num_views_; }
   // Of the views.
   float SumOfWeights() const;
@@ -76,7 +76,7 @@ class SurfacePatch {
 
   bool IsBackground(const Projected& projected) const;
   // Takes out the mean and part of the gradient, in which light and shade are
-  // strong; weights hue, and samples by the roots of their weights.
+  // strong; weights chroma, and samples by the roots of their weights.
   void Normalize(std::array<Float4, kMaxSamples>* image) const;
   // Squared norm.
   float SampleView(const Projected& projected, float offset);
@@ -93,7 +93,7 @@ class SurfacePatch {
   int radius_;
   int num_samples_;
   float noise_;
-  float hue_weight_;
+  float chroma_weight_;
   std::array<float, kMaxSamples> weights_;  // sum to 1
   // Of the samples, in spacings from the middle; and what a sample adds to the
   // slope that is taken out.

@@ -13,7 +13,7 @@ namespace {
 constexpr size_t kGrain = 1024;
 constexpr int kRingPoints = 8;
 
-// Views that a place should have, even if its patch bends away from them.
+// Views that a point should have, even if its patch bends away from them.
 constexpr int kEnoughViews = 4;
 
 float CosineOfDegrees(double degrees) {
@@ -24,9 +24,9 @@ float CosineOfDegrees(double degrees) {
 float CosineOfPatch(const LocalSurface& surface,
                     double radius,
                     double max_angle) {
-  const double bend =
+  const double turn =
       surface.ConvexCurvature() * radius * 180 / std::numbers::pi;
-  return CosineOfDegrees(std::max(max_angle - bend, 0.0));
+  return CosineOfDegrees(std::max(max_angle - turn, 0.0));
 }
 
 struct Candidate {
@@ -85,7 +85,7 @@ bool IsHidden(const RayScene& rays,
                          candidate.distance);
 }
 
-// Whether the view sees the place and what faces it of the ring around.
+// Whether the view sees the point and what faces it of the ring around.
 bool SeesPiece(const RayScene& rays,
                const LocalSurface& surface,
                const Candidate& candidate,

@@ -1,4 +1,4 @@
-// Which views see each place of a surface, by rays.
+// Which views see each point of a surface, by rays.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ struct ViewChoiceOptions {
   // Views at more than this angle (degrees) to the normal do not count. 72 is
   // worse, 85 loses thin rods: docs/refinement.md, "Furrows".
   double max_angle = 80;
-  // At most this many views a place, those of most weight; 2 .. 24. With 24
+  // At most this many views a point, those of most weight; 2 .. 24. With 24
   // errors hardly fall: docs/refinement.md, "Many views".
   int max_views = 16;
   // Between the directions of any two of them, degrees: nearly equal views
@@ -33,16 +33,16 @@ struct ChosenViews {
   // less precisely.
   std::array<float, kMaxViews> weights;
   uint8_t count = 0;
-  float pixel = 0;  // weighted mean size of their pixels at the place
+  float pixel = 0;  // weighted mean size of their pixels at the point
 };
 
 // The rays that have to reach a camera; lengths in unit coordinates.
 struct LinesOfSight {
   // They begin this far before the surface.
   double clearance = 0;
-  // As must those from a ring around the place, of so many pixels of the view,
+  // As must those from a ring around the point, of so many pixels of the view,
   // where it faces the camera: a patch that is hidden in part draws the surface
-  // towards what hides it, out of every furrow. 0: no ring.
+  // towards what hides it, out of every concavity. 0: no ring.
   double ring_radius = 0;
   double ring_clearance = 0;
   // Of patches, unit coordinates. Views to which not all of the patch is turned
@@ -52,7 +52,7 @@ struct LinesOfSight {
   double patch_radius = 0;
 };
 
-// One choice a place. A view counts when the place is within its frame, on
+// One choice a point. A view counts when the point is within its frame, on
 // its silhouette's object and not hidden: none of `lines` meets `rays`. Pixels
 // larger than `pixel` are too large.
 // Coordinates are unit coordinates throughout, those of `rays` too.

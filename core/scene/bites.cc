@@ -27,7 +27,7 @@ constexpr size_t kMinWitnesses = 3;
 constexpr size_t kWitnessDivisor = 4;
 // Of the object.
 constexpr double kMaxShare = 0.05;
-constexpr int kRim = 3;
+constexpr int kMargin = 3;
 // Radii of cells that a bite may go on in depth where it meets the mask.
 constexpr double kDepthMargin = 8;
 
@@ -87,7 +87,7 @@ class BiteFinder {
 
   // Of pixels of the view, marks those that the cells may take.
   template <typename Centers>
-  cv::Mat Footprint(size_t view, const Centers& centers) const {
+  cv::Mat ProjectedCells(size_t view, const Centers& centers) const {
     cv::Mat marked = cv::Mat::zeros(views_[view].mask.size(), CV_8UC1);
     double radius = 0;
     for (const Eigen::Vector3d& center : centers) {
@@ -104,7 +104,7 @@ class BiteFinder {
     ParallelFor(context, views_.size(), 1, [&](size_t begin, size_t end) {
       for (size_t v = begin; v < end; ++v) {
         const cv::Mat object = views_[v].mask >= kObjectThreshold;
-        unexplained_[v] = object & ~Footprint(v, cells_.shown);
+        unexplained_[v] = object & ~ProjectedCells(v, cells_.shown);
         DropUnknown(object, &unexplained_[v]);
       }
     });
@@ -200,7 +200,7 @@ class BiteFinder {
     }
     for (size_t v = 0; v < views_.size(); ++v) {
       if (int(v) != deniers[0] && int(v) != deniers[1]) {
-        unexplained_[v].setTo(0, Footprint(v, centers));
+        unexplained_[v].setTo(0, ProjectedCells(v, centers));
       }
     }
     bites->insert(bites->end(), found.begin(), found.end());
@@ -220,11 +220,11 @@ class BiteFinder {
     // What is that near to the mask counts as explained, so that the cells do
     // not reach up to it.
     const double reach =
-        2 * (CellRadius(of, centers.front(), cells_.radius) + kSlack) + kRim;
+        2 * (CellRadius(of, centers.front(), cells_.radius) + kSlack) + kMargin;
     const cv::Mat object = of.mask >= kObjectThreshold;
-    const cv::Mat footprint = Footprint(view, centers);
+    const cv::Mat projected = ProjectedCells(view, centers);
     cv::Mat gap =
-        (footprint | (Near(footprint, reach) & Near(object, reach))) & ~object;
+        (projected | (Near(projected, reach) & Near(object, reach))) & ~object;
     std::vector<cv::Point> pixels;
     cv::findNonZero(gap, pixels);
     for (const cv::Point& pixel : pixels) {
@@ -236,7 +236,7 @@ class BiteFinder {
     bite.view = view;
     KeepBites(view, &gap);
     bite.num_pixels = size_t(cv::countNonZero(gap));
-    bite.pixels = gap | (Near(gap, kRim) & object);
+    bite.pixels = gap | (Near(gap, kMargin) & object);
     return bite;
   }
 

@@ -28,8 +28,8 @@ ViewBits ToBits(const std::vector<bool>& active, size_t num_words) {
   return bits;
 }
 
-// The fewest of the active views that deny a place of the line; `common`
-// becomes those that deny every such place.
+// The fewest of the active views that deny a point of the line; `common`
+// becomes those that deny every such point.
 size_t FewestDenials(const SightLine& line,
                      const ViewBits& active,
                      ViewBits* common) {
@@ -102,7 +102,7 @@ class Sorter {
         options_(options),
         active_(lines.of_views.size(), true) {}
 
-  // Places that no more than max_wrong views deny may be the object. With many
+  // Points that no more than max_wrong views deny may be the object. With many
   // allowed to be wrong no good view is in doubt as long as there are fewer bad
   // ones, and grossly wrong views are found; with fewer, slighter faults are.
   Contradictions Run() {

@@ -27,7 +27,7 @@ struct ContradictionOptions {
 // view's or another object's shows object where none can be, and denies it
 // where the others show it.
 struct ViewFit {
-  // Of the object in this view: the share of pixels that no place explains,
+  // Of the object in this view: the share of pixels that no point explains,
   // since on all of the line of sight the object is denied by more of the other
   // views than may be wrong.
   double unexplained = 0;
@@ -38,7 +38,7 @@ struct ViewFit {
 };
 
 // The fit of each view to those of the others that are `active`, of which at
-// most `max_wrong` are wrong where they deny a place.
+// most `max_wrong` are wrong where they deny a point.
 std::vector<ViewFit> FitOfViews(const SightLines& lines,
                                 const std::vector<bool>& active,
                                 size_t max_wrong);

@@ -1,4 +1,4 @@
-// How far from the object of a view a place projects.
+// How far from the object of a view a point projects.
 #pragma once
 
 #include <Eigen/Core>

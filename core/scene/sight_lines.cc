@@ -12,10 +12,10 @@
 namespace octacut {
 namespace {
 
-// Places on a line that crosses the whole box.
-constexpr int kMaxPlaces = 256;
-constexpr int kMinPlaces = 32;
-// Tests of a place against a view in all, a second or two of one thread.
+// Points on a line that crosses the whole box.
+constexpr int kMaxLinePoints = 256;
+constexpr int kMinLinePoints = 32;
+// Tests of a point against a view in all, a second or two of one thread.
 constexpr double kMaxTests = 6e8;
 constexpr size_t kMinLines = 100;
 
@@ -188,9 +188,9 @@ SightLines TraceSightLines(const std::vector<View>& views,
                            const Context& context) {
   std::vector<Denier> deniers;
   deniers.reserve(views.size());
-  // Places as close as the slack: limbs that are thinner are not missed, since
-  // slack is on both sides of them.
-  double spacing = box.diagonal().norm() / kMinPlaces;
+  // Points as close as the slack: structures that are thinner are not missed,
+  // since slack is on both sides of them.
+  double spacing = box.diagonal().norm() / kMinLinePoints;
   for (const View& view : views) {
     deniers.emplace_back(view, options.mask_slack);
     const double depth = (view.cam_from_world * box.center()).z();
@@ -199,7 +199,7 @@ SightLines TraceSightLines(const std::vector<View>& views,
           std::min(spacing, deniers.back().Slack() * depth / view.camera.fx);
     }
   }
-  spacing = std::max(spacing, box.diagonal().norm() / kMaxPlaces);
+  spacing = std::max(spacing, box.diagonal().norm() / kMaxLinePoints);
   const double tests_per_line =
       double(views.size()) * box.diagonal().norm() / spacing;
   const size_t count =

@@ -16,12 +16,12 @@ namespace octacut {
 using ViewBits = std::vector<uint64_t>;
 
 // The line of sight of a pixel of the object in one view. The object has to be
-// somewhere on it, so at one of its places at least as many views are wrong as
-// deny the place. Places that are denied by all those that deny another one
+// somewhere on it, so at one of its points at least as many views are wrong as
+// deny the point. Points that are denied by all those that deny another one
 // tell nothing and are left out.
 struct SightLine {
-  // Of each place the views that show background there, `num_words` words a
-  // place. None: the line does not meet the box.
+  // Of each point the views that show background there, `num_words` words a
+  // point. None: the line does not meet the box.
   std::vector<uint64_t> denials;
 };
 
@@ -36,7 +36,7 @@ struct SightLinesOptions {
   size_t lines_per_view = 400;
   // Pixels by which masks may be too small or poses off without being
   // contradicted: one, and this share of the diagonal of the rectangle around
-  // the mask's object. Not of its area: thin limbs need as much.
+  // the mask's object. Not of its area: thin structures need as much.
   double mask_slack = 0.015;
 };
 

@@ -11,10 +11,10 @@
 namespace octacut {
 namespace {
 
-// How often the ray through an empty place meets the object elsewhere. Places
+// How often the ray through an empty point meets the object elsewhere. Points
 // just outside of the object are what matters, where most rays do.
 constexpr float kCoveredElsewhere = 0.7f;
-// A place that fewer of the views show is not where they look.
+// A point that fewer of the views show is not where they look.
 constexpr double kMinShowing = 0.7;
 // Voxels around the object that one view may add to it. What is farther away
 // and only that view denies is another thing.
@@ -24,7 +24,7 @@ constexpr float kLowest = -3 * kOneViewsWord;
 // Scores below this are below kLowest without any one view, too.
 constexpr float kIgnored = kLowest - 2 * kOneViewsWord;
 
-// Evidence for a place on the ray of a pixel with these log odds.
+// Evidence for a point on the ray of a pixel with these log odds.
 float EvidenceOf(float log_odds) {
   return std::max(-kOneViewsWord,
                   -std::log(kCoveredElsewhere +
@@ -221,9 +221,9 @@ void OccupancyGrid::Grow(std::vector<uint8_t>* flags) const {
       if (before[i] == 0) {
         continue;
       }
-      const size_t place = i / step % n;
-      const size_t down = std::min(place, kNearObject);
-      const size_t up = std::min(n - 1 - place, kNearObject);
+      const size_t point = i / step % n;
+      const size_t down = std::min(point, kNearObject);
+      const size_t up = std::min(n - 1 - point, kNearObject);
       for (size_t k = 0; k <= down + up; ++k) {
         (*flags)[i - down * step + k * step] = 1;
       }

@@ -1,9 +1,9 @@
-// Which places views together hold for object: evidence of pixels, gathered in
+// Which points views together hold for object: evidence of pixels, gathered in
 // voxels.
 //
 // Follows J.-S. Franco and E. Boyer, "Fusion of Multi-View Silhouette Cues
 // Using a Space Occupancy Grid" (ICCV 2005): a pixel of background is evidence
-// against every place on its ray, a pixel of object hardly any for one of them,
+// against every point on its ray, a pixel of object hardly any for one of them,
 // since another one may cause it.
 #pragma once
 
@@ -21,7 +21,7 @@
 namespace octacut {
 
 // Log odds of a pixel as evidence are cut off here: what a single view says for
-// sure. A place that this much speaks against is one view's word from being
+// sure. A point that this much speaks against is one view's word from being
 // object.
 inline constexpr float kOneViewsWord = 4;
 
@@ -46,7 +46,7 @@ class OccupancyGrid {
   // Box around the voxels that are object; empty when there are none.
   Eigen::AlignedBox3d ObjectBox() const;
 
-  // For each pixel of a view, what the other views say of the place on its ray
+  // For each pixel of a view, what the other views say of the point on its ray
   // that most of them hold for object: above 0 for object. CV_32F of the view's
   // size; at least -3 * kOneViewsWord.
   cv::Mat WordOfOthers(size_t view) const;

@@ -117,7 +117,7 @@ SearchRegion FindSearchRegion(std::span<const Pose> poses,
     const double pixel_size = in_cam.z() / pose.camera.fx;
     radii.push_back(left * pixel_size);
     const double longest = std::max(pose.camera.width, pose.camera.height);
-    // Places nearer than half way to a camera are no object that it shows.
+    // Points nearer than half way to a camera are no object that it shows.
     reach = std::max(reach, std::min(longest * pixel_size, in_cam.norm()) / 2);
   }
   if (num_showing * 2 < poses.size()) {

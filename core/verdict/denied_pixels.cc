@@ -15,7 +15,7 @@ namespace {
 constexpr double kMaxPixels = 200;
 // Samples of a ray an edge of the root cube.
 constexpr int kSamplesPerEdge = 128;
-// More views than that are not likely to be wrong at the same place.
+// More views than that are not likely to be wrong at the same point.
 constexpr size_t kMaxBlamed = 2;
 
 // The views that deny a point, in the order of their numbers.

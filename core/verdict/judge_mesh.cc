@@ -11,7 +11,7 @@
 namespace octacut {
 namespace {
 
-// Between the places where the photographs are compared, pixels: patches of
+// Between the points where the photographs are compared, pixels: patches of
 // seven beside each other nearly touch.
 constexpr double kSpacing = 6;
 // The same where each vertex is asked about.

@@ -19,9 +19,9 @@ constexpr size_t kGrain = 1024;
 // that is taken for measured, so that a peak there has both its sides.
 constexpr double kRange = 2;
 
-std::vector<float> AreasOfPlaces(const IndexedMesh& mesh,
-                                 const SurfacePlaces& places) {
-  std::vector<float> areas(places.vertices.size());
+std::vector<float> AreasOfPoints(const IndexedMesh& mesh,
+                                 const SurfacePoints& points) {
+  std::vector<float> areas(points.vertices.size());
   for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
     const Eigen::Vector3d& a = mesh.positions[triangle[0]];
     const double area = (mesh.positions[triangle[1]] - a)
@@ -29,7 +29,7 @@ std::vector<float> AreasOfPlaces(const IndexedMesh& mesh,
                             .norm() /
                         2;
     for (const uint32_t corner : triangle) {
-      areas[places.place_of[corner]] += float(area / 3);
+      areas[points.point_of[corner]] += float(area / 3);
     }
   }
   return areas;
@@ -51,12 +51,12 @@ float Baseline(const ViewSet& views,
   return std::acos(std::clamp(least_cosine, -1.0f, 1.0f));
 }
 
-// Pixels from the border of a silhouette within which a place is at it.
+// Pixels from the border of a silhouette within which a point is at it.
 constexpr float kAtBorder = 1.5f;
 
 void MeasureHull(const ViewSet& views,
                  float border_shift,
-                 PlaceEvidence* value) {
+                 PointEvidence* value) {
   value->hull_distance = Silhouette::kFarInside;
   for (const PreparedView& view : views) {
     if (const std::optional<ProjectedPoint> p =
@@ -64,7 +64,7 @@ void MeasureHull(const ViewSet& views,
       const float distance =
           view.silhouette.SignedDistance(p->u, p->v) - border_shift;
       value->hull_distance = std::min(value->hull_distance, distance);
-      value->num_rims += distance <= kAtBorder;
+      value->num_contours += distance <= kAtBorder;
     }
   }
 }
@@ -112,13 +112,13 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
                     MakeSearch(options.refinement),
                     context,
                     &phase);
-  const std::vector<float> areas = AreasOfPlaces(*mesh, seen.places);
-  std::vector<PlaceEvidence> values(count);
+  const std::vector<float> areas = AreasOfPoints(*mesh, seen.points);
+  std::vector<PointEvidence> values(count);
   ParallelFor(context, count, kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const ChosenViews& chosen = seen.choices[i];
-      PlaceEvidence& value = values[i];
-      value.position = mesh->positions[seen.places.vertices[i]].cast<float>();
+      PointEvidence& value = values[i];
+      value.position = mesh->positions[seen.points.vertices[i]].cast<float>();
       value.normal = seen.surfaces[i].normal;
       value.area = areas[i];
       value.num_views = chosen.count;
@@ -130,12 +130,13 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
                        seen.choices[i].pixel;
         value.precision = offsets[i].weight;
       }
-      value.bend = -float(pixel) * (seen.surfaces[i].uu + seen.surfaces[i].vv);
+      value.curvature =
+          -float(pixel) * (seen.surfaces[i].uu + seen.surfaces[i].vv);
       MeasureHull(views, float(options.border_shift), &value);
     }
   });
   return {
-      std::move(seen.rays), std::move(seen.places), std::move(values), pixel};
+      std::move(seen.rays), std::move(seen.points), std::move(values), pixel};
 }
 
 }  // namespace octacut

@@ -1,4 +1,4 @@
-// What photographs and silhouettes say of a finished surface, place by place.
+// What photographs and silhouettes say of a finished surface, point by point.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,13 @@
 #include "core/mesh/indexed_mesh.h"
 #include "core/raycast/ray_scene.h"
 #include "core/refine/refine_options.h"
-#include "core/refine/surface_places.h"
+#include "core/refine/surface_points.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
 
-// Lengths in pixels of the views at the place.
-struct PlaceEvidence {
+// Lengths in pixels of the views at the point.
+struct PointEvidence {
   Eigen::Vector3f position;  // unit coordinates
   Eigen::Vector3f normal;    // outward
   float area = 0;            // of the surface that it stands for, unit^2
@@ -31,22 +31,22 @@ struct PlaceEvidence {
   // From the visual hull of the masks, as shifted: the least distance from the
   // border of an object's silhouette, negative outside.
   float hull_distance = 0;
-  int num_rims = 0;  // views that have it beside that border
+  int num_contours = 0;  // views that have it beside that border
   // Mean curvature times a pixel: positive where the surface is convex.
-  float bend = 0;
+  float curvature = 0;
 };
 
 struct SurfaceEvidence {
   RayScene rays;                      // of the mesh
-  SurfacePlaces places;               // which vertices each place stands for
-  std::vector<PlaceEvidence> values;  // one a place
+  SurfacePoints points;               // which vertices each point stands for
+  std::vector<PointEvidence> values;  // one a point
   double pixel = 0;                   // of the views, at the mesh
 };
 
 struct SurfaceEvidenceOptions {
   // How views are chosen, surfaces fitted and patches compared.
   RefineOptions refinement = {};
-  double spacing = 4;  // of the places, pixels
+  double spacing = 4;  // of the points, pixels
   // Pixels by which the masks have been found to be too large.
   double border_shift = 0;
 };

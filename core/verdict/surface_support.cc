@@ -10,7 +10,7 @@ namespace {
 constexpr float kMaxOffset = 1;
 constexpr float kMinPrecision = 1;
 constexpr float kNearHull = 1.5f;
-// Cosine of the angle to the normal from which on a view faces a place: 70
+// Cosine of the angle to the normal from which on a view faces a point: 70
 // degrees, as visibility has it.
 constexpr float kFacing = 0.34f;
 // Sine of 30 degrees.
@@ -30,13 +30,13 @@ std::optional<Eigen::Vector3f> CommonUp(const std::vector<View>& views) {
   return sum.normalized().cast<float>();
 }
 
-bool IsHidden(const PlaceEvidence& place, const ViewSet& views) {
+bool IsHidden(const PointEvidence& point, const ViewSet& views) {
   int num_facing = 0;
   for (const PreparedView& view : views) {
     const Eigen::Vector3f direction =
-        (view.projection.center - place.position).normalized();
-    num_facing += direction.dot(place.normal) > kFacing &&
-                  view.projection.ProjectIntoFrame(place.position);
+        (view.projection.center - point.position).normalized();
+    num_facing += direction.dot(point.normal) > kFacing &&
+                  view.projection.ProjectIntoFrame(point.position);
   }
   return num_facing >= 2;
 }
@@ -56,26 +56,26 @@ size_t NearestView(const ViewSet& views, const Eigen::Vector3f& direction) {
   return nearest;
 }
 
-BlindPart SumUpBlind(const std::vector<PlaceEvidence>& places,
+BlindPart SumUpBlind(const std::vector<PointEvidence>& points,
                      const std::vector<View>& views,
                      const ViewSet& prepared,
                      double area) {
   BlindPart blind;
   const std::optional<Eigen::Vector3f> up = CommonUp(views);
   Eigen::Vector3d normals = Eigen::Vector3d::Zero();
-  for (const PlaceEvidence& place : places) {
-    if (place.num_views >= 2) {
+  for (const PointEvidence& point : points) {
+    if (point.num_views >= 2) {
       continue;
     }
-    const double share = place.area / area;
+    const double share = point.area / area;
     blind.share += share;
-    if (IsHidden(place, prepared)) {
+    if (IsHidden(point, prepared)) {
       blind.hidden += share;
       continue;
     }
-    normals += share * place.normal.cast<double>();
+    normals += share * point.normal.cast<double>();
     if (up) {
-      const float height = place.normal.dot(*up);
+      const float height = point.normal.dot(*up);
       (height > kAbove    ? blind.above
        : height < -kAbove ? blind.below
                           : blind.aside) += share;
@@ -90,40 +90,40 @@ BlindPart SumUpBlind(const std::vector<PlaceEvidence>& places,
 
 }  // namespace
 
-Support SupportOf(const PlaceEvidence& place) {
-  if (place.precision >= kMinPrecision &&
-      std::abs(place.offset) <= kMaxOffset) {
+Support SupportOf(const PointEvidence& point) {
+  if (point.precision >= kMinPrecision &&
+      std::abs(point.offset) <= kMaxOffset) {
     return Support::kPhotographs;
   }
-  return IsNearHull(place) ? Support::kSilhouettes : Support::kNothing;
+  return IsNearHull(point) ? Support::kSilhouettes : Support::kNothing;
 }
 
-bool IsNearHull(const PlaceEvidence& place) {
-  return place.hull_distance <= kNearHull;
+bool IsNearHull(const PointEvidence& point) {
+  return point.hull_distance <= kNearHull;
 }
 
-SurfaceSupport SumUpSupport(const std::vector<PlaceEvidence>& places,
+SurfaceSupport SumUpSupport(const std::vector<PointEvidence>& points,
                             const std::vector<View>& views,
                             const ViewSet& prepared) {
   double area = 0;
   double seen = 0;
   double agreement = 0;
   SurfaceSupport support;
-  for (const PlaceEvidence& place : places) {
-    area += place.area;
-    if (place.num_views >= 2) {
-      seen += place.area;
-      agreement += place.area * place.agreement;
+  for (const PointEvidence& point : points) {
+    area += point.area;
+    if (point.num_views >= 2) {
+      seen += point.area;
+      agreement += point.area * point.agreement;
     }
-    switch (SupportOf(place)) {
+    switch (SupportOf(point)) {
       case Support::kPhotographs:
-        support.photographs += place.area;
+        support.photographs += point.area;
         break;
       case Support::kSilhouettes:
-        support.silhouettes += place.area;
+        support.silhouettes += point.area;
         break;
       case Support::kNothing:
-        support.nothing += place.area;
+        support.nothing += point.area;
         break;
     }
   }
@@ -134,7 +134,7 @@ SurfaceSupport SumUpSupport(const std::vector<PlaceEvidence>& places,
   support.silhouettes /= area;
   support.nothing /= area;
   support.agreement = seen > 0 ? agreement / seen : 0;
-  support.blind = SumUpBlind(places, views, prepared, area);
+  support.blind = SumUpBlind(points, views, prepared, area);
   return support;
 }
 

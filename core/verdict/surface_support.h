@@ -21,8 +21,8 @@ enum class Support {
   kSilhouettes,
   kNothing,
 };
-Support SupportOf(const PlaceEvidence& place);
-bool IsNearHull(const PlaceEvidence& place);
+Support SupportOf(const PointEvidence& point);
+bool IsNearHull(const PointEvidence& point);
 
 // The part of a surface that fewer than two views see; shares of the whole
 // area. "Above" is where the tops of the images are, by more than 30 degrees.
@@ -51,7 +51,7 @@ struct SurfaceSupport {
 };
 
 // `views` are those of `prepared`, whose poses may be better.
-SurfaceSupport SumUpSupport(const std::vector<PlaceEvidence>& places,
+SurfaceSupport SumUpSupport(const std::vector<PointEvidence>& points,
                             const std::vector<View>& views,
                             const ViewSet& prepared);
 

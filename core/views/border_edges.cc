@@ -27,18 +27,19 @@ constexpr int kClipped = 250;
 // Pixels from an edge within which no pixel may be clipped: what a lens and the
 // interpolation spread.
 constexpr float kClippedReach = 2;
-// Places of a view are enough that its median is known to a hundredth.
-constexpr size_t kMaxPlaces = 3000;
-constexpr size_t kMinPlaces = 100;
-// Edges at any place at all would lie within a pixel of the peak with a share
+// Points of a view are enough that its median is known to a hundredth.
+constexpr size_t kMaxPoints = 3000;
+constexpr size_t kMinPoints = 100;
+// Edges at any point at all would lie within a pixel of the peak with a share
 // of one sixth.
 constexpr double kMinShare = 1.0 / 3;
 
-// Pixels that edges alone are believed: what masks differ by that cover each
-// pixel which the object touches, or only those that it fills. Where an object
-// is dark towards its contour, before a dark background, edges lie pixels too
-// far inside; larger shifts are left to the offsets of refinement.
-constexpr float kMostBelieved = 1;
+// The largest shift, in pixels, that edges alone may cause: masks differ by it
+// that cover each pixel which the object touches, or only those that it fills.
+// Where an object is dark towards its contour, before a dark background, edges
+// lie pixels too far inside; larger shifts are left to the offsets of
+// refinement.
+constexpr float kMaxEdgeShift = 1;
 
 constexpr int kNumSteps = int(2 * kRange / kStep) + 1;
 constexpr int kHalfEdge = int(kEdgeWidth / 2 / kStep);
@@ -60,13 +61,13 @@ class BorderLines {
     }
   }
 
-  // Pixels by which the border lies outside the edge, place by place.
+  // Pixels by which the border lies outside the edge, point by point.
   std::vector<float> Offsets() const {
-    std::vector<Eigen::Vector2f> places = Places();
-    const size_t stride = places.size() / kMaxPlaces + 1;
+    std::vector<Eigen::Vector2f> points = Points();
+    const size_t stride = points.size() / kMaxPoints + 1;
     std::vector<float> offsets;
-    for (size_t i = 0; i < places.size(); i += stride) {
-      if (const std::optional<float> offset = OffsetAt(places[i])) {
+    for (size_t i = 0; i < points.size(); i += stride) {
+      if (const std::optional<float> offset = OffsetAt(points[i])) {
         offsets.push_back(*offset);
       }
     }
@@ -79,31 +80,31 @@ class BorderLines {
   }
 
   // Pixels of the object beside background, clear of the frame.
-  std::vector<Eigen::Vector2f> Places() const {
+  std::vector<Eigen::Vector2f> Points() const {
     const int margin = int(kRange + kEdgeWidth + kNormalReach) + 1;
-    std::vector<Eigen::Vector2f> places;
+    std::vector<Eigen::Vector2f> points;
     for (int y = margin; y < image_.height - margin; ++y) {
       for (int x = margin; x < image_.width - margin; ++x) {
         if (const float inside = Inside(x, y); inside > 0 && inside < 1) {
-          places.emplace_back(float(x) + 0.5f, float(y) + 0.5f);
+          points.emplace_back(float(x) + 0.5f, float(y) + 0.5f);
         }
       }
     }
-    return places;
+    return points;
   }
 
-  std::optional<float> OffsetAt(const Eigen::Vector2f& place) const {
+  std::optional<float> OffsetAt(const Eigen::Vector2f& point) const {
     const Silhouette& silhouette = view_.silhouette;
     const auto at = [&](float du, float dv) {
-      return silhouette.SignedDistance(place.x() + du, place.y() + dv);
+      return silhouette.SignedDistance(point.x() + du, point.y() + dv);
     };
     const Eigen::Vector2f slope(at(kNormalReach, 0) - at(-kNormalReach, 0),
                                 at(0, kNormalReach) - at(0, -kNormalReach));
     if (!(slope.norm() > kNormalReach)) {
-      return std::nullopt;  // a limb, or a corner
+      return std::nullopt;  // a thin structure, or a corner
     }
     const Eigen::Vector2f inward = slope.normalized();
-    const Profile profile = SampleLine(place - at(0, 0) * inward, inward);
+    const Profile profile = SampleLine(point - at(0, 0) * inward, inward);
     const std::optional<float> border = MaskBorder(profile);
     const std::optional<float> edge = StrongestEdge(profile);
     return border && edge ? std::optional<float>(*edge - *border)
@@ -198,10 +199,12 @@ class BorderLines {
         return std::nullopt;
       }
     }
-    const float bend =
+    const float curvature =
         contrast[best - 1] - 2 * contrast[best] + contrast[best + 1];
     const float shift =
-        bend < 0 ? 0.5f * (contrast[best - 1] - contrast[best + 1]) / bend : 0;
+        curvature < 0
+            ? 0.5f * (contrast[best - 1] - contrast[best + 1]) / curvature
+            : 0;
     return (float(best) + shift) * kStep - kRange;
   }
 
@@ -263,14 +266,14 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
   for (const std::vector<float>& of_view : of_views) {
     offsets.insert(offsets.end(), of_view.begin(), of_view.end());
   }
-  if (offsets.size() < kMinPlaces) {
+  if (offsets.size() < kMinPoints) {
     return std::nullopt;
   }
   float center = Peak(offsets);
   std::vector<float> near;
   for (int i = 0; i < 3; ++i) {
     near = WithinAPixel(offsets, center);
-    if (near.size() < kMinPlaces ||
+    if (near.size() < kMinPoints ||
         double(near.size()) < kMinShare * double(offsets.size())) {
       return std::nullopt;
     }
@@ -290,7 +293,7 @@ std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
   const std::optional<BorderEdges> edges = MeasureBorderEdges(*views, context);
   for (PreparedView& view : *views) {
     view.border_shift =
-        edges ? std::clamp(float(edges->shift), -kMostBelieved, kMostBelieved)
+        edges ? std::clamp(float(edges->shift), -kMaxEdgeShift, kMaxEdgeShift)
               : 0;
   }
   return edges;

@@ -15,7 +15,7 @@ namespace octacut {
 struct BorderEdges {
   double shift = 0;      // the borders lie that far outside the edges
   double deviation = 0;  // median distance of the edges from that
-  double share = 0;      // of the places, those whose edge is within a pixel
+  double share = 0;      // of the points, those whose edge is within a pixel
 };
 
 // Along lines across the borders, the strongest edge within six pixels is

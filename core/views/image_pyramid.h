@@ -20,15 +20,15 @@ using Float4 = float __attribute__((vector_size(16)));
 inline float SumChannels(Float4 v) { return v[0] + v[1] + v[2]; }
 
 // The colour, or difference of colours, with what is not grey of it times
-// `hue_weight`: gloss adds the lamp's white to the colour of the object (Shafer
-// 1985, the dichromatic reflection model), so hues differ less than greys
-// between views. The fourth element stays.
-inline Float4 WeightHue(Float4 color, float hue_weight) {
+// `chroma_weight`: gloss adds the lamp's white to the colour of the object
+// (Shafer 1985, the dichromatic reflection model), so chroma differs less than
+// brightness between views. The fourth element stays.
+inline Float4 WeightChroma(Float4 color, float chroma_weight) {
   const Float4 grey =
       (color + __builtin_shufflevector(color, color, 1, 2, 0, 3) +
        __builtin_shufflevector(color, color, 2, 0, 1, 3)) *
       (1.0f / 3);
-  return grey + hue_weight * (color - grey);
+  return grey + chroma_weight * (color - grey);
 }
 
 struct PyramidLevel {

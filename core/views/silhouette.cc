@@ -71,16 +71,16 @@ uint32_t Silhouette::CountObject(
          sums_[y1 * stride + x0] + sums_[y0 * stride + x0];
 }
 
-Footprint Silhouette::Test(
+Containment Silhouette::Test(
     float u0, float v0, float u1, float v1, float margin) const {
   // Negated so that NaN, too, tells nothing.
   if (!(u0 >= 0 && v0 >= 0 && u1 <= float(width_) && v1 <= float(height_))) {
-    return Footprint::kMixed;
+    return Containment::kMixed;
   }
   uint32_t num_pixels;
   const uint32_t count = CountObject(u0, v0, u1, v1, &num_pixels);
   if (count > 0) {
-    return count == num_pixels ? Footprint::kObject : Footprint::kMixed;
+    return count == num_pixels ? Containment::kObject : Containment::kMixed;
   }
   const bool is_far =
       margin == 0 || CountObject(std::max(u0 - margin, 0.0f),
@@ -88,13 +88,13 @@ Footprint Silhouette::Test(
                                  std::min(u1 + margin, float(width_)),
                                  std::min(v1 + margin, float(height_)),
                                  &num_pixels) == 0;
-  return is_far ? Footprint::kBackground : Footprint::kMixed;
+  return is_far ? Containment::kBackground : Containment::kMixed;
 }
 
-Footprint Silhouette::TestCube(const ViewProjection& projection,
-                               const Eigen::Vector3f& center,
-                               float half_edge,
-                               float margin) const {
+Containment Silhouette::TestCube(const ViewProjection& projection,
+                                 const Eigen::Vector3f& center,
+                                 float half_edge,
+                                 float margin) const {
   const Eigen::Vector3f h = projection.Homogeneous(center);
   const Eigen::Matrix3f axes = projection.linear * half_edge;
   float u_min = kInfinity, u_max = -kInfinity;
@@ -109,7 +109,7 @@ Footprint Silhouette::TestCube(const ViewProjection& projection,
       }
     }
     if (!(p.z() > 0)) {
-      return Footprint::kMixed;
+      return Containment::kMixed;
     }
     const float inverse_depth = 1 / p.z();
     u_min = std::min(u_min, p.x() * inverse_depth);
@@ -132,7 +132,7 @@ bool Silhouette::IsBackgroundCube(const ViewProjection& projection,
     return false;
   }
   return TestCube(projection, center, half_edge, margin) ==
-         Footprint::kBackground;
+         Containment::kBackground;
 }
 
 float Silhouette::SignedDistance(float u, float v) const {

@@ -15,7 +15,7 @@ inline constexpr float kObjectCoverage = kObjectThreshold - 0.5f;
 // Of the samples of a patch that is compared: others show too little object.
 inline constexpr float kMaxBackgroundShare = 1.0f / 3;
 
-enum class Footprint : uint8_t {
+enum class Containment : uint8_t {
   kBackground,  // holds no pixel of the object, nor does what is near
   kObject,      // holds nothing else
   kMixed,       // both, or reaches out of the frame: the view does not tell
@@ -29,15 +29,15 @@ class Silhouette {
 
   // Pixels with coordinates in [u0, u1] x [v0, v1]. Background only when the
   // object is farther than `margin` pixels away (in u or v).
-  Footprint Test(
+  Containment Test(
       float u0, float v0, float u1, float v1, float margin = 0) const;
 
   // A cube with the given centre and half edge (unit coordinates),
   // conservatively: by the pixel rectangle around its projected corners.
-  Footprint TestCube(const ViewProjection& projection,
-                     const Eigen::Vector3f& center,
-                     float half_edge,
-                     float margin = 0) const;
+  Containment TestCube(const ViewProjection& projection,
+                       const Eigen::Vector3f& center,
+                       float half_edge,
+                       float margin = 0) const;
 
   // Whether TestCube would say kBackground; cheaper where it would not.
   bool IsBackgroundCube(const ViewProjection& projection,

@@ -22,13 +22,13 @@ using NeighborValues = std::array<float, kNumFaces>;
 NeighborValues ValuesAcross(const std::vector<float>& values,
                             const std::vector<FaceTies>& ties,
                             const VoxelWalk& walk,
-                            const VoxelPlace& place) {
+                            const VoxelSlot& slot) {
   NeighborValues result;
   for (int face = 0; face < kNumFaces; ++face) {
-    const VoxelGrid::Index n = walk.Neighbor(place, face);
+    const VoxelGrid::Index n = walk.Neighbor(slot, face);
     result[face] = n != VoxelGrid::kNone
                        ? values[n]
-                       : ((ties[place.index] & InsideTie(face)) ? 1.0f : 0.0f);
+                       : ((ties[slot.index] & InsideTie(face)) ? 1.0f : 0.0f);
   }
   return result;
 }
@@ -53,15 +53,15 @@ Eigen::Vector3f OutwardNormal(const NeighborValues& across) {
 // neighbour with a normal, the normal is taken to go on as it is.
 float MeanCurvature(const std::vector<Eigen::Vector3f>& normals,
                     const VoxelWalk& walk,
-                    const VoxelPlace& place) {
+                    const VoxelSlot& slot) {
   float divergence = 0;
   for (int axis = 0; axis < 3; ++axis) {
     float difference = 0;
     int num_steps = 0;
     for (const int side : {0, 1}) {
-      const VoxelGrid::Index n = walk.Neighbor(place, 2 * axis + side);
+      const VoxelGrid::Index n = walk.Neighbor(slot, 2 * axis + side);
       if (n != VoxelGrid::kNone && !normals[n].isZero()) {
-        const float step = normals[n][axis] - normals[place.index][axis];
+        const float step = normals[n][axis] - normals[slot.index][axis];
         difference += side == 0 ? -step : step;
         ++num_steps;
       }
@@ -73,8 +73,8 @@ float MeanCurvature(const std::vector<Eigen::Vector3f>& normals,
 
 // What is within so many 6-neighbour steps of some voxels.
 struct Rings {
-  std::vector<VoxelPlace> places;  // the nearer ones first
-  std::vector<size_t> ends;        // of the places within k steps, by k
+  std::vector<VoxelSlot> slots;  // the nearer ones first
+  std::vector<size_t> ends;      // of the slots within k steps, by k
 };
 
 Rings RingsAround(const VoxelWalk& walk,
@@ -82,24 +82,24 @@ Rings RingsAround(const VoxelWalk& walk,
                   int num_steps) {
   Rings rings;
   std::vector<uint8_t> found(centers.begin(), centers.end());
-  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
-    if (found[place.index]) {
-      rings.places.push_back(place);
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelSlot& slot) {
+    if (found[slot.index]) {
+      rings.slots.push_back(slot);
     }
   });
-  rings.ends = {rings.places.size()};
+  rings.ends = {rings.slots.size()};
   for (size_t k = 0; int(rings.ends.size()) <= num_steps;) {
     for (; k < rings.ends.back(); ++k) {
-      const VoxelPlace from = rings.places[k];
+      const VoxelSlot from = rings.slots[k];
       for (int face = 0; face < kNumFaces; ++face) {
         const VoxelGrid::Index n = walk.Neighbor(from, face);
         if (n != VoxelGrid::kNone && !found[n]) {
           found[n] = 1;
-          rings.places.push_back(walk.Step(from, face));
+          rings.slots.push_back(walk.Step(from, face));
         }
       }
     }
-    rings.ends.push_back(rings.places.size());
+    rings.ends.push_back(rings.slots.size());
   }
   return rings;
 }
@@ -118,16 +118,16 @@ std::vector<SurfaceShape> EstimateSurfaceShape(
   const VoxelWalk walk(voxels, context);
   const Rings rings =
       wanted.empty() ? Rings() : RingsAround(walk, wanted, blur_steps + 1);
-  // Calls body(slot, place) for what is so near to what is wanted; that itself
-  // has the slots of its shapes.
+  // Calls body(element, slot) for what is so near to what is wanted; that
+  // itself has the slots of its shapes.
   const auto for_all_within = [&](int num_steps, auto&& body) {
     if (wanted.empty()) {
       ParallelFor(context,
                   walk.NumBricks(),
                   kBrickGrain,
                   [&](size_t begin, size_t end) {
-                    walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-                      body(place.index, place);
+                    walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
+                      body(slot.index, slot);
                     });
                   });
       return;
@@ -137,28 +137,27 @@ std::vector<SurfaceShape> EstimateSurfaceShape(
                 kVoxelGrain,
                 [&](size_t begin, size_t end) {
                   for (size_t k = begin; k < end; ++k) {
-                    body(k, rings.places[k]);
+                    body(k, rings.slots[k]);
                   }
                 });
   };
   // What is k steps away is needed until there are k - 1 steps left, since
   // curvature looks at the normals beside a voxel.
   for (int step = 0; step < blur_steps; ++step) {
-    for_all_within(blur_steps + 1 - step, [&](size_t, const VoxelPlace& place) {
-      blurred[place.index] = MeanWith(values[place.index],
-                                      ValuesAcross(values, ties, walk, place));
+    for_all_within(blur_steps + 1 - step, [&](size_t, const VoxelSlot& slot) {
+      blurred[slot.index] =
+          MeanWith(values[slot.index], ValuesAcross(values, ties, walk, slot));
     });
     values.swap(blurred);
   }
   std::vector<Eigen::Vector3f> normals(values.size());
-  for_all_within(1, [&](size_t, const VoxelPlace& place) {
-    normals[place.index] =
-        OutwardNormal(ValuesAcross(values, ties, walk, place));
+  for_all_within(1, [&](size_t, const VoxelSlot& slot) {
+    normals[slot.index] = OutwardNormal(ValuesAcross(values, ties, walk, slot));
   });
   std::vector<SurfaceShape> shapes(wanted.empty() ? values.size()
                                                   : rings.ends.front());
-  for_all_within(0, [&](size_t slot, const VoxelPlace& place) {
-    shapes[slot] = {normals[place.index], MeanCurvature(normals, walk, place)};
+  for_all_within(0, [&](size_t element, const VoxelSlot& slot) {
+    shapes[element] = {normals[slot.index], MeanCurvature(normals, walk, slot)};
   });
   return shapes;
 }
@@ -174,9 +173,9 @@ std::vector<float> SmoothPrior(const VoxelGrid& voxels,
   for (int step = 0; step < blur_steps; ++step) {
     ParallelFor(
         context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
-          walk.ForEach(begin, end, [&](const VoxelPlace& place) {
-            blurred[place.index] = MeanWith(
-                values[place.index], ValuesAcross(values, ties, walk, place));
+          walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
+            blurred[slot.index] = MeanWith(
+                values[slot.index], ValuesAcross(values, ties, walk, slot));
           });
         });
     values.swap(blurred);

@@ -1,5 +1,5 @@
-// Normal and curvature throughout a crust, from where its inside is believed to
-// be.
+// Normal and curvature throughout a crust, from an estimate of where its inside
+// is.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/cut/octahedral_cut.h"
+#include "core/grid/face.h"
 #include "core/grid/voxel_grid.h"
 
 namespace octacut {

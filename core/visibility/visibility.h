@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/cut/octahedral_cut.h"
+#include "core/grid/face.h"
 #include "core/grid/voxel_grid.h"
 #include "core/views/view_set.h"
 #include "core/visibility/depth_map.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/base/check_option.h"
-#include "core/synthetic/synthetic_scene.h"
+#include "core/benchmark/synthetic/synthetic_scene.h"
 #include "plugin/example_workspace.h"
 #include "plugin/report.h"
 

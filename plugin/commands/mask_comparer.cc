@@ -11,7 +11,7 @@
 #include "colmap_io/images/image_file.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/evaluate/silhouette_agreement.h"
+#include "core/benchmark/evaluate/silhouette_agreement.h"
 #include "plugin/report.h"
 #include "plugin/text_table.h"
 

@@ -7,8 +7,8 @@
 
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/read_sparse_model.h"
-#include "core/compare/compare_meshes.h"
-#include "core/compare/seen_reference.h"
+#include "core/benchmark/compare/compare_meshes.h"
+#include "core/benchmark/compare/seen_reference.h"
 #include "core/scene/region.h"
 #include "plugin/comparison_tables.h"
 #include "plugin/measured_mesh.h"

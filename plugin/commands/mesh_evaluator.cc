@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/check_option.h"
-#include "core/evaluate/evaluate_mesh.h"
+#include "core/benchmark/evaluate/evaluate_mesh.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/report.h"

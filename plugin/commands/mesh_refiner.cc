@@ -52,7 +52,7 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
       ReconstructionOptions().mask_tolerance;
   DeclareMaskTolerance(options, &workspace_.loading.region.mask_tolerance);
   DeclareFillFalseGaps(options, &fill_false_gaps_);
-  DeclareHueWeight(options, &refinement_.patch.hue_weight);
+  DeclareChromaWeight(options, &refinement_.patch.chroma_weight);
   DeclareRefinementOptions(options, &refinement_);
 }
 
@@ -80,13 +80,13 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
   CheckFloatsResolve(loaded.region.cube, target_level_);
-  const FilledScene believed =
-      BelievedScene(loaded.scene,
-                    loaded.region.cube,
-                    workspace_.loading.region.mask_tolerance,
-                    fill_false_gaps_,
-                    context);
-  ViewSet views = PrepareViews(believed.scene, loaded.region.cube, context);
+  const RepairedScene repaired =
+      RepairMasks(loaded.scene,
+                  loaded.region.cube,
+                  workspace_.loading.region.mask_tolerance,
+                  fill_false_gaps_,
+                  context);
+  ViewSet views = PrepareViews(repaired.scene, loaded.region.cube, context);
   ShiftBordersToEdges(context, &views);
   RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
@@ -95,7 +95,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   const MeshVerdict verdict = JudgeMesh(
       refined.mesh,
       IndexedMesh(),
-      {loaded.scene.views, believed.scene.views, views, loaded.region.cube},
+      {loaded.scene.views, repaired.scene.views, views, loaded.region.cube},
       {.mask_tolerance = workspace_.loading.region.mask_tolerance,
        .border_shift = refined.summary.border_shift,
        .refinement = refinement_,

@@ -100,7 +100,7 @@ LevelObserver OctahedralMesher::LevelWriter() const {
 void OctahedralMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   context.Info(quality_.Apply(environment.options, &meshing_));
-  meshing_.refinement.patch.hue_weight = meshing_.consistency.hue_weight;
+  meshing_.refinement.patch.chroma_weight = meshing_.consistency.chroma_weight;
   meshing_.confidence = workspace_.confidence;
   meshing_.Check();
   workspace_.Complete("meshed-octahedral.ply");

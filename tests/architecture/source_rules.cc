@@ -20,8 +20,11 @@ constexpr auto kTopFolders =
     std::to_array<std::string_view>({"core", "colmap_io", "plugin", "tests"});
 
 // Beside the data flow: nothing of core includes them.
-constexpr auto kCoreBeside = std::to_array<std::string_view>(
-    {"compare", "evaluate", "segment", "synthetic"});
+constexpr auto kCoreBeside =
+    std::to_array<std::string_view>({"benchmark/compare",
+                                     "benchmark/evaluate",
+                                     "benchmark/synthetic",
+                                     "segment"});
 constexpr auto kBesideMayInclude = std::to_array<std::string_view>(
     {"base", "scene", "mesh", "raycast", "grid"});
 
@@ -56,26 +59,30 @@ std::optional<size_t> IndexOf(const Range& range, std::string_view name) {
              : std::optional<size_t>(size_t(found - range.begin()));
 }
 
-// Path components of "core/grid/morton.h": top folder and the one below.
-struct Place {
+// The top folder and the module below it: "core" and "grid" of
+// "core/grid/morton.h". The modules of core/benchmark have a folder each.
+struct Module {
   std::string_view top;
   std::string_view folder;
 };
 
-Place PlaceOf(std::string_view path) {
-  Place place;
+Module ModuleOf(std::string_view path) {
+  constexpr std::string_view kNested = "benchmark/";
+  Module module;
   const size_t first = path.find('/');
-  place.top = path.substr(0, first);
+  module.top = path.substr(0, first);
   if (first != std::string_view::npos) {
-    const size_t second = path.find('/', first + 1);
+    const bool is_nested = path.substr(first + 1).starts_with(kNested);
+    const size_t second =
+        path.find('/', first + 1 + (is_nested ? kNested.size() : 0));
     if (second != std::string_view::npos) {
-      place.folder = path.substr(first + 1, second - first - 1);
+      module.folder = path.substr(first + 1, second - first - 1);
     }
   }
-  return place;
+  return module;
 }
 
-std::string CheckLayers(const Place& from, const Place& to) {
+std::string CheckLayers(const Module& from, const Module& to) {
   const auto from_rank = IndexOf(kTopFolders, from.top);
   const auto to_rank = IndexOf(kTopFolders, to.top);
   if (to_rank > from_rank) {
@@ -102,8 +109,8 @@ std::vector<std::string> ReadCoreOrder(const fs::path& root) {
 }
 
 std::string CheckCoreOrder(const std::vector<std::string>& order,
-                           const Place& from,
-                           const Place& to) {
+                           const Module& from,
+                           const Module& to) {
   if (from.folder == to.folder) {
     return "";
   }
@@ -128,8 +135,8 @@ std::string CheckInclude(const fs::path& root,
                          const std::string& file,
                          const std::string& header,
                          bool quoted) {
-  const Place from = PlaceOf(file);
-  const Place to = PlaceOf(header);
+  const Module from = ModuleOf(file);
+  const Module to = ModuleOf(header);
   if (quoted && !fs::exists(root / header)) {
     return fmt::format("\"{}\" is no path from the top of the tree", header);
   }

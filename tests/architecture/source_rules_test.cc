@@ -35,8 +35,8 @@ class PlantedTree : public ::testing::Test {
                                "core/cut/cut.h",
                                "core/mesh/mesh.h",
                                "core/pipeline/pipeline.h",
-                               "core/compare/compare.h",
-                               "core/synthetic/shape.h",
+                               "core/benchmark/compare/compare.h",
+                               "core/benchmark/synthetic/shape.h",
                                "colmap_io/model/model.h",
                                "plugin/command.h"}) {
       Plant(header, "#pragma once\n");
@@ -51,8 +51,7 @@ class PlantedTree : public ::testing::Test {
                                "refine",
                                "visibility",
                                "pipeline",
-                               "compare",
-                               "synthetic"}) {
+                               "benchmark"}) {
       folders += fmt::format("add_subdirectory({})\n", folder);
     }
     Plant("core/CMakeLists.txt", folders);
@@ -114,16 +113,21 @@ TEST_F(PlantedTree, CoreFollowsTheDataFlow) {
 }
 
 TEST_F(PlantedTree, CompareAndSyntheticStandBeside) {
-  EXPECT_THAT(WithInclude("core/compare/x.cc", "\"core/mesh/mesh.h\""),
-              IsEmpty());
-  EXPECT_THAT(WithInclude("core/synthetic/x.cc", "\"core/scene/scene.h\""),
-              IsEmpty());
-  EXPECT_THAT(WithInclude("core/compare/x.cc", "\"core/cut/cut.h\""),
+  EXPECT_THAT(
+      WithInclude("core/benchmark/compare/x.cc", "\"core/mesh/mesh.h\""),
+      IsEmpty());
+  EXPECT_THAT(
+      WithInclude("core/benchmark/synthetic/x.cc", "\"core/scene/scene.h\""),
+      IsEmpty());
+  EXPECT_THAT(WithInclude("core/benchmark/compare/x.cc", "\"core/cut/cut.h\""),
               ElementsAre(HasSubstr("must not include core/cut")));
-  EXPECT_THAT(WithInclude("core/compare/x.cc", "\"core/synthetic/shape.h\""),
-              ElementsAre(HasSubstr("must not include core/synthetic")));
-  EXPECT_THAT(WithInclude("core/pipeline/x.cc", "\"core/compare/compare.h\""),
-              ElementsAre(HasSubstr("must not include core/compare")));
+  EXPECT_THAT(
+      WithInclude("core/benchmark/compare/x.cc",
+                  "\"core/benchmark/synthetic/shape.h\""),
+      ElementsAre(HasSubstr("must not include core/benchmark/synthetic")));
+  EXPECT_THAT(
+      WithInclude("core/pipeline/x.cc", "\"core/benchmark/compare/compare.h\""),
+      ElementsAre(HasSubstr("must not include core/benchmark/compare")));
 }
 
 TEST_F(PlantedTree, CoreKnowsNoFiles) {

@@ -15,7 +15,7 @@ struct Curve {
 struct Chart {
   std::string title;
   std::vector<Curve> curves;
-  // Names of places along x.
+  // Names of positions along x.
   std::vector<std::pair<double, std::string>> ticks;
 };
 

@@ -15,15 +15,15 @@ void NumberVertices(const VoxelGrid& crust,
   graph.vertices.resize(crust.Size());
   // A face is numbered by the voxel on its upper side.
   walk.ForEachWithNeighbors(
-      0, walk.NumBricks(), [&](const VoxelPlace& place, const auto& neighbors) {
-        const FaceTies ties = merged_ties[place.index];
+      0, walk.NumBricks(), [&](const VoxelSlot& slot, const auto& neighbors) {
+        const FaceTies ties = merged_ties[slot.index];
         for (int face = 0; face < kNumFaces; ++face) {
           if (ties & OutsideTie(face)) {
-            graph.vertices[place.index][face] = ExplicitGraph::kSource;
+            graph.vertices[slot.index][face] = ExplicitGraph::kSource;
           } else if (ties & InsideTie(face)) {
-            graph.vertices[place.index][face] = ExplicitGraph::kSink;
+            graph.vertices[slot.index][face] = ExplicitGraph::kSink;
           } else if ((face & 1) == 0) {
-            graph.vertices[place.index][face] = graph.num_vertices;
+            graph.vertices[slot.index][face] = graph.num_vertices;
             graph.vertices[neighbors[face]][face + 1] = graph.num_vertices++;
           }
         }

@@ -140,7 +140,7 @@ TEST_F(MeshRefiner, MistakesAreNamed) {
   ExpectError("open.off: 4 boundary edge", {"--mesh_path", open.string()});
   const std::string closed = (Workspace() / "gt" / "reference.ply").string();
   for (const std::string option :
-       {"Refinement.border_noise", "OctahedralMeshing.hue_weight"}) {
+       {"Refinement.border_noise", "OctahedralMeshing.chroma_weight"}) {
     ExpectError("--" + option + " = -1: must",
                 {"--mesh_path", closed, "--" + option, "-1"});
     // Other groups of the mesher's have fields of the same names.

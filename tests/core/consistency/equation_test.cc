@@ -70,7 +70,7 @@ Samples SamplePatch(const SphereScene& sphere,
   return samples;
 }
 
-// Less its mean, its hue weighted, of unit length with the noise taken into
+// Less its mean, its chroma weighted, of unit length with the noise taken into
 // account; returns how much of the contrast is not noise.
 double Normalize(const ConsistencyOptions& options,
                  std::vector<Eigen::Vector3d>* colors) {
@@ -83,7 +83,7 @@ double Normalize(const ConsistencyOptions& options,
   for (Eigen::Vector3d& color : *colors) {
     color -= mean;
     const Eigen::Vector3d grey = Eigen::Vector3d::Constant(color.mean());
-    color = grey + options.hue_weight * (color - grey);
+    color = grey + options.chroma_weight * (color - grey);
     contrast += color.squaredNorm();
   }
   const double total = contrast + 3 * double(colors->size()) * noise * noise;

@@ -263,8 +263,8 @@ TEST(ConsistencyOptions, AreRejectedWithFieldAndConstraint) {
               HasSubstr("pixel_noise = 0: must be positive"));
   EXPECT_THAT(refusal([](auto* o) { o->pixel_noise = 65; }),
               HasSubstr("pixel_noise"));
-  EXPECT_THAT(refusal([](auto* o) { o->hue_weight = 9; }),
-              HasSubstr("hue_weight = 9: must be in 0 .. 8"));
+  EXPECT_THAT(refusal([](auto* o) { o->chroma_weight = 9; }),
+              HasSubstr("chroma_weight = 9: must be in 0 .. 8"));
 }
 
 // A voxel covers some 1.5 pixels here.

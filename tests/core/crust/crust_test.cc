@@ -75,8 +75,8 @@ void ExpectTiesAgree(const Crust& crust) {
   ASSERT_EQ(crust.prior.size(), crust.voxels.Size());
   const VoxelWalk walk(crust.voxels);
   walk.ForEachWithNeighbors(
-      0, walk.NumBricks(), [&](const VoxelPlace& place, const auto& near) {
-        const VoxelGrid::Index index = place.index;
+      0, walk.NumBricks(), [&](const VoxelSlot& slot, const auto& near) {
+        const VoxelGrid::Index index = slot.index;
         for (int face = 0; face < kNumFaces; ++face) {
           bool outside = crust.ties[index] & OutsideTie(face);
           bool inside = crust.ties[index] & InsideTie(face);
@@ -99,9 +99,9 @@ void ExpectCrustSeparates(const Crust& crust) {
   const int n = crust.voxels.Resolution();
   const VoxelWalk walk(crust.voxels);
   walk.ForEachWithNeighbors(
-      0, walk.NumBricks(), [&](const VoxelPlace& place, const auto& near) {
-        const MortonCode code = VoxelGrid::CodeOf(
-            crust.voxels.Bricks()[place.brick], int(place.bit));
+      0, walk.NumBricks(), [&](const VoxelSlot& slot, const auto& near) {
+        const MortonCode code =
+            VoxelGrid::CodeOf(crust.voxels.Bricks()[slot.brick], int(slot.bit));
         for (int face = 0; face < kNumFaces; ++face) {
           if (near[face] != VoxelGrid::kNone) {
             continue;
@@ -111,7 +111,7 @@ void ExpectCrustSeparates(const Crust& crust) {
           const bool in_cube =
               (across.array() >= 0).all() && (across.array() < n).all();
           const bool outside = !in_cube || reached[EncodeMorton(across)];
-          EXPECT_EQ(bool(crust.ties[place.index] & OutsideTie(face)), outside)
+          EXPECT_EQ(bool(crust.ties[slot.index] & OutsideTie(face)), outside)
               << across.transpose();
         }
       });

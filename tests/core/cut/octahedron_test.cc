@@ -45,22 +45,22 @@ TEST(Octahedron, NodeArcsLeadBack) {
       VoxelGrid::FromCodes(4, BoxCodes({2, 2, 2}, {9, 9, 9}));
   const VoxelWalk walk(grid);
   const VoxelGrid::Index centre = grid.Find(Eigen::Vector3i(7, 7, 8));
-  walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
-    if (place.index != centre) {
+  walk.ForEach(0, walk.NumBricks(), [&](const VoxelSlot& slot) {
+    if (slot.index != centre) {
       return;
     }
     for (int axis = 0; axis < 3; ++axis) {
       for (int code = 0; code < kNumNodeArcs; ++code) {
-        const auto follow = [&](const VoxelPlace& from, int from_axis, int c) {
+        const auto follow = [&](const VoxelSlot& from, int from_axis, int c) {
           const NodeArc& arc = kNodeArcs[from_axis][c];
-          const VoxelPlace holder =
+          const VoxelSlot holder =
               arc.side ? walk.Step(from, 2 * from_axis) : from;
           return walk.Step(holder, arc.step);
         };
         const NodeArc& arc = kNodeArcs[axis][code];
-        const VoxelPlace other = follow(place, axis, code);
+        const VoxelSlot other = follow(slot, axis, code);
         const NodeArc& back = kNodeArcs[arc.axis][arc.back];
-        EXPECT_EQ(follow(other, arc.axis, arc.back).index, place.index);
+        EXPECT_EQ(follow(other, arc.axis, arc.back).index, slot.index);
         EXPECT_EQ(back.axis, axis);
         EXPECT_EQ(back.back, code);
         EXPECT_EQ(back.out, arc.in);

@@ -25,9 +25,9 @@ struct Block {
         problem.View(), walk, ties, one_region, {}, Context(1));
     const VoxelGrid::Index middle =
         problem.crust.Find(Eigen::Vector3i(30, 30, 20));
-    walk.ForEach(0, walk.NumBricks(), [&](const VoxelPlace& place) {
-      if (place.index == middle) {
-        state.Word(FaceNode{place, 0}) = kSourceNode;
+    walk.ForEach(0, walk.NumBricks(), [&](const VoxelSlot& slot) {
+      if (slot.index == middle) {
+        state.Word(FaceNode{slot, 0}) = kSourceNode;
       }
     });
     return state;

@@ -86,23 +86,23 @@ TEST(StraightPaths, ALineCarriesWhatItsWeakestVoxelDoes) {
 // faces that are not tied.
 int64_t CheckAndSum(const Start& start, const FlowState<int32_t>& state) {
   int64_t sum = 0;
-  start.walk.ForEach(0, start.walk.NumBricks(), [&](const VoxelPlace& place) {
-    const int tied = start.ties[place.index] | start.ties[place.index] >> 6;
-    const uint32_t residual = state.Residual(place.index);
+  start.walk.ForEach(0, start.walk.NumBricks(), [&](const VoxelSlot& slot) {
+    const int tied = start.ties[slot.index] | start.ties[slot.index] >> 6;
+    const uint32_t residual = state.Residual(slot.index);
     const uint32_t shown = kFreeArcs[residual >> kNumOctahedronArcs];
     for (uint32_t arc = 0; arc < kNumOctahedronArcs; ++arc) {
-      const int32_t capacity = state.Capacity(place.index, arc);
+      const int32_t capacity = state.Capacity(slot.index, arc);
       EXPECT_GE(capacity, 0);
       EXPECT_EQ((residual >> arc) & 1,
                 uint32_t(((shown >> arc) & 1) && capacity > 0));
       if ((kFreeArcs[tied & kAllFaces] >> arc) & 1) {
         const int64_t flow =
-            state.Capacity(place.index, kOctahedron.reverse[arc]) - capacity;
+            state.Capacity(slot.index, kOctahedron.reverse[arc]) - capacity;
         sum += std::max<int64_t>(0, flow / 2);
       }
     }
     for (uint32_t axis = 0; axis < 3; ++axis) {
-      const FaceNode node{place, axis};
+      const FaceNode node{slot, axis};
       if (((tied >> (2 * axis)) & 1) == 0) {
         EXPECT_TRUE(state.Imbalance(node) == 0 || !state.StartsBalanced(node));
       }

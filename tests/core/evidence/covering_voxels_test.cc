@@ -109,9 +109,9 @@ TEST_F(CoveringVoxelsTest, CoverEverythingAndHangTogether) {
       covered.size() - size_t(std::count(covered.begin(), covered.end(), 0)));
 }
 
-TEST_F(CoveringVoxelsTest, BringBackWhatWasBelieved) {
+TEST_F(CoveringVoxelsTest, BringBackWhatWasLikely) {
   const size_t few = Find().num_voxels;
-  candidates_.is_believed = is_lost_;
+  candidates_.is_likely = is_lost_;
   const CoveringVoxels covering = Find();
   // The whole part instead of a sheet of it.
   EXPECT_GT(covering.num_voxels, 2 * few);

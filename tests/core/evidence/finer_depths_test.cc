@@ -30,8 +30,9 @@ LabeledVoxels HullSurfaceOf(const TestScene& test) {
   return surface;
 }
 
-VoxelValues TrustOf(const LabeledVoxels& surface, float trust) {
-  return {surface.voxels, std::vector<float>(surface.voxels.Size(), trust)};
+VoxelValues ConfidenceOf(const LabeledVoxels& surface, float confidence) {
+  return {surface.voxels,
+          std::vector<float>(surface.voxels.Size(), confidence)};
 }
 
 constexpr double kCupDepth = 0.25;  // and its width is 1
@@ -51,7 +52,7 @@ TEST(FinerDepths, LeadIntoACavityThatTheSurfaceHasFilled) {
   const LabeledVoxels surface = HullSurfaceOf(test);
   const FinerEvidence finer = FindFinerDepths(test.views,
                                               surface,
-                                              TrustOf(surface, 1),
+                                              ConfidenceOf(surface, 1),
                                               InsideEvidenceOptions(),
                                               Context(2));
   ASSERT_FALSE(finer.voxels.Empty());
@@ -91,11 +92,11 @@ TEST(FinerDepths, LeadIntoACavityThatTheSurfaceHasFilled) {
 TEST(FinerDepths, AreTheSameForAnyNumberOfThreads) {
   const TestScene test = MakeCup();
   const LabeledVoxels surface = HullSurfaceOf(test);
-  const VoxelValues trust = TrustOf(surface, 1);
+  const VoxelValues confidence = ConfidenceOf(surface, 1);
   const FinerEvidence one = FindFinerDepths(
-      test.views, surface, trust, InsideEvidenceOptions(), Context(1));
+      test.views, surface, confidence, InsideEvidenceOptions(), Context(1));
   const FinerEvidence three = FindFinerDepths(
-      test.views, surface, trust, InsideEvidenceOptions(), Context(3));
+      test.views, surface, confidence, InsideEvidenceOptions(), Context(3));
   EXPECT_EQ(one.voxels.Codes(), three.voxels.Codes());
   EXPECT_EQ(one.values, three.values);
 }
@@ -105,7 +106,7 @@ TEST(FinerDepths, AreNotLookedForWhereDepthsAreNotReliedUpon) {
   const LabeledVoxels surface = HullSurfaceOf(test);
   const FinerEvidence finer = FindFinerDepths(test.views,
                                               surface,
-                                              TrustOf(surface, 0.4f),
+                                              ConfidenceOf(surface, 0.4f),
                                               InsideEvidenceOptions(),
                                               Context(2));
   EXPECT_TRUE(finer.voxels.Empty());
@@ -117,7 +118,7 @@ TEST(FinerDepths, LeaveASurfaceThatIsRightAsItIs) {
   const LabeledVoxels surface = HullSurfaceOf(test);
   const FinerEvidence finer = FindFinerDepths(test.views,
                                               surface,
-                                              TrustOf(surface, 1),
+                                              ConfidenceOf(surface, 1),
                                               InsideEvidenceOptions(),
                                               Context(2));
   EXPECT_TRUE(finer.voxels.Empty());

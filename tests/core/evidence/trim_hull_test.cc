@@ -11,7 +11,7 @@ namespace {
 using testing::MakeTestScene;
 using testing::TestScene;
 
-TEST(TrimHull, TakesWhatTrustedMasksDenyOffTheOutsideAlone) {
+TEST(TrimHull, TakesWhatReliableMasksDenyOffTheOutsideAlone) {
   TestScene test = MakeTestScene("sphere", 160, 120, 12);
   // A hole of eight by eight pixels in the middle of a mask.
   cv::Mat& mask = test.scene.views[0].mask;
@@ -26,8 +26,8 @@ TEST(TrimHull, TakesWhatTrustedMasksDenyOffTheOutsideAlone) {
   const VoxelGrid hull = hull_of(test.views);
   const VoxelGrid strict =
       hull_of(PrepareViews(test.scene, test.region.cube, Context(2)));
-  const auto trim = [&](float trust, InsideEvidence* evidence) {
-    evidence->mask_trust.assign(test.views.size(), trust);
+  const auto trim = [&](float confidence, InsideEvidence* evidence) {
+    evidence->mask_confidence.assign(test.views.size(), confidence);
     hull.ForEach([&](VoxelGrid::Index, MortonCode code) {
       evidence->values.push_back(float(code));
     });

@@ -109,10 +109,11 @@ size_t NumIntersections(const IndexedMesh& mesh) {
   return FindSelfIntersections(mesh, Context(1)).num_pairs;
 }
 
-PlacedSurface Place(const LabelledCrust& labelled, const BoundingCube& cube) {
-  return PlaceVertices(
+PositionedSurface Place(const LabelledCrust& labelled,
+                        const BoundingCube& cube) {
+  return PositionVertices(
       ExtractSurface(labelled.crust, labelled.labels, cube, Context(1)),
-      PlaceVerticesOptions(),
+      PositionVerticesOptions(),
       Context(1));
 }
 

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "core/extract/place_vertices.h"
+#include "core/extract/position_vertices.h"
 #include "core/grid/voxel_grid.h"
 #include "core/mesh/audit.h"
 #include "core/scene/scene.h"
@@ -47,8 +47,9 @@ double TorusDistance(const Eigen::Vector3d& point);   // radii 0.27 and 0.12
 // Pairs of triangles that intersect.
 size_t NumIntersections(const IndexedMesh& mesh);
 
-// Its surface with vertices placed by the default options.
-PlacedSurface Place(const LabelledCrust& labelled, const BoundingCube& cube);
+// Its surface with vertices positioned by the default options.
+PositionedSurface Place(const LabelledCrust& labelled,
+                        const BoundingCube& cube);
 
 // The cube whose voxels of `level` have unit edges.
 BoundingCube UnitVoxels(int level);

@@ -23,17 +23,17 @@ TEST_P(VoxelWalkTest, NeighborsAreThoseOfTheGrid) {
   const VoxelWalk walk(grid, Context(2));
   size_t visited = 0;
   walk.ForEachWithNeighbors(
-      0, walk.NumBricks(), [&](const VoxelPlace& place, const auto& neighbors) {
-        EXPECT_EQ(place.index, visited++);
+      0, walk.NumBricks(), [&](const VoxelSlot& slot, const auto& neighbors) {
+        EXPECT_EQ(slot.index, visited++);
         const Eigen::Vector3i voxel = DecodeMorton(
-            VoxelGrid::CodeOf(grid.Bricks()[place.brick], int(place.bit)));
-        EXPECT_EQ(grid.Find(voxel), place.index);
+            VoxelGrid::CodeOf(grid.Bricks()[slot.brick], int(slot.bit)));
+        EXPECT_EQ(grid.Find(voxel), slot.index);
         for (int face = 0; face < kNumFaces; ++face) {
           const VoxelGrid::Index expected =
               grid.Find(NeighborVoxel(voxel, face));
           EXPECT_EQ(neighbors[face], expected);
           if (expected != VoxelGrid::kNone) {
-            EXPECT_EQ(walk.Step(place, face).index, expected);
+            EXPECT_EQ(walk.Step(slot, face).index, expected);
           }
         }
       });

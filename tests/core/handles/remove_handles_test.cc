@@ -104,9 +104,9 @@ TEST(RemoveHandles, KeepsRandomBlocksValid) {
   size_t num_removed = 0;
   for (int round = 0; round < 100; ++round) {
     const LabelledCrust block = LabelRandomBlock(3 + round % 4, false, random);
-    const PlacedSurface placed = Place(block, UnitVoxels(4));
-    IndexedMesh mesh = placed.mesh;
-    mesh.positions = placed.corners;
+    const PositionedSurface positioned = Place(block, UnitVoxels(4));
+    IndexedMesh mesh = positioned.mesh;
+    mesh.positions = positioned.corners;
     if (mesh.triangles.empty()) {
       continue;
     }

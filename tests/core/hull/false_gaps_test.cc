@@ -15,7 +15,7 @@ using testing::TestScene;
 
 constexpr double kTolerance = 2;
 
-FilledScene Fill(const TestScene& test, int num_threads = 2) {
+RepairedScene Fill(const TestScene& test, int num_threads = 2) {
   return FillFalseGaps(
       test.scene, test.region.cube, kTolerance, Context(num_threads));
 }
@@ -41,7 +41,7 @@ TEST(FalseGaps, AreFilledAndNothingElse) {
   Punch(Middle(test.scene.views[2]), 5, &test.scene.views[2]);
   Punch(Middle(test.scene.views[9]) + cv::Point(6, 4), 4, &test.scene.views[9]);
   const cv::Mat punched = test.scene.views[9].mask;
-  const FilledScene filled = Fill(test);
+  const RepairedScene filled = Fill(test);
   ASSERT_EQ(filled.gaps.size(), 2u);
   EXPECT_EQ(filled.gaps[0].view, 2u);
   EXPECT_EQ(filled.gaps[1].view, 9u);
@@ -85,7 +85,7 @@ TEST(FalseGaps, AreBitesThatOtherViewsDeny) {
   const cv::Rect box = cv::boundingRect(view.mask > 127);
   Punch(cv::Point(box.x + 6, box.y + box.height / 2), 7, &view);
   ASSERT_TRUE(Fill(exact).gaps.empty());
-  const FilledScene filled = Fill(test);
+  const RepairedScene filled = Fill(test);
   ASSERT_EQ(filled.gaps.size(), 1u);
   EXPECT_EQ(filled.gaps[0].view, 5u);
   const auto count_lost = [&](const View& other) {
@@ -130,8 +130,8 @@ TEST(FalseGaps, AreTheSameForAnyNumberOfThreads) {
   for (View& view : test.scene.views) {
     Punch(Middle(view), 4, &view);
   }
-  const FilledScene one = Fill(test, 1);
-  const FilledScene three = Fill(test, 3);
+  const RepairedScene one = Fill(test, 1);
+  const RepairedScene three = Fill(test, 3);
   EXPECT_EQ(one.gaps.size(), test.scene.views.size());
   ASSERT_EQ(one.gaps.size(), three.gaps.size());
   for (size_t v = 0; v < test.scene.views.size(); ++v) {

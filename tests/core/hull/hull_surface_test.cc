@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/extract/extract_surface.h"
-#include "core/extract/place_vertices.h"
+#include "core/extract/position_vertices.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/keep_components.h"
 #include "tests/core/views/test_scene.h"
@@ -34,10 +34,10 @@ HullMesh MeshOfHull(const TestScene& test,
       ComputeHullSurface(test.views, box, options, Context(2));
   HullMesh result;
   result.mesh =
-      PlaceVertices(
+      PositionVertices(
           ExtractSurface(
               surface.voxels, surface.labels, test.region.cube, Context(2)),
-          PlaceVerticesOptions(),
+          PositionVerticesOptions(),
           Context(2))
           .mesh;
   // Small pieces that no view denies are part of a hull, too.

@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
-#include "core/synthetic/move_mask_border.h"
+#include "core/benchmark/synthetic/move_mask_border.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -131,7 +131,7 @@ TEST(VisualHull, EqualsTestingEveryVoxelAlone) {
       background |= view.silhouette.TestCube(view.projection,
                                              VoxelCenter(voxel, kLevel),
                                              0.5f / (1 << kLevel)) ==
-                    Footprint::kBackground;
+                    Containment::kBackground;
     }
     // The same but for rounding at the rectangles' sides.
     if (hull.voxels.Contains(voxel)) {

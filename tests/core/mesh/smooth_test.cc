@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/base/error.h"
-#include "core/extract/place_vertices.h"
+#include "core/extract/position_vertices.h"
 #include "tests/core/extract/label_crust.h"
 #include "tests/core/mesh/simple_meshes.h"
 
@@ -15,9 +15,9 @@ namespace {
 
 IndexedMesh ShapeMesh(int level, double (*distance)(const Eigen::Vector3d&)) {
   const LabelledCrust shape = LabelShape(level, distance);
-  return PlaceVertices(
+  return PositionVertices(
              ExtractSurface(shape.crust, shape.labels, UnitCube(), Context(1)),
-             PlaceVerticesOptions(),
+             PositionVerticesOptions(),
              Context(1))
       .mesh;
 }
@@ -67,8 +67,8 @@ TEST(SmoothSurface, KeepsTheBoundAndTheAuditOnRandomBlocks) {
   for (int round = 0; round < 400; ++round) {
     const LabelledCrust block =
         LabelRandomBlock(2 + round % 4, round % 2 != 0, random);
-    const PlacedSurface placed = Place(block, UnitVoxels(4));
-    if (placed.mesh.triangles.empty()) {
+    const PositionedSurface positioned = Place(block, UnitVoxels(4));
+    if (positioned.mesh.triangles.empty()) {
       continue;
     }
     SmoothOptions options;
@@ -76,12 +76,12 @@ TEST(SmoothSurface, KeepsTheBoundAndTheAuditOnRandomBlocks) {
     options.max_displacement = round % 3 == 0 ? 0.3 : 1;
     options.taubin_mu = round % 5 == 0 ? -0.53 : 0;
     const SmoothedSurface smooth =
-        SmoothSurface(placed.mesh, 1, options, Context(1));
+        SmoothSurface(positioned.mesh, 1, options, Context(1));
     double largest = 0;
-    for (size_t v = 0; v < placed.corners.size(); ++v) {
+    for (size_t v = 0; v < positioned.corners.size(); ++v) {
       largest = std::max(
           largest,
-          (smooth.mesh.positions[v] - placed.mesh.positions[v]).norm());
+          (smooth.mesh.positions[v] - positioned.mesh.positions[v]).norm());
     }
     EXPECT_LE(largest, options.max_displacement * (1 + 1e-12));
     EXPECT_DOUBLE_EQ(smooth.summary.max_displacement, largest);
@@ -139,7 +139,7 @@ TEST(SmoothSurface, SphereAndTorusConverge) {
 TEST(SmoothSurface, SmoothsNormals) {
   // Mean angle between triangles and the sphere.
   const double voxel = 1.0 / 64;
-  const IndexedMesh placed = ShapeMesh(6, SphereDistance);
+  const IndexedMesh positioned = ShapeMesh(6, SphereDistance);
   const auto mean_angle = [](const IndexedMesh& mesh) {
     double sum = 0;
     for (const auto& t : mesh.triangles) {
@@ -152,9 +152,9 @@ TEST(SmoothSurface, SmoothsNormals) {
     }
     return sum / double(mesh.triangles.size()) * 180 / M_PI;
   };
-  const double before = mean_angle(placed);
+  const double before = mean_angle(positioned);
   const double after = mean_angle(
-      SmoothSurface(placed, voxel, SmoothOptions(), Context(1)).mesh);
+      SmoothSurface(positioned, voxel, SmoothOptions(), Context(1)).mesh);
   EXPECT_LT(after, before / 3);
   EXPECT_LT(after, 4);
 }
@@ -169,14 +169,14 @@ TEST(SmoothSurface, TaubinKeepsTheVolume) {
 }
 
 TEST(SmoothSurface, SameBytesForAnyNumberOfThreads) {
-  const IndexedMesh placed = ShapeMesh(7, TorusDistance);
+  const IndexedMesh positioned = ShapeMesh(7, TorusDistance);
   const SmoothedSurface expected =
-      SmoothSurface(placed, 1.0 / 128, SmoothOptions(), Context(1));
+      SmoothSurface(positioned, 1.0 / 128, SmoothOptions(), Context(1));
   for (const int num_threads : {2, 4}) {
-    EXPECT_EQ(
-        SmoothSurface(placed, 1.0 / 128, SmoothOptions(), Context(num_threads))
-            .mesh.positions,
-        expected.mesh.positions);
+    EXPECT_EQ(SmoothSurface(
+                  positioned, 1.0 / 128, SmoothOptions(), Context(num_threads))
+                  .mesh.positions,
+              expected.mesh.positions);
   }
 }
 

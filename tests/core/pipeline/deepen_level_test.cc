@@ -40,8 +40,8 @@ class DeepenLevelTest : public ::testing::Test {
             test_.views, TestScene::UnitBox(), options_.hull, Context(2))
             .voxels;
     evidence_.values.assign(hull.Size(), 0.1f);
-    evidence_.mask_trust.assign(test_.views.size(), 1.0f);
-    evidence_.depth_trust = {hull, std::vector<float>(hull.Size(), 1.0f)};
+    evidence_.mask_confidence.assign(test_.views.size(), 1.0f);
+    evidence_.depth_confidence = {hull, std::vector<float>(hull.Size(), 1.0f)};
     hierarchy_.Add(SolveInitialLevel(
         test_.views, hull, evidence_, options_, Context(2), &summary_));
     solved_ = SolveFinerLevel(
@@ -96,8 +96,8 @@ TEST_F(DeepenLevelTest, OpensWhatIsFilledAndCoversTheSilhouettes) {
 }
 
 TEST_F(DeepenLevelTest, LeavesALevelAsItIsWhereDepthsAreNotReliedUpon) {
-  evidence_.depth_trust.values.assign(evidence_.depth_trust.values.size(),
-                                      0.4f);
+  evidence_.depth_confidence.values.assign(
+      evidence_.depth_confidence.values.size(), 0.4f);
   const LabeledVoxels deepened = Deepen();
   EXPECT_EQ(deepened.voxels.Codes(), solved_.voxels.Codes());
   EXPECT_EQ(deepened.labels, solved_.labels);

@@ -22,7 +22,7 @@ class InitialLevelTest : public ::testing::Test {
     hull_ = ComputeVisualHull(
                 test_.views, TestScene::UnitBox(), options_.hull, Context(2))
                 .voxels;
-    evidence_.mask_trust.assign(test_.views.size(), 1.0f);
+    evidence_.mask_confidence.assign(test_.views.size(), 1.0f);
   }
 
   LabeledVoxels Solve(int cover_rounds, float free_space) {
@@ -50,8 +50,8 @@ class InitialLevelTest : public ::testing::Test {
 
   size_t NumViewsWithUncovered(const LabeledVoxels& surface) const {
     size_t num_views = 0;
-    for (const SampleMap& map : MapSamples(
-             test_.views, surface.voxels, surface.labels, Context(2))) {
+    for (const SampleMap& map :
+         MapSamples(test_.views, surface.voxels, surface.labels, Context(2))) {
       num_views += CountSamples({map}).num_uncovered > 0;
     }
     return num_views;

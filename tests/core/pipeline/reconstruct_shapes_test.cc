@@ -82,9 +82,9 @@ TEST(Reconstruct, ToleratesLargeHolesInMasks) {
   EXPECT_GT(filled.result.summary.num_false_gaps, 48u);
   EXPECT_EQ(filled.result.audit.genus, 0);
   options.fill_false_gaps = false;
-  const ReconstructedScene believed = ReconstructScene(spec, options);
-  EXPECT_EQ(believed.result.summary.num_false_gaps, 0u);
-  EXPECT_GT(believed.result.audit.genus, 3);
+  const ReconstructedScene unrepaired = ReconstructScene(spec, options);
+  EXPECT_EQ(unrepaired.result.summary.num_false_gaps, 0u);
+  EXPECT_GT(unrepaired.result.audit.genus, 3);
   const auto error = [](const ReconstructedScene& scene) {
     return MeanDistance(scene.mesh, scene.synthetic.reference) /
            scene.VoxelSize();
@@ -92,7 +92,7 @@ TEST(Reconstruct, ToleratesLargeHolesInMasks) {
   // Bites that stay take up to two and a half times what little error there is.
   EXPECT_LT(error(filled), 2.5 * error(clean));
   EXPECT_LT(error(filled), 0.45);
-  EXPECT_GT(error(believed), 2 * error(filled));
+  EXPECT_GT(error(unrepaired), 2 * error(filled));
 }
 
 TEST(Reconstruct, Torus) {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/pipeline/reconstruct.h"
 #include "core/raycast/ray_scene.h"
-#include "core/synthetic/synthetic_scene.h"
 
 namespace octacut::testing {
 

@@ -57,7 +57,7 @@ std::vector<float> Held(const Decision& decision, float top) {
 
 // Of a crust in which all voxels have a low phi, by what depths found on a grid
 // of `depth_level` are worth.
-float DecidedByAgreement(float trust, int depth_level) {
+float DecidedByAgreement(float confidence, int depth_level) {
   const Crust crust = FlatCrust();
   std::vector<MortonCode> codes;
   crust.voxels.ForEach([&](VoxelGrid::Index, MortonCode code) {
@@ -66,12 +66,12 @@ float DecidedByAgreement(float trust, int depth_level) {
     }
     codes.push_back(code);
   });
-  VoxelValues depth_trust{VoxelGrid::FromCodes(depth_level, codes), {}};
-  depth_trust.values.assign(depth_trust.voxels.Size(), trust);
+  VoxelValues depth_confidence{VoxelGrid::FromCodes(depth_level, codes), {}};
+  depth_confidence.values.assign(depth_confidence.voxels.Size(), confidence);
   const Decision decision =
       DecideByPhotographs(crust,
                           std::vector<float>(crust.voxels.Size(), 0.1f),
-                          depth_trust,
+                          depth_confidence,
                           Context(2));
   return decision.here[crust.voxels.Find(Eigen::Vector3i(16, 16, 15))];
 }
@@ -126,7 +126,7 @@ TEST(UndecidedSurface, CostsWhatNobodySees) {
   EXPECT_NEAR(weights[3], unseen, 1e-6f);
 }
 
-TEST(UndecidedSurface, AgreementIsBelievedAsFarAsDepthsAre) {
+TEST(UndecidedSurface, AgreementCountsAsFarAsDepthsDo) {
   const Crust crust = FlatCrust();
   // Some agreement: less than most of the region.
   std::vector<float> phi(crust.voxels.Size(), 0.6f);
@@ -138,23 +138,23 @@ TEST(UndecidedSurface, AgreementIsBelievedAsFarAsDepthsAre) {
   });
   const LocalAgreement agreement =
       EstimateLocalAgreement(crust.voxels, phi, Context(2));
-  const VoxelValues half_trusted{VoxelGrid::FromCodes(0, {0}), {0.5f}};
+  const VoxelValues half_reliable{VoxelGrid::FromCodes(0, {0}), {0.5f}};
   const Decision decision =
-      DecideByPhotographs(crust, phi, half_trusted, Context(2));
+      DecideByPhotographs(crust, phi, half_reliable, Context(2));
   int num_doubtful = 0;
-  int num_believed = 0;
+  int num_counted = 0;
   for (size_t i = 0; i < phi.size(); ++i) {
     const float near = agreement.near_voxel[i];
     if (near > 0 && agreement.in_region[i] < 0.5f) {
       ++num_doubtful;
       ASSERT_NEAR(decision.here[i], 0.5f * near, 1e-6f) << i;
     } else if (near > 0) {
-      ++num_believed;
+      ++num_counted;
       ASSERT_GE(decision.here[i], 0.5f * near) << i;
     }
   }
   EXPECT_GT(num_doubtful, 100);
-  EXPECT_GT(num_believed, 100);
+  EXPECT_GT(num_counted, 100);
 }
 
 }  // namespace

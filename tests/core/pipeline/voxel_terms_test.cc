@@ -85,10 +85,10 @@ TEST(SilhouetteTerms, MoveWithTheShiftOfTheBorders) {
   const VoxelGrid voxels = SomeVoxels(kLevel);
   ReconstructionOptions options;
   options.hull.hull_level = kLevel;
-  const std::vector<float> trust = {1, 1};
+  const std::vector<float> confidence = {1, 1};
   const auto terms = [&] {
     return EstimateSilhouetteTerms(
-        test.views, trust, voxels, options, Context(2));
+        test.views, confidence, voxels, options, Context(2));
   };
   const SilhouetteTerms unshifted = terms();
   for (const float shift : {0.7f, -0.7f}) {
@@ -108,7 +108,7 @@ TEST(SilhouetteTerms, MoveWithTheShiftOfTheBorders) {
   }
 }
 
-TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
+TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsReliable) {
   TestScene test = MakeTestScene("torus", 120, 90, 2);
   constexpr double kTolerance = 4;
   test.views =
@@ -119,9 +119,9 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
   options.hull.hull_level = kLevel;
   options.energy.silhouette_weight = 2;
   options.energy.mask_border_weight = 0.5;
-  const std::vector<float> trust = {1, 0.25f};
-  const SilhouetteTerms terms =
-      EstimateSilhouetteTerms(test.views, trust, voxels, options, Context(2));
+  const std::vector<float> confidence = {1, 0.25f};
+  const SilhouetteTerms terms = EstimateSilhouetteTerms(
+      test.views, confidence, voxels, options, Context(2));
   size_t num_sure = 0;
   size_t num_weak = 0;
   size_t num_beyond_doubtful = 0;
@@ -136,7 +136,7 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
                        0.87f * test.views[i].projection.Footprint(
                                    1.0f / (1 << kLevel), p->depth) <=
                    -kTolerance;
-      const float weight = is_sure ? 2 : 0.5f * trust[i];
+      const float weight = is_sure ? 2 : 0.5f * confidence[i];
       evidence =
           std::min(evidence, -weight * std::clamp(-2 * depth, 0.0f, 1.0f));
       // The border of a doubtful mask does not bound the hull within its
@@ -158,7 +158,8 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsTrusted) {
   // On finer levels only what is sure speaks.
   options.hull.hull_level = kLevel - 1;
   for (const float evidence :
-       EstimateSilhouetteTerms(test.views, trust, voxels, options, Context(2))
+       EstimateSilhouetteTerms(
+           test.views, confidence, voxels, options, Context(2))
            .evidence) {
     ASSERT_TRUE(evidence == 0 || evidence == -2) << evidence;
   }

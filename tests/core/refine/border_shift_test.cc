@@ -10,9 +10,10 @@ namespace {
 // Pixels a unit.
 constexpr float kScale = 200;
 
-// Rims between places 0 and 1, a third of the way; the target in pixels.
-std::vector<RimTarget> Rims(size_t count, float target) {
-  return std::vector<RimTarget>(
+// Occluding contours between points 0 and 1, a third of the way; the target in
+// pixels.
+std::vector<ContourTarget> Contours(size_t count, float target) {
+  return std::vector<ContourTarget>(
       count, {{{0, 1}, 1.0f / 3, target / kScale, 1}, kScale});
 }
 
@@ -26,79 +27,82 @@ OffsetMeasurement Measured(float offset, float weight) {
 
 // On planes.
 std::optional<BorderExcess> Excess(
-    const std::vector<RimTarget>& rims,
+    const std::vector<ContourTarget>& contours,
     const std::vector<OffsetMeasurement>& measurements) {
   const std::vector<LocalSurface> surfaces(measurements.size());
-  return MedianExcess(rims, surfaces, measurements, 4, 1);
+  return MedianExcess(contours, surfaces, measurements, 4, 1);
 }
 
-TEST(MedianExcess, IsWhatRimsLeadFartherOutward) {
+TEST(MedianExcess, IsWhatContoursLeadFartherOutward) {
   const std::vector<OffsetMeasurement> measurements = {Measured(0.3f, 4),
                                                        Measured(0.6f, 5)};
-  EXPECT_NEAR(Excess(Rims(100, 0.9f), measurements).value().median, 0.5, 1e-6);
   EXPECT_NEAR(
-      Excess(Rims(100, -0.2f), measurements).value().median, -0.6, 1e-6);
+      Excess(Contours(100, 0.9f), measurements).value().median, 0.5, 1e-6);
+  EXPECT_NEAR(
+      Excess(Contours(100, -0.2f), measurements).value().median, -0.6, 1e-6);
 }
 
 TEST(MedianExcess, IsThatOfTheBestMeasuredMajority) {
   std::vector<OffsetMeasurement> measurements = {
       Measured(0, 4), Measured(0, 8), Measured(0, 2), Measured(0, 8)};
-  std::vector<RimTarget> rims = Rims(101, 0.5f);
-  for (const RimTarget& rim : Rims(100, 3)) {
-    rims.push_back(rim);
+  std::vector<ContourTarget> contours = Contours(101, 0.5f);
+  for (const ContourTarget& contour : Contours(100, 3)) {
+    contours.push_back(contour);
   }
-  EXPECT_NEAR(Excess(rims, measurements).value().median, 0.5, 1e-6);
-  // Fifteen times as many rims of half the weight do not outvote the rest.
-  rims.resize(101);
-  for (RimTarget rim : Rims(1500, 3)) {
-    rim.edge.places = {2, 3};
-    rims.push_back(rim);
+  EXPECT_NEAR(Excess(contours, measurements).value().median, 0.5, 1e-6);
+  // Fifteen times as many occluding contours of half the weight do not outvote
+  // the rest.
+  contours.resize(101);
+  for (ContourTarget contour : Contours(1500, 3)) {
+    contour.edge.points = {2, 3};
+    contours.push_back(contour);
   }
-  EXPECT_NEAR(Excess(rims, measurements).value().median, 0.5, 1e-6);
-  std::reverse(rims.begin(), rims.end());
-  EXPECT_NEAR(Excess(rims, measurements).value().median, 0.5, 1e-6);
+  EXPECT_NEAR(Excess(contours, measurements).value().median, 0.5, 1e-6);
+  std::reverse(contours.begin(), contours.end());
+  EXPECT_NEAR(Excess(contours, measurements).value().median, 0.5, 1e-6);
   measurements[2].weight = 4;
-  EXPECT_NEAR(Excess(rims, measurements).value().median, 3, 1e-6);
+  EXPECT_NEAR(Excess(contours, measurements).value().median, 3, 1e-6);
 }
 
-TEST(MedianExcess, SaysHowWellRimsAgree) {
+TEST(MedianExcess, SaysHowWellContoursAgree) {
   const std::vector<OffsetMeasurement> measurements = {
       Measured(0, 8), Measured(0, 8), Measured(0, 2)};
-  EXPECT_NEAR(Excess(Rims(100, 0.9f), measurements).value().deviation, 0, 1e-6);
-  std::vector<RimTarget> rims = Rims(101, 0.5f);
+  EXPECT_NEAR(
+      Excess(Contours(100, 0.9f), measurements).value().deviation, 0, 1e-6);
+  std::vector<ContourTarget> contours = Contours(101, 0.5f);
   for (const float target : {0.3f, 0.6f}) {
-    for (const RimTarget& rim : Rims(60, target)) {
-      rims.push_back(rim);
+    for (const ContourTarget& contour : Contours(60, target)) {
+      contours.push_back(contour);
     }
   }
-  EXPECT_NEAR(Excess(rims, measurements).value().median, 0.5, 1e-6);
-  EXPECT_NEAR(Excess(rims, measurements).value().deviation, 0.1, 1e-6);
+  EXPECT_NEAR(Excess(contours, measurements).value().median, 0.5, 1e-6);
+  EXPECT_NEAR(Excess(contours, measurements).value().deviation, 0.1, 1e-6);
   // Those that are measured worse count less.
-  for (RimTarget rim : Rims(1500, 3)) {
-    rim.edge.places = {1, 2};
-    rims.push_back(rim);
+  for (ContourTarget contour : Contours(1500, 3)) {
+    contour.edge.points = {1, 2};
+    contours.push_back(contour);
   }
-  EXPECT_NEAR(Excess(rims, measurements).value().deviation, 0.1, 1e-6);
+  EXPECT_NEAR(Excess(contours, measurements).value().deviation, 0.1, 1e-6);
 }
 
 TEST(MedianExcess, IsInPixelsOfEachView) {
-  std::vector<RimTarget> rims = Rims(100, 0.8f);
-  for (RimTarget& rim : rims) {
-    rim.pixels_per_unit = 2 * kScale;
+  std::vector<ContourTarget> contours = Contours(100, 0.8f);
+  for (ContourTarget& contour : contours) {
+    contour.pixels_per_unit = 2 * kScale;
   }
   EXPECT_NEAR(
-      Excess(rims, {Measured(0.3f, 4), Measured(0.3f, 5)}).value().median,
+      Excess(contours, {Measured(0.3f, 4), Measured(0.3f, 5)}).value().median,
       1,
       1e-6);
 }
 
-TEST(MedianExcess, LeavesOutLimbs) {
+TEST(MedianExcess, LeavesOutThinStructures) {
   std::vector<LocalSurface> surfaces(2);
   surfaces[1].uu = -0.5f * kScale / 5;  // a cylinder of radius 5 pixels
   const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
                                                        Measured(0, 1)};
-  EXPECT_TRUE(MedianExcess(Rims(100, 1), surfaces, measurements, 4.9, 0));
-  EXPECT_FALSE(MedianExcess(Rims(100, 1), surfaces, measurements, 5.1, 0));
+  EXPECT_TRUE(MedianExcess(Contours(100, 1), surfaces, measurements, 4.9, 0));
+  EXPECT_FALSE(MedianExcess(Contours(100, 1), surfaces, measurements, 5.1, 0));
 }
 
 TEST(MedianExcess, TakesOffWhatCurvaturePretends) {
@@ -106,25 +110,26 @@ TEST(MedianExcess, TakesOffWhatCurvaturePretends) {
   surfaces[0].vv = 0.5f * kScale / 4;
   const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
                                                        Measured(0, 1)};
-  EXPECT_NEAR(
-      MedianExcess(Rims(100, 1), surfaces, measurements, 0, 2).value().median,
-      1 - 2.0 / 4,
-      1e-6);
+  EXPECT_NEAR(MedianExcess(Contours(100, 1), surfaces, measurements, 0, 2)
+                  .value()
+                  .median,
+              1 - 2.0 / 4,
+              1e-6);
 }
 
-TEST(MedianExcess, NeedsRimsWithOffsets) {
-  std::vector<RimTarget> rims = Rims(200, 1);
+TEST(MedianExcess, NeedsContoursWithOffsets) {
+  std::vector<ContourTarget> contours = Contours(200, 1);
   const std::vector<OffsetMeasurement> few = {
       Measured(0, 1), Measured(0, 1), Measured(0, 0)};
-  EXPECT_TRUE(Excess(rims, few));
-  for (RimTarget rim : Rims(2000, 1)) {
-    rim.edge.places = {1, 2};
-    rims.push_back(rim);
+  EXPECT_TRUE(Excess(contours, few));
+  for (ContourTarget contour : Contours(2000, 1)) {
+    contour.edge.points = {1, 2};
+    contours.push_back(contour);
   }
-  EXPECT_FALSE(Excess(rims, few));
+  EXPECT_FALSE(Excess(contours, few));
   EXPECT_FALSE(Excess({}, {}));
-  EXPECT_FALSE(Excess(Rims(99, 1), {Measured(0, 1), Measured(0, 1)}));
-  EXPECT_FALSE(Excess(Rims(1000, 1), {Measured(0, 1), Measured(0, 0)}));
+  EXPECT_FALSE(Excess(Contours(99, 1), {Measured(0, 1), Measured(0, 1)}));
+  EXPECT_FALSE(Excess(Contours(1000, 1), {Measured(0, 1), Measured(0, 0)}));
 }
 
 TEST(ShrinkShift, TakesWhatIsBelowTheNoiseForNoise) {

@@ -133,7 +133,7 @@ TEST(OffsetSearch, FewNoisyViewsWeighAsLittleAsTheyTell) {
   EXPECT_LT(few.error_in_deviations, 1.5 * many.error_in_deviations);
 }
 
-TEST(OffsetSearch, GlossMisleadsLessWhereHueWeighsMore) {
+TEST(OffsetSearch, GlossMisleadsLessWhereChromaWeighsMore) {
   SceneSpec spec = testing::RefineSceneSpec();
   spec.texture.kind = TextureKind::kPainted;
   spec.texture.contrast = 0.1;
@@ -141,11 +141,11 @@ TEST(OffsetSearch, GlossMisleadsLessWhereHueWeighsMore) {
   spec.lighting.specular = 3;
   const RefineScene scene = {testing::MakeTestScene(spec)};
   RefineOptions options;
-  options.patch.hue_weight = 1;
+  options.patch.chroma_weight = 1;
   const Quality as_taken = MeasureQuality(scene, options);
-  options.patch.hue_weight = 4;
-  const Quality by_hue = MeasureQuality(scene, options);
-  EXPECT_LT(by_hue.error, 0.8 * as_taken.error);
+  options.patch.chroma_weight = 4;
+  const Quality by_chroma = MeasureQuality(scene, options);
+  EXPECT_LT(by_chroma.error, 0.8 * as_taken.error);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace {
 constexpr int kSide = 40;
 constexpr double kTolerance = 0.01;
 
-// Places in a square, each with those beside it.
-VertexCorners SquareOfPlaces() {
+// Points in a square, each with those beside it.
+VertexCorners SquareOfPoints() {
   std::vector<std::array<uint32_t, 3>> triangles;
   for (uint32_t y = 0; y + 1 < kSide; ++y) {
     for (uint32_t x = 0; x + 1 < kSide; ++x) {
@@ -23,12 +23,12 @@ VertexCorners SquareOfPlaces() {
   return FindVertexNeighbors(kSide * kSide, triangles);
 }
 
-// Any number in -1 .. 1, the same for the same place.
-float RandomOf(size_t place) {
-  return float((place * 2654435761u >> 7) % 1000) / 500 - 1;
+// Any number in -1 .. 1, the same for the same point.
+float RandomOf(size_t point) {
+  return float((point * 2654435761u >> 7) % 1000) / 500 - 1;
 }
 
-// Of all places; `is_chance` says whose offsets are anything at all.
+// Of all points; `is_chance` says whose offsets are anything at all.
 template <typename IsChance>
 std::vector<OffsetMeasurement> Offsets(IsChance&& is_chance) {
   std::vector<OffsetMeasurement> measurements(kSide * kSide);
@@ -41,7 +41,7 @@ std::vector<OffsetMeasurement> Offsets(IsChance&& is_chance) {
 }
 
 void Drop(std::vector<OffsetMeasurement>* measurements) {
-  DropChanceOffsets(SquareOfPlaces(),
+  DropChanceOffsets(SquareOfPoints(),
                     std::vector<uint8_t>(measurements->size(), 1),
                     kTolerance,
                     Context(2),
@@ -57,7 +57,7 @@ TEST(DropChanceOffsets, DropsThoseThatNoneSupports) {
 
 TEST(DropChanceOffsets, KeepsTheRightOnesAmongThem) {
   // The left third of the square is right.
-  const auto is_chance = [](size_t place) { return place % kSide >= 14; };
+  const auto is_chance = [](size_t point) { return point % kSide >= 14; };
   std::vector<OffsetMeasurement> measurements = Offsets(is_chance);
   Drop(&measurements);
   for (size_t i = 0; i < measurements.size(); ++i) {
@@ -71,8 +71,8 @@ TEST(DropChanceOffsets, KeepsTheRightOnesAmongThem) {
 
 TEST(DropChanceOffsets, LeavesWhatMostlyHasSupport) {
   // A crease, on which offsets differ.
-  const auto is_chance = [](size_t place) {
-    return place % kSide >= 18 && place % kSide < 22;
+  const auto is_chance = [](size_t point) {
+    return point % kSide >= 18 && point % kSide < 22;
   };
   std::vector<OffsetMeasurement> measurements = Offsets(is_chance);
   Drop(&measurements);

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <vector>
 
+#include "core/benchmark/synthetic/noise.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/vertex_corners.h"
-#include "core/synthetic/noise.h"
 #include "tests/core/mesh/test_shapes.h"
 #include "tests/core/views/test_scene.h"
 

@@ -62,8 +62,8 @@ TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
   EXPECT_EQ(summary.rounds[0].scale, 2);
   EXPECT_EQ(summary.rounds[1].scale, 2);
   EXPECT_EQ(summary.rounds[2].scale, 1);
-  EXPECT_EQ(summary.rounds[2].num_seen, summary.rounds[2].num_places);
-  EXPECT_GT(summary.rounds[2].num_measured, summary.rounds[2].num_places / 2);
+  EXPECT_EQ(summary.rounds[2].num_seen, summary.rounds[2].num_points);
+  EXPECT_GT(summary.rounds[2].num_measured, summary.rounds[2].num_points / 2);
 }
 
 TEST(RefineSurface, AlignsPosesThatAreOff) {
@@ -200,8 +200,8 @@ double RoughnessAfter(const RefineScene& scene, bool smooths) {
     for (const uint32_t next : neighbors.Of(v)) {
       mean += mesh.positions[next] / double(neighbors.Of(v).size());
     }
-    const Eigen::Vector3d bend = mesh.positions[v] - mean;
-    roughness += std::abs(bend.dot(mesh.normals[v].cast<double>()));
+    const Eigen::Vector3d deviation = mesh.positions[v] - mean;
+    roughness += std::abs(deviation.dot(mesh.normals[v].cast<double>()));
   }
   return roughness * cube.edge / scene.Pixel() / double(mesh.positions.size());
 }
@@ -216,7 +216,7 @@ TEST(RefineSurface, LeavesWhatNobodySees) {
   const IndexedMesh before = BumpyMesh(scene);
   const RefinedSurface refined = Refine(scene);
   const RoundSummary& last = refined.summary.rounds.back();
-  EXPECT_LT(last.num_seen, last.num_places);
+  EXPECT_LT(last.num_seen, last.num_points);
   size_t num_bottom = 0;
   double top_before = 0, top_after = 0;
   for (size_t v = 0; v < before.positions.size(); ++v) {
@@ -323,7 +323,7 @@ TEST(RefineOptions, AreChecked) {
   refused([](RefineOptions& o) { o.fit_radius = 0; });
   refused([](RefineOptions& o) { o.min_score = 1; });
   refused([](RefineOptions& o) { o.patch.pixel_noise = 0; });
-  refused([](RefineOptions& o) { o.patch.hue_weight = -1; });
+  refused([](RefineOptions& o) { o.patch.chroma_weight = -1; });
   refused([](RefineOptions& o) { o.smoothness = 0; });
   refused([](RefineOptions& o) { o.outlier_scale = 0; });
   refused([](RefineOptions& o) { o.silhouette_weight = -1; });

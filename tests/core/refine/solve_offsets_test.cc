@@ -5,7 +5,7 @@
 #include <atomic>
 
 #include "core/base/error.h"
-#include "core/refine/place_planes.h"
+#include "core/refine/neighbor_planes.h"
 #include "tests/core/refine/refine_scene.h"
 
 namespace octacut {
@@ -13,7 +13,7 @@ namespace {
 
 using testing::Random;
 
-// The vertices of a sphere as places that may move along its normals, nothing
+// The vertices of a sphere as points that may move along its normals, nothing
 // measured.
 struct SphereProblem {
   IndexedMesh mesh = Sphere(16, 20);
@@ -30,7 +30,7 @@ struct SphereProblem {
     }
     IndexedMesh with_normals = mesh;
     with_normals.normals = problem.normals;
-    const PlacePlanes planes = FitPlacePlanes(
+    const NeighborPlanes planes = FitNeighborPlanes(
         FitLocalSurfaces(
             with_normals, neighbors, testing::AllVertices(mesh), 4, Context(1)),
         neighbors);

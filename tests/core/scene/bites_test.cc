@@ -141,7 +141,7 @@ TEST(FindBites, AreNotWhatFewViewsSeeThrough) {
   EXPECT_THAT(FindBites(views, 0, Context(2)), IsEmpty());
 }
 
-TEST(FindBites, WhatManyDenyIsBelieved) {
+TEST(FindBites, WhatManyDenyStays) {
   std::vector<View> views = Views();
   const std::vector<View> shorter = RenderRod(0.6);
   for (size_t v = 0; v < views.size(); v += 4) {

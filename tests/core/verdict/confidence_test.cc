@@ -71,13 +71,13 @@ TEST(VertexConfidence, IsTheSameForAnyNumberOfThreads) {
             Confidence(scene, scene.Larger(16, 1), Context(2)));
 }
 
-// Three places in a row, 4 pixels apart.
-SurfaceEvidence ThreePlaces(const std::vector<PlaceEvidence>& values) {
+// Three points in a row, 4 pixels apart.
+SurfaceEvidence ThreePoints(const std::vector<PointEvidence>& values) {
   const IndexedMesh triangle = {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
                                 .triangles = {{0, 1, 2}}};
   SurfaceEvidence evidence{RayScene(triangle), {}, values, 0.01};
-  evidence.places.neighbors.offsets = {0, 1, 3, 4};
-  evidence.places.neighbors.corners = {1, 0, 2, 1};
+  evidence.points.neighbors.offsets = {0, 1, 3, 4};
+  evidence.points.neighbors.corners = {1, 0, 2, 1};
   for (size_t i = 0; i < 3; ++i) {
     evidence.values[i].position = Eigen::Vector3f(0.04f * float(i), 0, 0);
   }
@@ -85,33 +85,33 @@ SurfaceEvidence ThreePlaces(const std::vector<PlaceEvidence>& values) {
 }
 
 TEST(ExpectedErrors, GrowWithWhatIsLeftOpen) {
-  PlaceEvidence exact;
+  PointEvidence exact;
   exact.num_views = 8;
   exact.precision = 8;
   exact.hull_distance = 20;
-  PlaceEvidence seen = exact;
+  PointEvidence seen = exact;
   seen.precision = 0;
-  PlaceEvidence rims = seen;
-  rims.hull_distance = 0;
-  rims.num_rims = 9;
-  rims.bend = 0.01f;
-  PlaceEvidence rim = rims;
-  rim.num_rims = 1;
-  PlaceEvidence hollow = rim;
-  hollow.bend = -0.01f;
-  PlaceEvidence unseen = hollow;
+  PointEvidence contours = seen;
+  contours.hull_distance = 0;
+  contours.num_contours = 9;
+  contours.curvature = 0.01f;
+  PointEvidence contour = contours;
+  contour.num_contours = 1;
+  PointEvidence hollow = contour;
+  hollow.curvature = -0.01f;
+  PointEvidence unseen = hollow;
   unseen.num_views = 1;
-  const auto error = [](const PlaceEvidence& place) {
-    return ExpectedErrors(ThreePlaces({place, place, place}), 0.01)[1];
+  const auto error = [](const PointEvidence& point) {
+    return ExpectedErrors(ThreePoints({point, point, point}), 0.01)[1];
   };
   EXPECT_LT(error(exact), 0.2f);
-  EXPECT_LT(error(exact), error(rims));
-  EXPECT_LT(error(rims), error(rim));
-  EXPECT_LT(error(rim), error(hollow));
+  EXPECT_LT(error(exact), error(contours));
+  EXPECT_LT(error(contours), error(contour));
+  EXPECT_LT(error(contour), error(hollow));
   EXPECT_LT(error(hollow), error(seen));
   EXPECT_LT(error(hollow), error(unseen));
-  // What lies beside an exact place is known better.
-  EXPECT_LT(ExpectedErrors(ThreePlaces({exact, exact, seen}), 0.01)[2],
+  // What lies beside an exact point is known better.
+  EXPECT_LT(ExpectedErrors(ThreePoints({exact, exact, seen}), 0.01)[2],
             error(seen) / 2);
 }
 

@@ -10,33 +10,33 @@ namespace {
 using testing::MakeRefineScene;
 using testing::RefineScene;
 
-PlaceEvidence Place(float offset, float precision, float hull_distance) {
-  PlaceEvidence place;
-  place.area = 1;
-  place.num_views = 5;
-  place.offset = offset;
-  place.precision = precision;
-  place.hull_distance = hull_distance;
-  return place;
+PointEvidence Point(float offset, float precision, float hull_distance) {
+  PointEvidence point;
+  point.area = 1;
+  point.num_views = 5;
+  point.offset = offset;
+  point.precision = precision;
+  point.hull_distance = hull_distance;
+  return point;
 }
 
 TEST(SupportOf, PhotographsDecideWhereTheyTellToAPixel) {
-  EXPECT_EQ(SupportOf(Place(0.3f, 5, 0)), Support::kPhotographs);
-  EXPECT_EQ(SupportOf(Place(0.3f, 5, 20)), Support::kPhotographs);
+  EXPECT_EQ(SupportOf(Point(0.3f, 5, 0)), Support::kPhotographs);
+  EXPECT_EQ(SupportOf(Point(0.3f, 5, 20)), Support::kPhotographs);
   // Too uncertain, elsewhere, not at all.
-  EXPECT_EQ(SupportOf(Place(0.3f, 0.5f, 20)), Support::kNothing);
-  EXPECT_EQ(SupportOf(Place(1.5f, 5, 20)), Support::kNothing);
-  EXPECT_EQ(SupportOf(Place(0, 0, 20)), Support::kNothing);
+  EXPECT_EQ(SupportOf(Point(0.3f, 0.5f, 20)), Support::kNothing);
+  EXPECT_EQ(SupportOf(Point(1.5f, 5, 20)), Support::kNothing);
+  EXPECT_EQ(SupportOf(Point(0, 0, 20)), Support::kNothing);
 }
 
 TEST(SupportOf, SilhouettesDecideAtTheHull) {
-  EXPECT_EQ(SupportOf(Place(0, 0, 1)), Support::kSilhouettes);
-  EXPECT_EQ(SupportOf(Place(0, 0, -3)), Support::kSilhouettes);
-  EXPECT_EQ(SupportOf(Place(0, 0, 2)), Support::kNothing);
+  EXPECT_EQ(SupportOf(Point(0, 0, 1)), Support::kSilhouettes);
+  EXPECT_EQ(SupportOf(Point(0, 0, -3)), Support::kSilhouettes);
+  EXPECT_EQ(SupportOf(Point(0, 0, 2)), Support::kNothing);
 }
 
 struct Measured {
-  std::vector<PlaceEvidence> places;
+  std::vector<PointEvidence> points;
   SurfaceSupport support;
 };
 
@@ -44,12 +44,12 @@ Measured Measure(const RefineScene& scene,
                  IndexedMesh mesh,
                  const Context& context = Context(2)) {
   Measured measured;
-  measured.places =
+  measured.points =
       MeasureSurfaceEvidence(
           scene.test.views, SurfaceEvidenceOptions(), context, &mesh)
           .values;
   measured.support =
-      SumUpSupport(measured.places, scene.test.scene.views, scene.test.views);
+      SumUpSupport(measured.points, scene.test.scene.views, scene.test.views);
   return measured;
 }
 
@@ -63,8 +63,8 @@ TEST(SurfaceSupport, PhotographsDecideATexturedBall) {
   EXPECT_GT(support.agreement, 0.6);
   EXPECT_LT(support.blind.share, 0.05);
   double area = 0;
-  for (const PlaceEvidence& place : measured.places) {
-    area += place.area;
+  for (const PointEvidence& point : measured.points) {
+    area += point.area;
   }
   const double radius = RefineScene::kRadius / scene.test.region.cube.edge;
   EXPECT_NEAR(area, 4 * 3.1416 * radius * radius, 0.02 * area);
@@ -110,11 +110,11 @@ TEST(SurfaceEvidence, IsTheSameForAnyNumberOfThreads) {
   const RefineScene scene = MakeRefineScene();
   const Measured one = Measure(scene, scene.Larger(16, 1), Context(1));
   const Measured two = Measure(scene, scene.Larger(16, 1), Context(2));
-  ASSERT_EQ(one.places.size(), two.places.size());
-  for (size_t i = 0; i < one.places.size(); ++i) {
-    EXPECT_EQ(one.places[i].offset, two.places[i].offset);
-    EXPECT_EQ(one.places[i].agreement, two.places[i].agreement);
-    EXPECT_EQ(one.places[i].hull_distance, two.places[i].hull_distance);
+  ASSERT_EQ(one.points.size(), two.points.size());
+  for (size_t i = 0; i < one.points.size(); ++i) {
+    EXPECT_EQ(one.points[i].offset, two.points[i].offset);
+    EXPECT_EQ(one.points[i].agreement, two.points[i].agreement);
+    EXPECT_EQ(one.points[i].hull_distance, two.points[i].hull_distance);
   }
 }
 

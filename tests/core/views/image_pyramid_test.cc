@@ -167,8 +167,8 @@ TEST(ImagePyramid, TheSmallestPictureWorks) {
   EXPECT_GE(pyramid.MemoryBytes(), 16u);
 }
 
-TEST(WeightHue, LeavesGreyAndStretchesTheRest) {
-  const Float4 color = WeightHue(Float4{10, 20, 60, 7}, 3);  // grey of 30
+TEST(WeightChroma, LeavesGreyAndStretchesTheRest) {
+  const Float4 color = WeightChroma(Float4{10, 20, 60, 7}, 3);  // grey of 30
   EXPECT_FLOAT_EQ(color[0], -30);
   EXPECT_FLOAT_EQ(color[1], 0);
   EXPECT_FLOAT_EQ(color[2], 120);

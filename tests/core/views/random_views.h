@@ -6,8 +6,8 @@
 #include <Eigen/Geometry>
 #include <random>
 
+#include "core/benchmark/synthetic/rig.h"
 #include "core/scene/scene.h"
-#include "core/synthetic/rig.h"
 
 namespace octacut::testing {
 

@@ -34,10 +34,10 @@ bool IsObject(const cv::Mat& mask, int x, int y) {
   return mask.at<uint8_t>(y, x) >= 128;
 }
 
-Footprint BruteForce(
+Containment BruteForce(
     const cv::Mat& mask, double u0, double v0, double u1, double v1) {
   if (u0 < 0 || v0 < 0 || u1 > mask.cols || v1 > mask.rows) {
-    return Footprint::kMixed;
+    return Containment::kMixed;
   }
   int object = 0;
   int background = 0;
@@ -52,9 +52,9 @@ Footprint BruteForce(
       }
     }
   }
-  return object == 0       ? Footprint::kBackground
-         : background == 0 ? Footprint::kObject
-                           : Footprint::kMixed;
+  return object == 0       ? Containment::kBackground
+         : background == 0 ? Containment::kObject
+                           : Containment::kMixed;
 }
 
 TEST(Silhouette, RectanglesAgreeWithBruteForce) {
@@ -74,7 +74,7 @@ TEST(Silhouette, RectanglesAgreeWithBruteForce) {
         u1 = std::round(u1);
         v1 = std::round(v1);
       }
-      const Footprint expected =
+      const Containment expected =
           BruteForce(mask, float(u0), float(v0), float(u1), float(v1));
       ASSERT_EQ(silhouette.Test(float(u0), float(v0), float(u1), float(v1)),
                 expected)
@@ -89,22 +89,22 @@ TEST(Silhouette, RectanglesAgreeWithBruteForce) {
 
 TEST(Silhouette, HalfCoveredPixelsAreObject) {
   cv::Mat mask(4, 4, CV_8UC1, cv::Scalar::all(127));
-  EXPECT_EQ(Silhouette(mask).Test(0, 0, 4, 4), Footprint::kBackground);
+  EXPECT_EQ(Silhouette(mask).Test(0, 0, 4, 4), Containment::kBackground);
   mask.setTo(128);
-  EXPECT_EQ(Silhouette(mask).Test(0, 0, 4, 4), Footprint::kObject);
+  EXPECT_EQ(Silhouette(mask).Test(0, 0, 4, 4), Containment::kObject);
 }
 
 TEST(Silhouette, TellsNothingOutOfTheFrameOrOfNan) {
   const Silhouette silhouette(cv::Mat(10, 10, CV_8UC1, cv::Scalar::all(0)));
-  EXPECT_EQ(silhouette.Test(0, 0, 10, 10), Footprint::kBackground);
-  EXPECT_EQ(silhouette.Test(-0.1f, 0, 5, 5), Footprint::kMixed);
-  EXPECT_EQ(silhouette.Test(0, 0, 5, 10.1f), Footprint::kMixed);
-  EXPECT_EQ(silhouette.Test(20, 20, 30, 30), Footprint::kMixed);
+  EXPECT_EQ(silhouette.Test(0, 0, 10, 10), Containment::kBackground);
+  EXPECT_EQ(silhouette.Test(-0.1f, 0, 5, 5), Containment::kMixed);
+  EXPECT_EQ(silhouette.Test(0, 0, 5, 10.1f), Containment::kMixed);
+  EXPECT_EQ(silhouette.Test(20, 20, 30, 30), Containment::kMixed);
   const float nan = std::nanf("");
-  EXPECT_EQ(silhouette.Test(nan, 0, 5, 5), Footprint::kMixed);
-  EXPECT_EQ(silhouette.Test(0, 0, 5, nan), Footprint::kMixed);
+  EXPECT_EQ(silhouette.Test(nan, 0, 5, 5), Containment::kMixed);
+  EXPECT_EQ(silhouette.Test(0, 0, 5, nan), Containment::kMixed);
   const float infinity = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(silhouette.Test(-infinity, 0, infinity, 5), Footprint::kMixed);
+  EXPECT_EQ(silhouette.Test(-infinity, 0, infinity, 5), Containment::kMixed);
 }
 
 TEST(Silhouette, CoverageIsBilinear) {
@@ -190,12 +190,12 @@ TEST(Silhouette, CubesAreJudgedConservatively) {
     for (int i = 0; i < 100; ++i) {
       const double half = std::pow(2.0, -random.Uniform(2, 7));
       const Eigen::Vector3d center = random.Point(half, 1 - half);
-      const Footprint footprint = view.silhouette.TestCube(
+      const Containment containment = view.silhouette.TestCube(
           view.projection, center.cast<float>(), float(half));
-      if (footprint == Footprint::kMixed) {
+      if (containment == Containment::kMixed) {
         continue;
       }
-      const bool object = footprint == Footprint::kObject;
+      const bool object = containment == Containment::kObject;
       (object ? num_object : num_background) += 1;
       for (int k = 0; k < 30; ++k) {
         // The first eight are the corners.
@@ -233,12 +233,12 @@ TEST(Silhouette, SmallCubesAreDecidedUnlessTheyMeetAContour) {
       const cv::Mat around =
           view.mask(cv::Rect(x - 1, y - 1, 3, 3));  // a cube's reach
       const int count = cv::countNonZero(around);
-      const Footprint footprint =
+      const Containment containment =
           view.silhouette.TestCube(view.projection, center, 1e-4f);
       if (count == 0) {
-        EXPECT_EQ(footprint, Footprint::kBackground);
+        EXPECT_EQ(containment, Containment::kBackground);
       } else if (count == 9) {
-        EXPECT_EQ(footprint, Footprint::kObject);
+        EXPECT_EQ(containment, Containment::kObject);
       } else {
         ++mixed;
       }
@@ -258,7 +258,7 @@ TEST(Silhouette, CubesThatReachBehindTheCameraTellNothing) {
               view.projection,
               view.projection.center + along * view.projection.optical_axis,
               half),
-          Footprint::kMixed);
+          Containment::kMixed);
     }
   }
 }
@@ -273,7 +273,7 @@ TEST(Silhouette, TheShortTestForBackgroundAgreesWithTheLongOne) {
       const Eigen::Vector3f center = random.Point(-2, 3).cast<float>();
       const bool expected =
           view.silhouette.TestCube(view.projection, center, half) ==
-          Footprint::kBackground;
+          Containment::kBackground;
       ASSERT_EQ(view.silhouette.IsBackgroundCube(view.projection, center, half),
                 expected);
       num_background += expected;
@@ -289,15 +289,16 @@ TEST(Silhouette, BackgroundIsFartherFromTheObjectThanTheMargin) {
   const auto test = [&](float u, float margin) {
     return silhouette.Test(u, 20.2f, u + 2, 20.8f, margin);
   };
-  EXPECT_EQ(test(32.5f, 0), Footprint::kBackground);
-  EXPECT_EQ(test(32.5f, 1), Footprint::kBackground);
-  EXPECT_EQ(test(32.5f, 2), Footprint::kMixed);
-  EXPECT_EQ(test(26.5f, 1), Footprint::kBackground);
-  EXPECT_EQ(test(26.5f, 2), Footprint::kMixed);
+  EXPECT_EQ(test(32.5f, 0), Containment::kBackground);
+  EXPECT_EQ(test(32.5f, 1), Containment::kBackground);
+  EXPECT_EQ(test(32.5f, 2), Containment::kMixed);
+  EXPECT_EQ(test(26.5f, 1), Containment::kBackground);
+  EXPECT_EQ(test(26.5f, 2), Containment::kMixed);
   // The margin is no part of the frame test, and makes nothing object.
-  EXPECT_EQ(test(0, 5), Footprint::kBackground);
-  EXPECT_EQ(test(-0.5f, 5), Footprint::kMixed);
-  EXPECT_EQ(silhouette.Test(30.2f, 20.2f, 30.8f, 20.8f, 5), Footprint::kObject);
+  EXPECT_EQ(test(0, 5), Containment::kBackground);
+  EXPECT_EQ(test(-0.5f, 5), Containment::kMixed);
+  EXPECT_EQ(silhouette.Test(30.2f, 20.2f, 30.8f, 20.8f, 5),
+            Containment::kObject);
 }
 
 TEST(PrepareViews, GivesPyramidsToViewsWithImagesOnly) {
@@ -320,7 +321,7 @@ TEST(PrepareViews, GivesPyramidsToViewsWithImagesOnly) {
   EXPECT_EQ(color[0], 10);
   EXPECT_EQ(color[2], 30);
   EXPECT_EQ(views[0].projection.linear, views[1].projection.linear);
-  EXPECT_EQ(views[0].silhouette.Test(1, 1, 2, 2), Footprint::kObject);
+  EXPECT_EQ(views[0].silhouette.Test(1, 1, 2, 2), Containment::kObject);
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/scene/region.h"
-#include "core/synthetic/synthetic_scene.h"
 #include "core/views/view_set.h"
 #include "tests/core/views/random_views.h"
 

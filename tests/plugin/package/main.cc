@@ -6,9 +6,9 @@
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/context.h"
 #include "core/base/parallel.h"
+#include "core/benchmark/synthetic/objects.h"
+#include "core/benchmark/synthetic/polygonize.h"
 #include "core/grid/morton.h"
-#include "core/synthetic/objects.h"
-#include "core/synthetic/polygonize.h"
 
 int main() {
   const octacut::Context context(2);

@@ -1,0 +1,238 @@
+#include "core/benchmark/synthetic/render_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/benchmark/synthetic/surface_shader.h"
+#include "core/raycast/tone_curve.h"
+
+namespace octacut {
+
+RenderSubject MakeRenderSubject(const IndexedMesh& mesh,
+                                const RayScene& rays,
+                                const TextureOptions& texture,
+                                const LightingOptions& lighting,
+                                const BackgroundOptions& background,
+                                const Context& context) {
+  texture.Check();
+  lighting.Check();
+  RenderSubject subject{mesh, rays, texture, lighting, background};
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    box.extend(position);
+  }
+  subject.center = box.center();
+  subject.radius = 0;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    subject.radius =
+        std::max(subject.radius, (position - subject.center).norm());
+  }
+  subject.openness = BakeOpenness(mesh, rays, lighting.num_samples, context);
+  if (!lighting.fixed_to_camera) {
+    for (const AreaLight& light : lighting.lights) {
+      subject.visibility.push_back(BakeVisibility(mesh,
+                                                  rays,
+                                                  light.direction,
+                                                  light.angular_radius,
+                                                  lighting.num_samples,
+                                                  context));
+    }
+  }
+  return subject;
+}
+
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::Vector3f;
+
+// Where in a pixel the object's colour and presence are taken: no two of them
+// in one row or column.
+constexpr std::array<std::array<double, 2>, 4> kOffsets = {
+    {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}}};
+
+// Where the colour is taken, too, of a surface that mirrors: its highlights may
+// be narrower than a pixel.
+std::vector<Eigen::Vector2d> FurtherOffsets(const Finish& finish) {
+  std::vector<Eigen::Vector2d> offsets;
+  if (finish.reflectance.maxCoeff() > 0) {
+    for (int i = 0; i < 16; ++i) {
+      offsets.emplace_back(((7 * i + 3) % 16 + 0.5) / 16, (i + 0.5) / 16);
+    }
+  }
+  return offsets;
+}
+
+// One view's render: the pixels are independent.
+class ViewRenderer {
+ public:
+  ViewRenderer(const RenderSubject& subject,
+               const Lens& lens,
+               const Rigid3d& cam_from_world,
+               const Context& context)
+      : subject_(subject),
+        lens_(lens),
+        world_from_cam_(cam_from_world.Inverse()),
+        further_offsets_(FurtherOffsets(subject.finish)),
+        shade_(subject, cam_from_world, context) {
+    FindObjectRectangle(cam_from_world);
+  }
+
+  void RenderRow(int y, cv::Mat& image, cv::Mat& mask) const {
+    auto* pixels = image.ptr<cv::Vec3b>(y);
+    uint8_t* coverage = mask.ptr<uint8_t>(y);
+    for (int x = 0; x < image.cols; ++x) {
+      const bool near_object =
+          x >= min_x_ && x <= max_x_ && y >= min_y_ && y <= max_y_;
+      float covered = 0;
+      Vector3f color = Vector3f::Zero();
+      if (near_object) {
+        covered = ShadePixel(x, y, color);
+      }
+      if (covered < 1) {
+        color = covered * color + (1 - covered) * Background(x, y);
+      }
+      pixels[x] = {tone_(color.z()), tone_(color.y()), tone_(color.x())};
+      coverage[x] = static_cast<uint8_t>(std::lround(255 * covered));
+    }
+  }
+
+ private:
+  // Pixels outside a rectangle around the projected bounding sphere cannot
+  // see the object.
+  void FindObjectRectangle(const Rigid3d& cam_from_world) {
+    const auto& camera = lens_.camera;
+    min_x_ = min_y_ = 0;
+    max_x_ = camera.width;
+    max_y_ = camera.height;
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& position : subject_.mesh.positions) {
+      box.extend(position);
+    }
+    Eigen::AlignedBox2d rectangle;
+    for (int k = 0; k < 8; ++k) {
+      const Vector3d corner =
+          cam_from_world *
+          box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(k));
+      if (corner.z() <= 0) {
+        return;
+      }
+      rectangle.extend(lens_.Project(corner));
+    }
+    // Distortion bends the box's edges: leave room.
+    const double margin =
+        2 + (lens_.k1 == 0 ? 0 : 0.1 * rectangle.sizes().maxCoeff());
+    min_x_ = static_cast<int>(std::max(0.0, rectangle.min().x() - margin));
+    min_y_ = static_cast<int>(std::max(0.0, rectangle.min().y() - margin));
+    max_x_ = static_cast<int>(
+        std::min<double>(max_x_, rectangle.max().x() + margin));
+    max_y_ = static_cast<int>(
+        std::min<double>(max_y_, rectangle.max().y() + margin));
+  }
+
+  Vector3d Ray(double x, double y) const {
+    return world_from_cam_.rotation * lens_.Unproject({x, y});
+  }
+
+  // Mean colour of the object's part of a pixel; returns how much of the
+  // pixel that is.
+  float ShadePixel(int x, int y, Vector3f& color) const {
+    size_t num_hits = 0;
+    for (const auto& offset : kOffsets) {
+      num_hits += AddSample(x + offset[0], y + offset[1], color);
+    }
+    if (num_hits == 0) {
+      return 0;
+    }
+    size_t num_samples = num_hits;
+    for (const Eigen::Vector2d& offset : further_offsets_) {
+      num_samples += AddSample(x + offset.x(), y + offset.y(), color);
+    }
+    color /= static_cast<float>(num_samples);
+    return num_hits == kOffsets.size() ? 1.0f : Coverage(x, y);
+  }
+
+  // Adds the object's colour at a place of the image; whether it is there.
+  bool AddSample(double x, double y, Vector3f& color) const {
+    const Vector3d ray = Ray(x, y);
+    const auto hit = subject_.rays.FirstHit(world_from_cam_.translation, ray);
+    if (hit) {
+      color += shade_(*hit, world_from_cam_.translation, ray);
+    }
+    return hit.has_value();
+  }
+
+  // Of a pixel at the silhouette, from an 8 x 8 lattice.
+  float Coverage(int x, int y) const {
+    constexpr int kSide = 8;
+    int num_hits = 0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      const Vector3d ray =
+          Ray(x + (i % kSide + 0.5) / kSide, y + (i / kSide + 0.5) / kSide);
+      num_hits +=
+          subject_.rays.FirstHit(world_from_cam_.translation, ray).has_value();
+    }
+    return static_cast<float>(num_hits) / (kSide * kSide);
+  }
+
+  Vector3f Background(int x, int y) const {
+    const BackgroundOptions& background = subject_.background;
+    const float t =
+        static_cast<float>(y + 0.5) / static_cast<float>(lens_.camera.height);
+    const Vector3f plain =
+        background.top + t * (background.bottom - background.top);
+    if (background.kind == BackgroundKind::kPlain) {
+      return plain;
+    }
+    // Where the ray leaves the room's sphere.
+    const Vector3d ray = Ray(x + 0.5, y + 0.5).normalized();
+    const Vector3d from = world_from_cam_.translation - subject_.center;
+    const double room = background.room_radius * subject_.radius;
+    const double along = from.dot(ray);
+    const double root = along * along - from.squaredNorm() + room * room;
+    const Vector3d wall = from + (std::sqrt(std::max(root, 0.0)) - along) * ray;
+    TextureOptions texture = subject_.texture;
+    texture.kind = TextureKind::kPainted;
+    texture.contrast = 1;
+    texture.scale = background.room_texture_scale * subject_.radius;
+    texture.seed += 1000;
+    return 0.4f * TextureColor(texture, wall.cast<float>());
+  }
+
+  const RenderSubject& subject_;
+  const Lens& lens_;
+  const Rigid3d world_from_cam_;
+  const ToneCurve tone_;
+  const std::vector<Eigen::Vector2d> further_offsets_;
+  const SurfaceShader shade_;
+  int min_x_, min_y_, max_x_, max_y_;  // inclusive
+};
+
+}  // namespace
+
+RenderedView RenderView(const RenderSubject& subject,
+                        const Lens& lens,
+                        const Rigid3d& cam_from_world,
+                        const Context& context) {
+  const ViewRenderer renderer(subject, lens, cam_from_world, context);
+  RenderedView view;
+  view.image.create(lens.camera.height, lens.camera.width, CV_8UC3);
+  view.mask.create(lens.camera.height, lens.camera.width, CV_8UC1);
+  ParallelFor(context,
+              static_cast<size_t>(lens.camera.height),
+              8,
+              [&](size_t begin, size_t end) {
+                for (size_t y = begin; y < end; ++y) {
+                  renderer.RenderRow(
+                      static_cast<int>(y), view.image, view.mask);
+                }
+              });
+  return view;
+}
+
+}  // namespace octacut

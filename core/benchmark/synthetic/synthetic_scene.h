@@ -1,0 +1,88 @@
+// Whole synthetic scenes: an object known exactly, photographs of it with
+// silhouettes, cameras, sparse points, and the mesh that a reconstruction is
+// judged by. Used by tests, benchmarks and the bundled example alike.
+//
+// World frame: the object's own, z upward, about two units in size.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/benchmark/synthetic/degrade.h"
+#include "core/benchmark/synthetic/material.h"
+#include "core/benchmark/synthetic/objects.h"
+#include "core/benchmark/synthetic/polygonize.h"
+#include "core/benchmark/synthetic/render_view.h"
+#include "core/benchmark/synthetic/rig.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/scene/scene.h"
+
+namespace octacut {
+
+struct SceneSpec {
+  std::string object = "example";  // see MakeObject
+  ObjectParameters parameters;
+  PolygonizeOptions reference;
+  RigOptions rig;
+  // Other kinds than kDiffuse replace texture and lights; see MakeMaterial.
+  MaterialKind material = MaterialKind::kDiffuse;
+  TextureOptions texture;
+  LightingOptions lighting;
+  BackgroundOptions background;
+  DegradeOptions degrade;
+  // Sparse points; those that fewer than two views see are left out.
+  int num_points = 2000;
+  // Standard deviation of the observations of sparse points, in pixels.
+  double observation_noise = 0;
+  uint64_t seed = 0;
+  std::string image_extension = ".jpg";  // of the views' names
+
+  void Check() const;  // throws OptionError
+};
+
+// A spec for quick tests with an object of MakeObject: fewer, smaller images
+// and a coarser reference than the defaults, which are for 36 cameras at
+// 1024 x 768; all else equal.
+SceneSpec QuickScene(const std::string& object,
+                     int width = 160,
+                     int height = 120,
+                     int num_views = 16);
+
+struct SyntheticView {
+  std::string name;
+  Lens lens;
+  // As a sparse model would report it, and as the image was made.
+  Rigid3d cam_from_world;
+  Rigid3d true_cam_from_world;
+  cv::Mat image;  // CV_8UC3, BGR, distorted as the lens says
+  cv::Mat mask;   // CV_8UC1, coverage, the same geometry
+};
+
+struct SyntheticPoint {
+  struct Observation {
+    uint32_t view;          // index into SyntheticScene::views
+    Eigen::Vector2d pixel;  // (0, 0) is the image's top-left corner
+  };
+  Eigen::Vector3d position;
+  std::array<uint8_t, 3> color;           // red, green, blue
+  std::vector<Observation> observations;  // at least two, ordered by view
+};
+
+struct SyntheticScene {
+  SceneSpec spec;
+  SyntheticObject object;
+  IndexedMesh reference;  // with vertex normals and colours
+  std::vector<SyntheticView> views;
+  std::vector<SyntheticPoint> points;
+};
+
+// The same bytes for any number of threads.
+SyntheticScene MakeScene(const SceneSpec& spec, const Context& context);
+
+// The scene as the core's steps take it. Images are shared, not copied.
+// Throws InputError when the lens distorts.
+Scene ToScene(const SyntheticScene& synthetic);
+
+}  // namespace octacut

@@ -1,0 +1,304 @@
+#include "core/evidence/depth_confidence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "core/base/parallel.h"
+#include "core/base/ramp.h"
+#include "core/evidence/confirmed_depths.h"
+#include "core/grid/morphology.h"
+#include "core/grid/voxel_walk.h"
+
+namespace octacut {
+namespace {
+
+// Distance before a depth, hull voxels, from which on another surface
+// contradicts it: twice what depths may differ by, and a voxel.
+constexpr float kClear = 4;
+// A surface before a depth contradicts it when at least two views have found
+// it, and more than this share of those that have found the depth.
+constexpr int kMinViews = 2;
+constexpr float kContradictingShare = 0.25f;
+// Half the side of the part of a view, hull voxels, whose depths are relied
+// upon together.
+constexpr float kRegionRadius = 8;
+// Shares of contradicted depths there: up to the first they are relied upon,
+// from the second on not at all. Two of three wrong depths are contradicted, so
+// that a quarter and three fifths of the depths are wrong.
+constexpr float kSureShare = 1.0f / 6;
+constexpr float kDoubtfulShare = 0.4f;
+// Of all depths: where as many are contradicted, depths must be dense to be
+// relied upon. Few views have few depths, but those do not contradict each
+// other.
+constexpr float kManyShare = 0.25f;
+// Shares of the object's samples, over all views, that have a depth: up to the
+// first, which chance alone reaches on metal and porcelain, such depths are not
+// relied upon, from the second on they are. A hollow of a textured object has
+// few depths, and right ones, so regions are not asked.
+constexpr float kSparse = 0.3f;
+constexpr float kDense = 0.5f;
+// Depths without contradiction that every part is given: few tell nothing.
+constexpr float kPriorDepths = 20;
+// Depths this near to a voxel, hull voxels, speak of it; and as many of full
+// confidence are added to those of a neighbourhood.
+constexpr float kNear = 6;
+constexpr float kPriorNear = 100;
+constexpr int kBrickSteps = 2;
+constexpr size_t kBrickGrain = 16;
+
+// For each voxel of the hull, how many views have found a surface in it or in
+// one of the 26 voxels around it.
+std::vector<uint16_t> CountSurfaces(const ViewSet& views,
+                                    const VoxelGrid& hull,
+                                    const std::vector<SweptDepthMap>& maps,
+                                    const Context& context) {
+  std::vector<VoxelGrid> surfaces(maps.size());
+  const float resolution = float(hull.Resolution());
+  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
+    const Context alone(1);
+    for (size_t i = begin; i < end; ++i) {
+      std::vector<MortonCode> codes;
+      ForEachDepth(
+          maps[i],
+          views[i].projection,
+          [&](int, int, float depth, const Eigen::Vector3f& ray) {
+            const Eigen::Vector3f point =
+                (views[i].projection.center + depth * ray) * resolution;
+            if ((point.array() >= 0).all() &&
+                (point.array() < resolution).all()) {
+              codes.push_back(EncodeMorton(Eigen::Vector3i(point.cast<int>())));
+            }
+          });
+      surfaces[i] = Dilate(
+          VoxelGrid::FromCodes(hull.Level(), std::move(codes)), 1, alone);
+    }
+  });
+  std::vector<uint16_t> counts(hull.Size());
+  for (const VoxelGrid& surface : surfaces) {
+    surface.ForEach([&](VoxelGrid::Index, MortonCode code) {
+      const VoxelGrid::Index index = hull.Find(code);
+      if (index != VoxelGrid::kNone) {
+        ++counts[index];
+      }
+    });
+  }
+  return counts;
+}
+
+int CountAt(const VoxelGrid& hull,
+            const std::vector<uint16_t>& counts,
+            const Eigen::Vector3f& point) {
+  if ((point.array() < 0).any() || (point.array() >= 1).any()) {
+    return 0;
+  }
+  const VoxelGrid::Index index = hull.Find(
+      Eigen::Vector3i((point * float(hull.Resolution())).cast<int>()));
+  return index == VoxelGrid::kNone ? 0 : counts[index];
+}
+
+// The most views that have found a surface in one voxel on the way to a depth.
+int MostBefore(const VoxelGrid& hull,
+               const std::vector<uint16_t>& counts,
+               const Eigen::Vector3f& origin,
+               const Eigen::Vector3f& ray,
+               float depth) {
+  int most = 0;
+  AnyVoxelBefore(hull, origin, ray, depth, kClear, [&](VoxelGrid::Index index) {
+    most = std::max(most, int(counts[index]));
+    return false;
+  });
+  return most;
+}
+
+// Sums over squares of an image.
+class SquareSums {
+ public:
+  SquareSums(int width, int height, const std::vector<uint8_t>& values)
+      : width_(width),
+        height_(height),
+        stride_(size_t(width) + 1),
+        sums_(stride_ * (size_t(height) + 1)) {
+    for (int y = 0; y < height; ++y) {
+      uint32_t row = 0;
+      for (int x = 0; x < width; ++x) {
+        row += values[size_t(y) * width + x];
+        sums_[(y + 1) * stride_ + x + 1] = sums_[y * stride_ + x + 1] + row;
+      }
+    }
+  }
+
+  float Around(int x, int y, int radius) const {
+    const int x0 = std::max(0, x - radius);
+    const int y0 = std::max(0, y - radius);
+    const int x1 = std::min(width_, x + radius + 1);
+    const int y1 = std::min(height_, y + radius + 1);
+    return float(sums_[y1 * stride_ + x1] - sums_[y0 * stride_ + x1] -
+                 sums_[y1 * stride_ + x0] + sums_[y0 * stride_ + x0]);
+  }
+
+ private:
+  int width_;
+  int height_;
+  size_t stride_;
+  std::vector<uint32_t> sums_;
+};
+
+// Which samples of a map have a depth, and which of those are contradicted and
+// outvoted.
+struct JudgedMap {
+  std::vector<uint8_t> is_depth;
+  std::vector<uint8_t> is_contradicted;
+  std::vector<uint8_t> is_outvoted;
+};
+
+JudgedMap JudgeDepths(const ViewProjection& projection,
+                      const VoxelGrid& hull,
+                      const std::vector<uint16_t>& counts,
+                      const SweptDepthMap& map) {
+  const size_t size = map.depths.size();
+  JudgedMap judged{std::vector<uint8_t>(size),
+                   std::vector<uint8_t>(size),
+                   std::vector<uint8_t>(size)};
+  ForEachDepth(map,
+               projection,
+               [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
+                 const size_t k = size_t(y) * map.width + x;
+                 const int own =
+                     CountAt(hull, counts, projection.center + depth * ray);
+                 const int before =
+                     MostBefore(hull, counts, projection.center, ray, depth);
+                 judged.is_depth[k] = 1;
+                 if (before >= kMinViews) {
+                   judged.is_contradicted[k] =
+                       float(before) > kContradictingShare * float(own);
+                   judged.is_outvoted[k] = before > own;
+                 }
+               });
+  return judged;
+}
+
+size_t CountObjectSamples(const Silhouette& silhouette,
+                          const SweptDepthMap& map) {
+  size_t count = 0;
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const Eigen::Vector3f pixel = map.Pixel(x, y);
+      count += silhouette.SignedDistance(pixel.x(), pixel.y()) > 0 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+std::vector<float> ConfidenceOfRegions(const ViewProjection& projection,
+                                       const VoxelGrid& hull,
+                                       const SweptDepthMap& map,
+                                       const JudgedMap& judged) {
+  const SquareSums depths(map.width, map.height, judged.is_depth);
+  const SquareSums contradicted(map.width, map.height, judged.is_contradicted);
+  const float samples_per_voxel =
+      map.scale * projection.CenterFootprint(1.0f / float(hull.Resolution()));
+  const int radius = int(std::lround(kRegionRadius * samples_per_voxel));
+  std::vector<float> confidence(map.depths.size());
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      const float num_depths = depths.Around(x, y, radius);
+      const float share =
+          contradicted.Around(x, y, radius) / (num_depths + kPriorDepths);
+      confidence[size_t(y) * map.width + x] =
+          Ramp(share, kDoubtfulShare, kSureShare);
+    }
+  }
+  return confidence;
+}
+
+}  // namespace
+
+ReliableDepths EstimateDepthConfidence(const ViewSet& views,
+                                       const VoxelGrid& hull,
+                                       const std::vector<SweptDepthMap>& maps,
+                                       const Context& context) {
+  const std::vector<uint16_t> counts =
+      CountSurfaces(views, hull, maps, context);
+  ReliableDepths result{maps, std::vector<std::vector<float>>(maps.size()), 0};
+  std::vector<size_t> num_depths(maps.size());
+  std::vector<size_t> num_contradicted(maps.size());
+  std::vector<size_t> num_samples(maps.size());
+  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const ViewProjection& projection = views[i].projection;
+      const JudgedMap judged = JudgeDepths(projection, hull, counts, maps[i]);
+      num_samples[i] = CountObjectSamples(views[i].silhouette, maps[i]);
+      result.confidence[i] =
+          ConfidenceOfRegions(projection, hull, maps[i], judged);
+      for (size_t k = 0; k < judged.is_depth.size(); ++k) {
+        num_depths[i] += judged.is_depth[k];
+        num_contradicted[i] += judged.is_contradicted[k];
+        if (judged.is_outvoted[k]) {
+          result.maps[i].depths[k] = 0;
+        }
+      }
+    }
+  });
+  const auto share = [](const std::vector<size_t>& of,
+                        const std::vector<size_t>& all) {
+    const auto sum = [](const std::vector<size_t>& counts) {
+      return std::accumulate(counts.begin(), counts.end(), size_t{0});
+    };
+    return double(sum(of)) / double(std::max<size_t>(sum(all), 1));
+  };
+  result.contradicted_share = share(num_contradicted, num_depths);
+  result.found_share = share(num_depths, num_samples);
+  const float confidence =
+      std::max(Ramp(float(result.found_share), kSparse, kDense),
+               Ramp(float(result.contradicted_share), kManyShare, kSureShare));
+  for (std::vector<float>& of_view : result.confidence) {
+    for (float& value : of_view) {
+      value *= confidence;
+    }
+  }
+  return result;
+}
+
+VoxelValues ConfidenceInSpace(const ViewSet& views,
+                              const VoxelGrid& hull,
+                              const std::vector<SweptDepthMap>& maps,
+                              const std::vector<std::vector<float>>& confidence,
+                              const Context& context) {
+  const float reach = kNear / float(hull.Resolution());
+  const size_t num_bricks = hull.Bricks().size();
+  std::vector<float> sums(num_bricks);
+  std::vector<float> counts(num_bricks);
+  ParallelFor(context, num_bricks, kBrickGrain, [&](size_t begin, size_t end) {
+    for (size_t b = begin; b < end; ++b) {
+      hull.ForEachInBricks(b, b + 1, [&](VoxelGrid::Index, MortonCode code) {
+        const Eigen::Vector3f center =
+            VoxelCenter(DecodeMorton(code), hull.Level());
+        for (size_t i = 0; i < views.size(); ++i) {
+          const std::optional<ProjectedPoint> p =
+              views[i].projection.Project(center);
+          const float depth = p ? maps[i].DepthAt(p->u, p->v) : 0;
+          if (depth > 0 && std::abs(depth - p->depth) < reach) {
+            sums[b] += maps[i].ValueAt(confidence[i], p->u, p->v);
+            counts[b] += 1;
+          }
+        }
+      });
+    }
+  });
+  const VoxelWalk walk(hull, context);
+  for (int step = 0; step < kBrickSteps; ++step) {
+    sums = walk.SumOverBrickNeighbors(sums);
+    counts = walk.SumOverBrickNeighbors(counts);
+  }
+  VoxelValues result{hull, std::vector<float>(hull.Size())};
+  for (size_t b = 0; b < num_bricks; ++b) {
+    hull.ForEachInBricks(b, b + 1, [&](VoxelGrid::Index index, MortonCode) {
+      result.values[index] = (sums[b] + kPriorNear) / (counts[b] + kPriorNear);
+    });
+  }
+  return result;
+}
+
+}  // namespace octacut

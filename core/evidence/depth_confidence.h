@@ -1,0 +1,51 @@
+// Whether swept depths can be relied upon, by what other views have found on
+// the way to them.
+//
+// Views that agree about a depth need not show the same point: a reflection
+// lies at a depth of its own behind the surface that mirrors it, neighbouring
+// views agree about that depth, and a burnt-out highlight matches anything.
+// Such a depth claims free space where other views have found surfaces. Of
+// depths that are right a tenth does so, because some of those surfaces are
+// wrong; of polished metal half (docs/design.md).
+#pragma once
+
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/evidence/depth_sweep.h"
+#include "core/grid/voxel_grid.h"
+#include "core/grid/voxel_values.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+struct ReliableDepths {
+  // Without the depths that are outvoted: in one voxel on the ray to them more
+  // views have found a surface than at the depth itself.
+  std::vector<SweptDepthMap> maps;
+  // confidence[i][k] says how far a depth at sample k of map i can be relied
+  // upon: 1 where few of the depths around it in its view are contradicted, 0
+  // where many are; 0 all over where a quarter of all depths is contradicted
+  // and few samples of the object have any.
+  std::vector<std::vector<float>> confidence;
+  double contradicted_share = 0;  // of all depths
+  // Of the samples within the silhouettes, those with a depth.
+  double found_share = 0;
+};
+
+// `maps` holds confirmed depths, one map a view.
+ReliableDepths EstimateDepthConfidence(const ViewSet& views,
+                                       const VoxelGrid& hull,
+                                       const std::vector<SweptDepthMap>& maps,
+                                       const Context& context);
+
+// For each voxel of the hull the mean confidence in the depths that views have
+// found near it, over its brick and the bricks within two steps; 1 where there
+// are none, since nothing is contradicted there.
+VoxelValues ConfidenceInSpace(const ViewSet& views,
+                              const VoxelGrid& hull,
+                              const std::vector<SweptDepthMap>& maps,
+                              const std::vector<std::vector<float>>& confidence,
+                              const Context& context);
+
+}  // namespace octacut

@@ -1,0 +1,169 @@
+#include "core/refine/contour_targets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+constexpr float kProbeStep = 0.5f;  // pixels
+constexpr float kBeside = 1;        // pixels
+
+// Pixels from (u, v) along `direction` to the border of the mask: where the
+// coverage falls through one half, if it does so once within the range.
+std::optional<float> FindBorder(const PreparedView& view,
+                                const Eigen::Vector2f& pixel,
+                                const Eigen::Vector2f& direction,
+                                float range) {
+  std::optional<float> border;
+  const auto coverage = [&](float at) {
+    const Eigen::Vector2f probe = pixel + at * direction;
+    return view.silhouette.Coverage(probe.x(), probe.y());
+  };
+  if (!view.projection.InFrame(pixel.x() + range * direction.x(),
+                               pixel.y() + range * direction.y())) {
+    return std::nullopt;
+  }
+  float before = coverage(-range);
+  if (before < kObjectCoverage) {
+    return std::nullopt;
+  }
+  for (float at = -range + kProbeStep; at <= range; at += kProbeStep) {
+    const float after = coverage(at);
+    if ((before < kObjectCoverage) != (after < kObjectCoverage)) {
+      if (border) {
+        return std::nullopt;
+      }
+      border = at - kProbeStep * (kObjectCoverage - after) / (before - after);
+    }
+    before = after;
+  }
+  return border;
+}
+
+class ContourFinder {
+ public:
+  ContourFinder(const PreparedView& view,
+                const RayScene& rays,
+                const std::vector<LocalSurface>& surfaces,
+                float range,
+                float border_shift)
+      : view_(view),
+        rays_(rays),
+        surfaces_(surfaces),
+        range_(range),
+        border_shift_(border_shift) {}
+
+  float Facing(uint32_t vertex) const {
+    return surfaces_[vertex].normal.dot(view_.projection.center -
+                                        surfaces_[vertex].center);
+  }
+
+  // Of an edge between two vertices that face to different sides.
+  std::optional<ContourTarget> Find(uint32_t a, uint32_t b) const {
+    const float facing_a = Facing(a);
+    const float fraction = facing_a / (facing_a - Facing(b));
+    const auto between = [&](const Eigen::Vector3f& from,
+                             const Eigen::Vector3f& to) {
+      return Eigen::Vector3f(from + fraction * (to - from));
+    };
+    const Eigen::Vector3f point =
+        between(surfaces_[a].center, surfaces_[b].center);
+    const Eigen::Vector3f normal =
+        between(surfaces_[a].normal, surfaces_[b].normal).normalized();
+    const ViewProjection& projection = view_.projection;
+    const Eigen::Vector3f h = projection.Homogeneous(point);
+    if (!(h.z() > 0)) {
+      return std::nullopt;
+    }
+    const Eigen::Vector2f pixel = h.head<2>() / h.z();
+    const Eigen::Vector3f step = projection.linear * normal;
+    // Pixels by which a unit of offset moves the point.
+    const Eigen::Vector2f motion = (step.head<2>() - pixel * step.z()) / h.z();
+    const float speed = motion.norm();
+    if (!projection.InFrame(pixel.x(), pixel.y()) || !(speed > 0)) {
+      return std::nullopt;
+    }
+    const Eigen::Vector2f outward = motion / speed;
+    const std::optional<float> border =
+        FindBorder(view_, pixel + border_shift_ * outward, outward, range_);
+    if (!border || !IsOutermost(point + kBeside / speed * normal)) {
+      return std::nullopt;
+    }
+    return ContourTarget{{{a, b}, fraction, *border / speed, 1}, speed};
+  }
+
+ private:
+  // Whether the mesh ends here in the view: a line of sight just beside the
+  // point misses all of it. A fold before the object is no occluding contour.
+  bool IsOutermost(const Eigen::Vector3f& beside) const {
+    return !rays_.IsOccluded(view_.projection.center.cast<double>(),
+                             (beside - view_.projection.center).cast<double>(),
+                             0,
+                             std::numeric_limits<double>::infinity());
+  }
+
+  const PreparedView& view_;
+  const RayScene& rays_;
+  const std::vector<LocalSurface>& surfaces_;
+  float range_;
+  float border_shift_;
+};
+
+}  // namespace
+
+std::vector<ContourTarget> FindContourTargets(
+    const ViewSet& views,
+    const RayScene& rays,
+    const std::vector<LocalSurface>& surfaces,
+    const VertexCorners& neighbors,
+    double range,
+    double border_shift,
+    const Context& context) {
+  std::vector<std::vector<ContourTarget>> of_views(views.size());
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const ContourFinder finder(
+          views[i], rays, surfaces, float(range), float(border_shift));
+      for (uint32_t a = 0; a < surfaces.size(); ++a) {
+        const bool is_front = finder.Facing(a) > 0;
+        for (const uint32_t b : neighbors.Of(a)) {
+          if (a < b && is_front != (finder.Facing(b) > 0)) {
+            if (const auto target = finder.Find(a, b)) {
+              of_views[i].push_back(*target);
+            }
+          }
+        }
+      }
+    }
+  });
+  std::vector<ContourTarget> targets;
+  for (const std::vector<ContourTarget>& of_view : of_views) {
+    targets.insert(targets.end(), of_view.begin(), of_view.end());
+  }
+  return targets;
+}
+
+std::optional<double> MedianDistance(
+    const std::vector<ContourTarget>& contours) {
+  if (contours.empty()) {
+    return std::nullopt;
+  }
+  std::vector<float> distances;
+  distances.reserve(contours.size());
+  for (const ContourTarget& contour : contours) {
+    distances.push_back(
+        std::abs(contour.edge.target * contour.pixels_per_unit));
+  }
+  const auto middle = distances.begin() + distances.size() / 2;
+  std::nth_element(distances.begin(), middle, distances.end());
+  return *middle;
+}
+
+}  // namespace octacut

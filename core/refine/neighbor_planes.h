@@ -1,0 +1,32 @@
+// How a quantity goes on from the neighbours of a point to the point itself:
+// by the plane through its values, so that what tilts evenly has no bending
+// energy, however uneven the points are spread.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/mesh/vertex_corners.h"
+#include "core/refine/local_surface.h"
+
+namespace octacut {
+
+struct NeighborPlanes {
+  // Of each neighbour's value, in the order of neighbors.corners, in the
+  // plane's value at the point (they sum to 1) and in its slope there.
+  std::vector<float> shares;
+  std::vector<Eigen::Vector3f> slopes;
+  // Of every point: root mean square of the distances to its neighbours.
+  std::vector<float> spacings;
+
+  // Of the planes through `values`, one a point.
+  std::vector<Eigen::Vector3f> Slopes(const std::vector<double>& values,
+                                      const VertexCorners& neighbors) const;
+};
+
+// Planes by least squares over the tangent planes of `surfaces`, one a point;
+// `neighbors` are those of SurfacePoints.
+NeighborPlanes FitNeighborPlanes(const std::vector<LocalSurface>& surfaces,
+                                 const VertexCorners& neighbors);
+
+}  // namespace octacut

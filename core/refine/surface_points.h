@@ -1,0 +1,30 @@
+// Points spread evenly over a mesh, some vertices apart: patches of
+// neighbouring vertices overlap so far that it is enough to measure at one of
+// several and to solve for one unknown there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/mesh/indexed_mesh.h"
+#include "core/mesh/vertex_corners.h"
+
+namespace octacut {
+
+struct SurfacePoints {
+  std::vector<uint32_t> vertices;  // of the mesh, ascending; one a point
+  // Of every vertex of the mesh the closest point that reaches it.
+  std::vector<uint32_t> point_of;
+  // Of every point those whose vertices are joined with its own by an edge,
+  // ascending.
+  VertexCorners neighbors;
+};
+
+// No two points are within `distance` of each other along the edges of the
+// mesh, and every vertex is within `distance` of one. `neighbors` are those of
+// FindVertexNeighbors.
+SurfacePoints SpreadPoints(const IndexedMesh& mesh,
+                           const VertexCorners& neighbors,
+                           double distance);
+
+}  // namespace octacut

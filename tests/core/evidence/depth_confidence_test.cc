@@ -1,0 +1,192 @@
+#include "core/evidence/depth_confidence.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/hull/visual_hull.h"
+#include "core/raycast/ray_scene.h"
+#include "tests/core/views/test_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::TestScene;
+
+constexpr int kLevel = 6;
+constexpr float kVoxel = 1.0f / (1 << kLevel);
+
+// A sphere's views, its hull, and the true depths of every fourth pixel.
+struct Setting {
+  TestScene test =
+      testing::MakeTestScene(testing::TestSpec("sphere", 160, 120, 16));
+  VoxelGrid hull;
+  std::vector<SweptDepthMap> maps;
+
+  Setting() {
+    VisualHullOptions options;
+    options.hull_level = kLevel;
+    hull =
+        ComputeVisualHull(test.views, TestScene::UnitBox(), options, Context(2))
+            .voxels;
+    IndexedMesh truth = test.synthetic.reference;
+    for (Eigen::Vector3d& position : truth.positions) {
+      position =
+          (position - test.region.cube.min_corner) / test.region.cube.edge;
+    }
+    const RayScene rays(truth);
+    for (const PreparedView& view : test.views) {
+      SweptDepthMap& map = maps.emplace_back();
+      map.scale = 0.5f;
+      map.width = view.projection.width / 2;
+      map.height = view.projection.height / 2;
+      map.depths.assign(size_t(map.width) * map.height, 1);
+      std::vector<float> depths(map.depths.size());
+      ForEachDepth(
+          map,
+          view.projection,
+          [&](int x, int y, float, const Eigen::Vector3f& ray) {
+            const auto hit = rays.FirstHit(
+                view.projection.center.cast<double>(), ray.cast<double>());
+            depths[size_t(y) * map.width + x] = hit ? float(hit->distance) : 0;
+          });
+      map.depths = depths;
+    }
+  }
+
+  ReliableDepths Confidence() const {
+    return EstimateDepthConfidence(test.views, hull, maps, Context(2));
+  }
+
+  // The depths of a view lie so many voxels behind the truth.
+  void PushBack(size_t view, float voxels) {
+    for (float& depth : maps[view].depths) {
+      depth = depth > 0 ? depth + voxels * kVoxel : 0;
+    }
+  }
+};
+
+size_t CountDepths(const SweptDepthMap& map) {
+  return size_t(std::count_if(map.depths.begin(),
+                              map.depths.end(),
+                              [](float depth) { return depth > 0; }));
+}
+
+float MeanConfidence(const SweptDepthMap& map,
+                     const std::vector<float>& confidence) {
+  float sum = 0;
+  for (size_t k = 0; k < confidence.size(); ++k) {
+    sum += map.depths[k] > 0 ? confidence[k] : 0;
+  }
+  return sum / float(std::max<size_t>(CountDepths(map), 1));
+}
+
+TEST(DepthConfidence, IsFullWhereDepthsAreRight) {
+  const Setting setting;
+  const ReliableDepths reliable = setting.Confidence();
+  EXPECT_LT(reliable.contradicted_share, 0.05);
+  for (size_t i = 0; i < setting.maps.size(); ++i) {
+    // A few at the occluding contour graze the surface.
+    EXPECT_GT(CountDepths(reliable.maps[i]),
+              0.98 * double(CountDepths(setting.maps[i])))
+        << i;
+    EXPECT_GT(MeanConfidence(setting.maps[i], reliable.confidence[i]), 0.98f)
+        << i;
+  }
+  const VoxelValues in_space = ConfidenceInSpace(setting.test.views,
+                                                 setting.hull,
+                                                 reliable.maps,
+                                                 reliable.confidence,
+                                                 Context(2));
+  ASSERT_EQ(in_space.values.size(), setting.hull.Size());
+  EXPECT_GT(*std::min_element(in_space.values.begin(), in_space.values.end()),
+            0.9f);
+}
+
+TEST(DepthConfidence, OfAViewThatLooksThroughSurfacesOfOthersIsNone) {
+  Setting setting;
+  setting.PushBack(3, 9);
+  const ReliableDepths reliable = setting.Confidence();
+  EXPECT_LT(MeanConfidence(setting.maps[3], reliable.confidence[3]), 0.1f);
+  // What it finds behind the surfaces of many others is outvoted.
+  EXPECT_LT(CountDepths(reliable.maps[3]), CountDepths(setting.maps[3]) / 4);
+  for (const size_t i : {size_t{0}, size_t{7}, size_t{12}}) {
+    EXPECT_GT(MeanConfidence(setting.maps[i], reliable.confidence[i]), 0.9f)
+        << i;
+  }
+}
+
+// What polished metal does: most depths are reflections behind the surface.
+TEST(DepthConfidence, IsNoneWhereMostDepthsContradictEachOther) {
+  Setting setting;
+  for (size_t i = 0; i < setting.maps.size(); ++i) {
+    if (i % 3 != 0) {
+      setting.PushBack(i, 6 + 3 * float(i % 4));
+    }
+  }
+  const ReliableDepths reliable = setting.Confidence();
+  EXPECT_GT(reliable.contradicted_share, 0.4);
+  const VoxelValues in_space = ConfidenceInSpace(setting.test.views,
+                                                 setting.hull,
+                                                 reliable.maps,
+                                                 reliable.confidence,
+                                                 Context(2));
+  double sum = 0;
+  for (const float value : in_space.values) {
+    ASSERT_GE(value, 0);
+    ASSERT_LE(value, 1);
+    sum += value;
+  }
+  EXPECT_LT(sum / double(in_space.values.size()), 0.75);
+}
+
+// Every fifth depth.
+void ThinOut(Setting* setting) {
+  for (SweptDepthMap& map : setting->maps) {
+    for (size_t k = 0; k < map.depths.size(); ++k) {
+      map.depths[k] = k % 5 == 0 ? map.depths[k] : 0;
+    }
+  }
+}
+
+// Porcelain: a depth here and there, of which many are wrong.
+TEST(DepthConfidence, IsNoneWhereDepthsAreFewAndContradictEachOther) {
+  Setting setting;
+  for (size_t i = 0; i < setting.maps.size(); i += 2) {
+    setting.PushBack(i, 9);
+  }
+  const ReliableDepths all = setting.Confidence();
+  EXPECT_GT(all.contradicted_share, 0.25);
+  EXPECT_GT(all.found_share, 0.6);
+  EXPECT_GT(MeanConfidence(setting.maps[1], all.confidence[1]), 0.5f);
+  ThinOut(&setting);
+  const ReliableDepths few = setting.Confidence();
+  EXPECT_GT(few.contradicted_share, 0.25);
+  EXPECT_NEAR(few.found_share, all.found_share / 5, 0.02);
+  for (size_t i = 0; i < setting.maps.size(); ++i) {
+    EXPECT_EQ(MeanConfidence(setting.maps[i], few.confidence[i]), 0) << i;
+  }
+}
+
+TEST(DepthConfidence, IsFullWhereDepthsAreFewAndRight) {
+  Setting setting;
+  ThinOut(&setting);
+  const ReliableDepths few = setting.Confidence();
+  for (size_t i = 0; i < setting.maps.size(); ++i) {
+    EXPECT_GT(MeanConfidence(setting.maps[i], few.confidence[i]), 0.98f) << i;
+  }
+}
+
+TEST(DepthConfidence, IsTheSameForAnyNumberOfThreads) {
+  Setting setting;
+  setting.PushBack(2, 7);
+  const ReliableDepths one = EstimateDepthConfidence(
+      setting.test.views, setting.hull, setting.maps, Context(1));
+  const ReliableDepths three = EstimateDepthConfidence(
+      setting.test.views, setting.hull, setting.maps, Context(3));
+  EXPECT_EQ(one.confidence, three.confidence);
+  EXPECT_EQ(one.contradicted_share, three.contradicted_share);
+}
+
+}  // namespace
+}  // namespace octacut

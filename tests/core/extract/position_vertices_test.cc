@@ -1,0 +1,122 @@
+#include "core/extract/position_vertices.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/base/error.h"
+#include "core/mesh/smooth.h"
+#include "tests/core/extract/label_crust.h"
+
+namespace octacut {
+namespace {
+
+double SmallestHeight(const IndexedMesh& mesh) {
+  double smallest = 1e9;
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d ab = mesh.positions[t[1]] - mesh.positions[t[0]];
+    const Eigen::Vector3d ac = mesh.positions[t[2]] - mesh.positions[t[0]];
+    const double longest = std::max({ab.norm(), ac.norm(), (ac - ab).norm()});
+    smallest = std::min(smallest, ab.cross(ac).norm() / longest);
+  }
+  return smallest;
+}
+
+// Polygons of the same corners belong to the voxels above or below them: the
+// last inside faces are the sides of the lower voxels, or the faces above.
+TEST(PositionVertices, PutsAFlatCutIntoTheMiddleOfItsVoxels) {
+  for (const bool cuts_upper : {false, true}) {
+    const LabelledCrust slab = LabelBlock(
+        4, {2, 2, 2}, {8, 8, 8}, false, [&](int axis, int x, int y, int z) {
+          const bool on_side =
+              x < 1 || y < 1 || x + (axis != 0) > 7 || y + (axis != 1) > 7;
+          const int last = axis == 2 && cuts_upper ? 5 : 4;
+          return !on_side && z >= 2 && z <= last;
+        });
+    const PositionedSurface positioned = Place(slab, UnitVoxels(4));
+    ExpectClosedManifold(AuditMesh(positioned.mesh));
+    int num_top = 0;
+    for (size_t v = 0; v < positioned.corners.size(); ++v) {
+      const Eigen::Vector3d from_middle =
+          positioned.corners[v] - Eigen::Vector3d(6, 6, 7);
+      if (from_middle.cwiseAbs().maxCoeff() < 1.1 && from_middle.z() == 0) {
+        const double height = cuts_upper ? 7.5 : 6.5;
+        EXPECT_DOUBLE_EQ(positioned.mesh.positions[v].z(), height);
+        ++num_top;
+      }
+    }
+    EXPECT_EQ(num_top, 9);
+  }
+}
+
+TEST(PositionVertices, StaysWithinHalfAVoxelDiagonalAndKeepsTrianglesApart) {
+  std::mt19937 random(4);
+  size_t num_withdrawn = 0;
+  for (int round = 0; round < 600; ++round) {
+    const LabelledCrust block =
+        LabelRandomBlock(2 + round % 4, round % 2 != 0, random);
+    const ExtractedSurface surface =
+        ExtractSurface(block.crust, block.labels, UnitVoxels(4), Context(1));
+    const PositionedSurface positioned =
+        PositionVertices(surface, PositionVerticesOptions(), Context(1));
+    if (positioned.mesh.triangles.empty()) {
+      continue;
+    }
+    EXPECT_EQ(positioned.corners, surface.mesh.positions);
+    EXPECT_EQ(positioned.mesh.triangles, surface.mesh.triangles);
+    for (size_t v = 0; v < positioned.corners.size(); ++v) {
+      EXPECT_LE((positioned.mesh.positions[v] - positioned.corners[v]).norm(),
+                std::sqrt(3.0) / 2 + 1e-12);
+    }
+    ExpectClosedManifold(AuditMesh(positioned.mesh));
+    EXPECT_GE(SmallestHeight(positioned.mesh), 0.02 - 1e-12);
+    EXPECT_EQ(NumIntersections(positioned.mesh), 0u);
+    num_withdrawn += positioned.summary.num_withdrawn;
+  }
+  EXPECT_GT(num_withdrawn, 1000);
+}
+
+TEST(PositionVertices, SingleFaceKeepsItsArea) {
+  // Both polygons collapse into the centre of the face otherwise.
+  const LabelledCrust block = LabelBlock(
+      2, {1, 1, 1}, {2, 1, 1}, false, [](int, int, int, int) { return true; });
+  const PositionedSurface positioned = Place(block, UnitVoxels(2));
+  EXPECT_EQ(positioned.summary.num_withdrawn, 4);  // the corners
+  const MeshAudit audit = AuditMesh(positioned.mesh);
+  EXPECT_EQ(audit.DescribeFailure(), "");
+}
+
+TEST(PositionVertices, VolumeOfASphereIsUnbiased) {
+  for (const int level : {5, 6, 7}) {
+    const double voxel = 1.0 / (1 << level);
+    const PositionedSurface positioned =
+        Place(LabelShape(level, SphereDistance), UnitCube());
+    double mean = 0;
+    double largest = 0;
+    for (const Eigen::Vector3d& position : positioned.mesh.positions) {
+      const double distance = SphereDistance(position) / voxel;
+      mean += distance / double(positioned.mesh.positions.size());
+      largest = std::max(largest, std::abs(distance));
+    }
+    EXPECT_LT(std::abs(mean), 0.02) << "level " << level;
+    EXPECT_LT(largest, 0.6) << "level " << level;
+    const double exact = 4.0 / 3 * M_PI * std::pow(0.4, 3);
+    // Triangles cut the sphere's caps off: of the order of (voxel / radius)^2.
+    const double tolerance = 1.5 * voxel * voxel / (0.4 * 0.4);
+    EXPECT_NEAR(AuditMesh(positioned.mesh).volume / exact, 1, tolerance)
+        << "level " << level;
+  }
+}
+
+TEST(PositionVertices, RefusesBadOptions) {
+  for (const double height : {0.0, -1.0, 0.5, double(NAN)}) {
+    PositionVerticesOptions options;
+    options.min_height = height;
+    EXPECT_THROW(options.Check(), OptionError) << height;
+  }
+  EXPECT_NO_THROW(PositionVerticesOptions().Check());
+}
+
+}  // namespace
+}  // namespace octacut

@@ -1,0 +1,52 @@
+#include "core/refine/neighbor_planes.h"
+
+#include <gtest/gtest.h>
+
+#include "core/refine/surface_points.h"
+#include "tests/core/refine/refine_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::RefineScene;
+
+TEST(NeighborPlanes, ContinueWhatTiltsEvenly) {
+  const IndexedMesh mesh = [] {
+    IndexedMesh sphere = Sphere(40, 1);
+    sphere.normals = ComputeVertexNormals(sphere, Context(1));
+    return sphere;
+  }();
+  const VertexCorners neighbors = RefineScene::Neighbors(mesh);
+  const SurfacePoints points = SpreadPoints(mesh, neighbors, 0.08);
+  const std::vector<LocalSurface> surfaces =
+      FitLocalSurfaces(mesh, neighbors, points.vertices, 0.1, Context(1));
+  const NeighborPlanes planes = FitNeighborPlanes(surfaces, points.neighbors);
+  ASSERT_EQ(planes.shares.size(), points.neighbors.corners.size());
+  ASSERT_EQ(planes.spacings.size(), surfaces.size());
+  const Eigen::Vector3f tilt(0.3f, -0.5f, 0.2f);
+  std::vector<double> values;
+  for (const LocalSurface& surface : surfaces) {
+    values.push_back(tilt.dot(surface.center));
+  }
+  const std::vector<Eigen::Vector3f> slopes =
+      planes.Slopes(values, points.neighbors);
+  for (size_t i = 0; i < surfaces.size(); ++i) {
+    const auto around = points.neighbors.Of(i);
+    double sum = 0, value = 0;
+    for (size_t k = 0; k < around.size(); ++k) {
+      const float share = planes.shares[points.neighbors.offsets[i] + k];
+      sum += share;
+      value += share * values[around[k]];
+    }
+    EXPECT_NEAR(sum, 1, 1e-4);
+    // A sphere bends away from the plane by half of the squared distance.
+    EXPECT_NEAR(value, values[i], 0.01);
+    const Eigen::Vector3f& normal = surfaces[i].normal;
+    EXPECT_LT((slopes[i] - (tilt - tilt.dot(normal) * normal)).norm(), 0.1);
+    EXPECT_GT(planes.spacings[i], 0.08);
+    EXPECT_LT(planes.spacings[i], 0.2);
+  }
+}
+
+}  // namespace
+}  // namespace octacut

@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <system_error>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
+#include "colmap_io/images/mask_folder.h"
 #include "colmap_io/images/reduced_view.h"
 #include "colmap_io/images/segmentation_files.h"
 #include "core/base/error.h"
@@ -61,8 +60,7 @@ class Extractor {
   void RefineAll();
   cv::Mat RefinedMask(size_t view) const;
   void Judge();
-  void Write() const;
-  void RemoveDoubtedMasks(const std::optional<MaskList>& before) const;
+  void Write();
   bool IsInPlace(size_t view) const {
     std::error_code ignored;
     return fs::equivalent(
@@ -106,7 +104,7 @@ void Extractor::RefineAll() {
         const cv::Mat mask = file.given_mask.empty()
                                  ? RefinedMask(i)
                                  : ReadMask(file.given_mask);
-        cv::imencode(".png", mask, encoded_[i]);
+        encoded_[i] = EncodeMask(mask);
         reduced_[i] =
             ReduceView(mask, *file.camera, files_.input.views[i].pose.camera) >=
             kObjectThreshold;
@@ -138,57 +136,24 @@ void Extractor::Judge() {
       listed.hash = HashOfBytes(ReadBytes(file.given_mask));
     } else {
       listed.mask = file.image->name + ".png";
-      listed.hash = HashOfBytes(
-          {reinterpret_cast<char*>(encoded_[i].data()), encoded_[i].size()});
+      listed.hash = HashOfPng(encoded_[i]);
     }
   }
 }
 
-void Extractor::Write() const {
-  const std::optional<MaskList> before = ReadMaskList(options_.output_path);
-  AtomicFiles files;
+void Extractor::Write() {
   for (size_t i = 0; i < files_.files.size(); ++i) {
     const ListedMask& listed = result_.list.views[i];
     const bool stays = listed.status == MaskStatus::kGiven && IsInPlace(i);
     if (listed.status == MaskStatus::kUnsure || stays) {
-      continue;
-    }
-    const fs::path path = options_.output_path / listed.mask;
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    files.Write(path, [&](std::ostream& stream) {
-      stream.write(reinterpret_cast<const char*>(encoded_[i].data()),
-                   std::streamsize(encoded_[i].size()));
-    });
-  }
-  std::vector<uchar> sheet;
-  cv::imencode(".jpg",
-               DrawContactSheet(files_.input.views, reduced_, result_.list),
-               sheet);
-  std::error_code error;
-  fs::create_directories(options_.output_path, error);
-  files.Write(options_.output_path / kContactSheetName,
-              [&](std::ostream& stream) {
-                stream.write(reinterpret_cast<const char*>(sheet.data()),
-                             std::streamsize(sheet.size()));
-              });
-  files.Write(options_.output_path / kMaskListName, [&](std::ostream& stream) {
-    stream << MaskListText(result_.list);
-  });
-  files.Commit();
-  RemoveDoubtedMasks(before);
-}
-
-void Extractor::RemoveDoubtedMasks(
-    const std::optional<MaskList>& before) const {
-  for (const ListedMask& listed : result_.list.views) {
-    const fs::path path = options_.output_path / (listed.image + ".png");
-    std::error_code ignored;
-    if (listed.status == MaskStatus::kUnsure && fs::exists(path, ignored) &&
-        IsExtractedMask(before, listed.image, path)) {
-      fs::remove(path, ignored);
+      encoded_[i].clear();
     }
   }
+  WriteMaskFolder(
+      options_.output_path,
+      result_.list,
+      encoded_,
+      DrawContactSheet(files_.input.views, reduced_, result_.list));
 }
 
 }  // namespace

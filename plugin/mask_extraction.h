@@ -12,9 +12,6 @@
 
 namespace octacut {
 
-// Name of the picture with all outlines, in the folder of the masks.
-inline constexpr std::string_view kContactSheetName = "contact_sheet.jpg";
-
 struct MaskExtractionOptions {
   std::filesystem::path output_path;  // folder of the masks
   std::filesystem::path given_masks_path;

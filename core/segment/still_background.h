@@ -1,0 +1,38 @@
+// The background behind a turntable, from photographs of a camera that stands
+// still.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <span>
+
+#include "core/base/context.h"
+
+namespace octacut {
+
+// CIE Lab in 8 bits, as OpenCV has it: CV_8UC3.
+cv::Mat ToLab(const cv::Mat& image);
+
+struct StillBackground {
+  // CV_32FC3, Lab in the units of 8 bits: what a place looks like most often.
+  cv::Mat color;
+  // CV_32F: part of the photographs that show this, as far as the window of
+  // kStillWindow pixels around the place shows it too. The texture of a turning
+  // plate may bring back one pixel, but hardly a window.
+  cv::Mat support;
+  // Distance in Lab from which on two pixels differ by more than noise.
+  float tolerance = 0;
+};
+
+inline constexpr int kStillWindow = 9;
+
+// `labs` are of one size. The noise is that of most pixels, which is right
+// where a quarter of them stand still.
+StillBackground FindStillBackground(std::span<const cv::Mat> labs,
+                                    const Context& context);
+
+// CV_32F: distance of each pixel of `lab` from the background in units of the
+// tolerance, where it may be in shadow: 0.4 to all of its light.
+cv::Mat DistanceFromBackground(const cv::Mat& lab,
+                               const StillBackground& background);
+
+}  // namespace octacut

@@ -85,7 +85,20 @@ cv::Vec3f MostFrequent(std::span<const cv::Mat> labs,
   return best;
 }
 
+// Of the masks, those that are set, for each pixel.
+cv::Mat PartOf(const std::vector<cv::Mat>& masks) {
+  cv::Mat sum = cv::Mat::zeros(masks.front().size(), CV_32F);
+  for (const cv::Mat& mask : masks) {
+    cv::accumulate(mask, sum);
+  }
+  return sum / (255.0 * double(masks.size()));
+}
+
 }  // namespace
+
+int WideWindow(const cv::Size& size) {
+  return std::max(kStillWindow, std::max(size.width, size.height) / 50 * 2 + 1);
+}
 
 cv::Mat ToLab(const cv::Mat& image) {
   cv::Mat lab;
@@ -108,6 +121,8 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
     }
   });
   std::vector<cv::Mat> shown(labs.size());
+  std::vector<cv::Mat> widely_shown(labs.size());
+  const int wide = WideWindow(size);
   ParallelFor(context, labs.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       cv::Mat same(size, CV_32F);
@@ -118,15 +133,15 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
           same.at<float>(y, x) = distance < background.tolerance ? 1.0f : 0.0f;
         }
       }
-      cv::boxFilter(same, same, CV_32F, {kStillWindow, kStillWindow});
-      shown[i] = same >= kMostOfWindow;  // 255 where it is
+      cv::Mat part;
+      cv::boxFilter(same, part, CV_32F, {kStillWindow, kStillWindow});
+      shown[i] = part >= kMostOfWindow;  // 255 where it is
+      cv::boxFilter(same, part, CV_32F, {wide, wide});
+      widely_shown[i] = part >= kMostOfWindow;
     }
   });
-  background.support = cv::Mat::zeros(size, CV_32F);
-  for (const cv::Mat& mask : shown) {
-    cv::accumulate(mask, background.support);
-  }
-  background.support /= 255.0 * double(labs.size());
+  background.support = PartOf(shown);
+  background.wide_support = PartOf(widely_shown);
   return background;
 }
 
@@ -143,8 +158,10 @@ cv::Mat DistanceFromBackground(const cv::Mat& lab,
       const cv::Vec3f shaded((color[0] + kBlack) * light - kBlack,
                              (color[1] - kNeutral) * light + kNeutral,
                              (color[2] - kNeutral) * light + kNeutral);
+      const float in_light = Distance(value, color) / background.tolerance;
+      const float in_shadow = Distance(value, shaded) / background.tolerance;
       distance.at<float>(y, x) =
-          Distance(value, shaded) / background.tolerance;
+          in_light < 1 ? in_light : std::max(1.0f, in_shadow);
     }
   }
   return distance;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <opencv2/core.hpp>
 #include <string>
 #include <system_error>
@@ -15,6 +17,7 @@
 #include "core/base/error.h"
 #include "core/scene/region.h"
 #include "core/segment/refine_border.h"
+#include "core/segment/stand_plane.h"
 #include "core/segment/view_confidence.h"
 #include "plugin/contact_sheet.h"
 
@@ -28,6 +31,9 @@ constexpr size_t kBytesPerPixel = 48;
 constexpr size_t kDecodeBudget = size_t{1} << 30;
 // Pixels of the segmented views by which their borders may be off.
 constexpr double kReach = 2;
+// Views in which a sparse point of the stand is seen, at least: of two, its
+// distance may be wrong.
+constexpr size_t kMinTrack = 3;
 
 class Extractor {
  public:
@@ -44,6 +50,9 @@ class Extractor {
     if (!options.bounding_box.empty()) {
       files_.input.box = BoundingBoxFromNumbers(options.bounding_box);
     }
+    if (options.on_stand) {
+      FindStand(workspace.model);
+    }
     encoded_.resize(files_.files.size());
     reduced_.resize(files_.files.size());
   }
@@ -57,6 +66,7 @@ class Extractor {
   }
 
  private:
+  void FindStand(const SparseModel& model);
   void RefineAll();
   cv::Mat RefinedMask(size_t view) const;
   void Judge();
@@ -79,6 +89,47 @@ class Extractor {
   std::vector<ViewConfidence> confidences_;
   MaskExtraction result_;
 };
+
+// Where the object stands, and which pixels show the stand.
+void Extractor::FindStand(const SparseModel& model) {
+  std::vector<Pose> poses;
+  std::map<uint32_t, size_t> view_of_image;
+  for (size_t i = 0; i < files_.files.size(); ++i) {
+    poses.push_back(files_.input.views[i].pose);
+    view_of_image[files_.files[i].image->id] = i;
+  }
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<const SparsePoint*> points;
+  for (const SparsePoint& point : model.points) {
+    if (point.track.size() >= kMinTrack) {
+      positions.push_back(point.xyz);
+      points.push_back(&point);
+    }
+  }
+  const StandPlane stand = FindStandPlane(
+      positions, poses, FindSearchRegion(poses, files_.input.box));
+  size_t num_points = 0;
+  for (size_t k = 0; k < points.size(); ++k) {
+    if (std::abs(stand.plane.signedDistance(positions[k])) > stand.tolerance) {
+      continue;
+    }
+    ++num_points;
+    for (const TrackElement& element : points[k]->track) {
+      const auto found = view_of_image.find(element.image_id);
+      if (found != view_of_image.end() &&
+          IsShown(poses[found->second], positions[k])) {
+        files_.input.views[found->second].surroundings.push_back(
+            poses[found->second].camera.Project(
+                poses[found->second].cam_from_world * positions[k]));
+      }
+    }
+  }
+  // What is left of the stand's surface by noise is cut off as well.
+  files_.input.floor = stand.plane;
+  files_.input.floor->offset() -= stand.tolerance;
+  context_.Info(fmt::format(
+      "The object stands on a plane with {} sparse points.", num_points));
+}
 
 cv::Mat Extractor::RefinedMask(size_t view) const {
   const SegmentationFile& file = files_.files[view];
@@ -172,6 +223,12 @@ void DeclareMaskExtractionOptions(OptionManager& options,
            &extraction->strokes_path,
            "Folder of strokes for some images, named as masks: 0 is "
            "background, 255 object, 128 says nothing. Default: none.")
+      .audience = audience;
+  options
+      .Add("on_stand",
+           &extraction->on_stand,
+           "If 1, the object stands on a plane that has sparse points; nothing "
+           "on or below it is object.")
       .audience = audience;
 }
 

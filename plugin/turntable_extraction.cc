@@ -235,6 +235,7 @@ MaskExtraction ExtractTurntableMasks(const TurntableExtractionOptions& options,
     RequireFolder(options.background_path, "background_path");
   }
   MaskExtraction result;
+  result.list.is_of_turntable = true;
   std::vector<std::vector<uchar>> pngs;
   std::vector<UnsegmentedView> views;
   std::vector<cv::Mat> masks;

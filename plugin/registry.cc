@@ -5,6 +5,8 @@
 #include "plugin/commands/example_creator.h"
 #include "plugin/commands/mask_comparer.h"
 #include "plugin/commands/mask_extractor.h"
+#include "plugin/commands/mask_renderer.h"
+#include "plugin/commands/mask_undistorter.h"
 #include "plugin/commands/mesh_comparer.h"
 #include "plugin/commands/mesh_evaluator.h"
 #include "plugin/commands/mesh_refiner.h"
@@ -25,6 +27,12 @@ std::span<const RegistryEntry> CommandRegistry() {
       {"mask_extractor",
        "Find the silhouettes of the object in all photographs",
        &MakeMaskExtractor},
+      {"mask_renderer",
+       "Render the silhouettes of a mesh in all views",
+       &MakeMaskRenderer},
+      {"mask_undistorter",
+       "Undistort masks as image_undistorter does photographs",
+       &MakeMaskUndistorter},
       {"mesh_comparer",
        "Compare meshes with a reference: topology, distances, scores",
        &MakeMeshComparer},

@@ -126,6 +126,10 @@ void DeclareSurface(OptionManager& options, SceneSpec* scene) {
           {{"plain", BackgroundKind::kPlain}, {"room", BackgroundKind::kRoom}},
           "Background behind the object.")
       .ForExperts();
+  options.Add("Scene.stand",
+              &scene->stand.is_there,
+              "If 1, the object stands on a round plate, which turns with it "
+              "and is not in the masks.");
   options.Add("Scene.lights_fixed_to_camera",
               &scene->lighting.fixed_to_camera,
               "If 1, the lights move with the camera, as if the object stood "
@@ -177,7 +181,8 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
                   {{"sphere", RigKind::kSphere},
                    {"rings", RigKind::kRings},
                    {"turntable", RigKind::kTurntable}},
-                  "Arrangement of the cameras around the object.");
+                  "Arrangement of the cameras around the object. On a turntable, a "
+                  "room stands still with the camera.");
   options
       .Add("Rig.min_elevation",
            &scene_.rig.min_elevation,

@@ -10,6 +10,7 @@ packages=(
   libeigen3-dev libfmt-dev libspdlog-dev libtbb-dev nlohmann-json3-dev
   libopencv-dev libopenmesh-dev libembree-dev libboost-dev
   libceres-dev
+  lib3mf-dev
   libgtest-dev libgmock-dev
   colmap jq shellcheck imagemagick
   "$@"

@@ -1,4 +1,4 @@
-#include "core/compare/surface_samples.h"
+#include "core/mesh/surface_samples.h"
 
 #include <gtest/gtest.h>
 

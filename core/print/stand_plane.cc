@@ -25,7 +25,9 @@ constexpr double kMaxGap = 0.1;
 // times the noise decides.
 constexpr double kMinTolerance = 0.001;
 constexpr double kMaxTolerance = 0.01;
+// Fewer may be on a plane by chance.
 constexpr size_t kMinPoints = 20;
+constexpr size_t kMinShare = 10;  // one of so many candidates
 // If a tenth of the points are on the plane, three of them are all on it in one
 // of 1000 trials: 4000 miss it once in 50 runs, and one with a fifth never.
 constexpr uint64_t kTrials = 4000;
@@ -72,6 +74,9 @@ class StandSearch {
   }
 
   size_t NumCandidates() const { return candidates_.size(); }
+  size_t LeastPoints() const {
+    return std::max(kMinPoints, candidates_.size() / kMinShare);
+  }
   double Gap(const Plane& plane) const {
     double gap = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector3d& vertex : vertices_) {
@@ -93,7 +98,7 @@ class StandSearch {
 
   std::optional<Plane> Search(const Context& context) const {
     std::optional<Plane> best;
-    size_t most = kMinPoints - 1;
+    size_t most = LeastPoints() - 1;
     for (uint64_t trial = 0; trial < kTrials && candidates_.size() >= 3;
          ++trial) {
       context.ThrowIfCancelled();
@@ -174,7 +179,7 @@ StandPlane FindStandPlane(const IndexedMesh& mesh,
         "around it, no {} lie in a plane at its lowest point; give the "
         "direction with --up x,y,z",
         search.NumCandidates(),
-        kMinPoints));
+        search.LeastPoints()));
   }
   for (int i = 0; i < kFits; ++i) {
     plane = search.Fit(search.PointsOn(*plane));

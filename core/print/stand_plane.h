@@ -34,7 +34,7 @@ struct StandPlane {
 // that have the object and at least half of the cameras on one side and the
 // lowest point of the mesh closer than a tenth of the diagonal of its bounding
 // box. Only points within twice the diagonal count. Depends on Context::Seed().
-// Throws InputError where no plane has 20 points.
+// Throws InputError where no plane has 20 points and a tenth of those around.
 StandPlane FindStandPlane(const IndexedMesh& mesh,
                           const Surroundings& surroundings,
                           const Context& context);

@@ -22,16 +22,18 @@ SurfaceMesh BareSurface(const IndexedMesh& full) {
   return surface;
 }
 
-// Returns whether it was allowed.
-bool Apply(const Collapse& collapse, SurfaceMesh* surface) {
+// Returns whether it was allowed, which those are that are made in the order in
+// which they were found, without leaving out any.
+bool Apply(const Collapse& collapse, bool is_known_good, SurfaceMesh* surface) {
   const auto from = SurfaceMesh::VertexHandle{int(collapse.from)};
   const auto to = SurfaceMesh::VertexHandle{int(collapse.to)};
   if (surface->status(from).deleted() || surface->status(to).deleted()) {
     return false;
   }
   const auto edge = surface->find_halfedge(from, to);
-  if (!edge.is_valid() || !KeepsManifold(*surface, edge) ||
-      !KeepsTriangleShapes(*surface, edge)) {
+  if (!edge.is_valid() ||
+      (!is_known_good && (!KeepsManifold(*surface, edge) ||
+                          !KeepsTriangleShapes(*surface, edge)))) {
     return false;
   }
   surface->collapse(edge);
@@ -62,10 +64,11 @@ std::vector<uint32_t> KeepVertices(const SurfaceMesh& surface,
 }  // namespace
 
 CollapseReplay::CollapseReplay(const IndexedMesh& full,
-                               std::vector<Collapse> collapses)
+                               size_t num_triangles,
+                               const Context& context)
     : full_(full),
       surface_(BareSurface(full)),
-      collapses_(std::move(collapses)) {}
+      collapses_(FindCollapses(surface_, num_triangles, context)) {}
 
 size_t CollapseReplay::LeastTriangles() const {
   return full_.triangles.size() - 2 * collapses_.size();
@@ -82,7 +85,7 @@ CollapsedMesh CollapseReplay::Run(size_t num_triangles,
       break;
     }
     if ((held.empty() || held[collapse.from] == 0) &&
-        Apply(collapse, &surface)) {
+        Apply(collapse, held.empty(), &surface)) {
       targets[collapse.from] = collapse.to;
       num_left -= 2;
     }

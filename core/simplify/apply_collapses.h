@@ -24,8 +24,11 @@ struct CollapsedMesh {
 
 class CollapseReplay {
  public:
-  // `full` must outlive the object and be a closed 2-manifold.
-  CollapseReplay(const IndexedMesh& full, std::vector<Collapse> collapses);
+  // Finds collapses down to `num_triangles`. `full` must outlive the object and
+  // be a closed 2-manifold.
+  CollapseReplay(const IndexedMesh& full,
+                 size_t num_triangles,
+                 const Context& context);
 
   const IndexedMesh& Full() const { return full_; }
   // Triangles left after all collapses.

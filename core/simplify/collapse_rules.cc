@@ -1,6 +1,7 @@
 #include "core/simplify/collapse_rules.h"
 
 #include <algorithm>
+#include <array>
 #include <Eigen/Geometry>
 
 namespace octacut {
@@ -13,27 +14,39 @@ constexpr double kMinCosine = 0.5;
 // does to a triangle, and printers and renderers have no use for thinner ones.
 constexpr double kMinShape = 0.01;
 
-struct Shape {
-  Eigen::Vector3d normal;  // twice the area long
-  double longest;          // squared length of the longest edge
+using Triangle = std::array<Eigen::Vector3d, 3>;
 
-  Shape(const Eigen::Vector3d& a,
-        const Eigen::Vector3d& b,
-        const Eigen::Vector3d& c)
-      : normal((b - a).cross(c - a)),
-        longest(std::max({(b - a).squaredNorm(),
-                          (c - b).squaredNorm(),
-                          (a - c).squaredNorm()})) {}
-  double Height() const { return normal.norm() / longest; }
-};
+// Twice the area long.
+Eigen::Vector3d NormalOf(const Triangle& t) {
+  return (t[1] - t[0]).cross(t[2] - t[0]);
+}
 
-bool IsAcceptable(const Shape& before, const Shape& after) {
-  if (!(before.normal.dot(after.normal) >
-        kMinCosine * before.normal.norm() * after.normal.norm())) {
+double SquaredLongest(const Triangle& t) {
+  return std::max({(t[1] - t[0]).squaredNorm(),
+                   (t[2] - t[1]).squaredNorm(),
+                   (t[0] - t[2]).squaredNorm()});
+}
+
+bool IsAcceptable(const Triangle& before, const Triangle& after) {
+  const Eigen::Vector3d normal_before = NormalOf(before);
+  const Eigen::Vector3d normal_after = NormalOf(after);
+  const double squared_before = normal_before.squaredNorm();
+  const double squared_after = normal_after.squaredNorm();
+  const double dot = normal_before.dot(normal_after);
+  if (!(dot > 0) ||
+      dot * dot <= kMinCosine * kMinCosine * squared_before * squared_after) {
     return false;
   }
-  const double height = after.Height();
-  return height >= kMinShape || height >= before.Height();
+  // The height over the longest edge is the normal's length over the square of
+  // that edge.
+  const double longest_after = SquaredLongest(after);
+  if (squared_after >=
+      kMinShape * kMinShape * longest_after * longest_after) {
+    return true;
+  }
+  const double longest_before = SquaredLongest(before);
+  return squared_after * longest_before * longest_before >=
+         squared_before * longest_after * longest_after;
 }
 
 }  // namespace
@@ -53,7 +66,7 @@ bool KeepsTriangleShapes(const SurfaceMesh& mesh,
     }
     const Eigen::Vector3d& b = mesh.point(first);
     const Eigen::Vector3d& c = mesh.point(second);
-    if (!IsAcceptable(Shape(old_place, b, c), Shape(new_place, b, c))) {
+    if (!IsAcceptable({old_place, b, c}, {new_place, b, c})) {
       return false;
     }
   }

@@ -25,6 +25,9 @@ namespace fs = std::filesystem;
 // The least closed mesh is a tetrahedron.
 constexpr int64_t kLeastFaces = 4;
 
+// On each surface, beside the vertices: they give the mean to a thousandth.
+constexpr int64_t kNumSamples = 200000;
+
 // One mesh of the chain.
 struct Level {
   fs::path path;
@@ -150,8 +153,10 @@ Level MeshSimplifier::MakeLevel(int level,
                                 const Context& context) const {
   Level result;
   result.path = PathOf(level);
+  CompareMeshesOptions options;
+  options.num_samples = kNumSamples;
   const auto compare = [&](const IndexedMesh& mesh) {
-    result.comparison = CompareMeshes(mesh, replay.Full(), {}, context);
+    result.comparison = CompareMeshes(mesh, replay.Full(), options, context);
     return result.comparison.Hausdorff();
   };
   const size_t num_full = replay.Full().triangles.size();
@@ -228,8 +233,7 @@ void MeshSimplifier::Run(const CommandEnvironment& environment) {
   const size_t num_full = full.triangles.size();
   const size_t least = TargetOf(levels_ - 1, num_full);
   // Where vertices have to stay, others go instead: a tenth more.
-  const CollapseReplay replay(full,
-                              FindCollapses(full, least - least / 10, context));
+  const CollapseReplay replay(full, least - least / 10, context);
   std::vector<Level> levels;
   Json json = Json::array();
   TextTable table({"mesh",

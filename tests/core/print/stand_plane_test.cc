@@ -11,7 +11,7 @@
 namespace octacut {
 namespace {
 
-const Context kContext(1);
+const Context kOneThread(1);
 
 // A unit sphere at (0, 0, 1) on the plane z = 0, turned by `world_from_table`,
 // with a wall behind it that has more points than the table.
@@ -63,7 +63,7 @@ TEST_F(StandPlaneTest, FindsTheTableInAnyFrame) {
     const StandPlane stand = FindStandPlane(
         mesh,
         {moved(around_.points), moved(around_.camera_centers), around_.noise},
-        kContext);
+        kOneThread);
     const Eigen::Vector3d up = rotation.col(2);
     EXPECT_GT(stand.up.dot(up), 0.99999);  // 0.25 degrees
     EXPECT_NEAR(stand.offset, up.dot(Eigen::Vector3d(3, 4, 5)), 0.003);
@@ -79,12 +79,12 @@ TEST_F(StandPlaneTest, ATableThatTheObjectDoesNotTouchIsNone) {
   for (Eigen::Vector3d& position : mesh_.positions) {
     position.z() += 1;
   }
-  EXPECT_THROW(FindStandPlane(mesh_, around_, kContext), InputError);
+  EXPECT_THROW(FindStandPlane(mesh_, around_, kOneThread), InputError);
 }
 
 TEST_F(StandPlaneTest, NoPointsAreAnError) {
   around_.points.clear();
-  EXPECT_THROW(FindStandPlane(mesh_, around_, kContext), InputError);
+  EXPECT_THROW(FindStandPlane(mesh_, around_, kOneThread), InputError);
 }
 
 }  // namespace

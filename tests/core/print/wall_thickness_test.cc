@@ -12,7 +12,7 @@
 namespace octacut {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 WallThicknessOptions Options(double min_wall = 0) {
   WallThicknessOptions options;
@@ -35,7 +35,7 @@ TEST(MeasureWallThickness, Sphere) {
   const double radius = 3;
   const IndexedMesh mesh = Sphere(40, radius);
   ExpectAreaAndVolume(
-      mesh, 4 * kPi * radius * radius, 4 * kPi / 3 * radius * radius * radius);
+      mesh, 4 * kHalfTurn * radius * radius, 4 * kHalfTurn / 3 * radius * radius * radius);
   const WallThickness walls = Measure(mesh);
   EXPECT_NEAR(walls.min, 2 * radius, 0.01 * 2 * radius);
   EXPECT_NEAR(walls.median, 2 * radius, 0.01 * 2 * radius);
@@ -49,8 +49,8 @@ TEST(MeasureWallThickness, Torus) {
   const double tube = 0.4;
   const IndexedMesh mesh = Torus(80, ring, tube);
   ExpectAreaAndVolume(mesh,
-                      4 * kPi * kPi * ring * tube,
-                      2 * kPi * kPi * ring * tube * tube);
+                      4 * kHalfTurn * kHalfTurn * ring * tube,
+                      2 * kHalfTurn * kHalfTurn * ring * tube * tube);
   const WallThickness walls = Measure(mesh);
   EXPECT_NEAR(walls.min, 2 * tube, 0.01 * 2 * tube);
   EXPECT_NEAR(walls.percentile_5, 2 * tube, 0.01 * 2 * tube);

@@ -15,7 +15,13 @@ namespace {
 const Context kContext(1);
 
 CollapseReplay Prepared(const IndexedMesh& full, size_t num_triangles) {
-  return {full, FindCollapses(full, num_triangles, kContext)};
+  return {full, num_triangles, kContext};
+}
+
+CompareMeshesOptions Samples(int64_t count) {
+  CompareMeshesOptions options;
+  options.num_samples = count;
+  return options;
 }
 
 void ExpectClosed(const IndexedMesh& mesh) {
@@ -52,7 +58,7 @@ TEST(SimplifyMesh, ATenthOfTheTrianglesStaysClose) {
   const SimplifiedMesh result =
       SimplifyTo(4320, Prepared(full, 4320), kContext);
   const MeshComparison comparison =
-      CompareMeshes(result.mesh, full, {.num_samples = 20000}, kContext);
+      CompareMeshes(result.mesh, full, Samples(20000), kContext);
   const double diagonal = comparison.reference_diagonal;
   // A regular mesh of so few triangles, edges of 0.1 on a radius of 1, has a
   // mean distance of about 0.03 % of the diagonal.
@@ -134,7 +140,7 @@ TEST(SimplifyMesh, KeepsTheDistance) {
   const IndexedMesh full = Potato(30);
   const CollapseReplay replay = Prepared(full, 4);
   const auto hausdorff = [&](const IndexedMesh& mesh) {
-    return CompareMeshes(mesh, full, {.num_samples = 5000}, kContext)
+    return CompareMeshes(mesh, full, Samples(5000), kContext)
         .Hausdorff();
   };
   size_t num_before = full.triangles.size() + 1;

@@ -91,7 +91,7 @@ class StandSearch {
                  candidates_.end(),
                  std::back_inserter(points),
                  [&](const Eigen::Vector3d& point) {
-                   return std::abs(plane.Height(point)) <= tolerance_;
+                   return IsOn(plane, point);
                  });
     return points;
   }
@@ -115,7 +115,10 @@ class StandSearch {
       if (!MayBeStand(plane)) {
         continue;
       }
-      const size_t count = PointsOn(plane).size();
+      const auto count = size_t(std::count_if(
+          candidates_.begin(),
+          candidates_.end(),
+          [&](const Eigen::Vector3d& point) { return IsOn(plane, point); }));
       if (count > most) {
         most = count;
         best = plane;
@@ -139,6 +142,10 @@ class StandSearch {
   }
 
  private:
+  bool IsOn(const Plane& plane, const Eigen::Vector3d& point) const {
+    return std::abs(plane.Height(point)) <= tolerance_;
+  }
+
   Plane TowardsObject(const Eigen::Vector3d& normal,
                       const Eigen::Vector3d& point) const {
     const double sign = normal.dot(center_ - point) < 0 ? -1 : 1;

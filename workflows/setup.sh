@@ -5,13 +5,26 @@
 # If all packages are installed, it changes nothing.
 set -euo pipefail
 
+# Read what octacut exports.
+test_tools=(admesh prusa-slicer blender)
+if [[ ${1:-} == --with_test_tools ]]; then
+  if ((!${2:?"$1 needs 0 or 1"})); then
+    test_tools=()
+  fi
+  shift 2
+else
+  test_tools=()
+fi
+
 packages=(
   g++ cmake make ninja-build
   libeigen3-dev libfmt-dev libspdlog-dev libtbb-dev nlohmann-json3-dev
   libopencv-dev libopenmesh-dev libembree-dev libboost-dev
   libceres-dev
+  lib3mf-dev
   libgtest-dev libgmock-dev
   colmap jq shellcheck imagemagick
+  "${test_tools[@]}"
   "$@"
 )
 

@@ -67,8 +67,10 @@ MeshFormat MeshFormatOf(const std::filesystem::path& path) {
   if (extension == ".obj") return MeshFormat::kObj;
   if (extension == ".off") return MeshFormat::kOff;
   if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".3mf") return MeshFormat::k3mf;
   throw OptionError(fmt::format(
-      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off or .stl",
+      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off, .stl or "
+      ".3mf",
       path.string(),
       extension));
 }
@@ -106,6 +108,8 @@ MeshFile ReadMesh(std::istream& stream,
     case MeshFormat::kStl:
       polygons = ReadStl(&source, &result.notes);
       break;
+    case MeshFormat::k3mf:
+      source.Fail("3MF can be written, but not read; use .stl or .ply");
   }
   result.mesh = Triangulate(std::move(polygons), name, &result.notes);
   CheckCoordinates(result.mesh, name);
@@ -132,6 +136,8 @@ void WriteMesh(std::ostream& stream,
       return WriteOff(mesh, stream);
     case MeshFormat::kStl:
       return WriteStl(mesh, stream);
+    case MeshFormat::k3mf:
+      return Write3mf(mesh, stream);
   }
 }
 

@@ -24,4 +24,9 @@ void WriteOff(const IndexedMesh& mesh, std::ostream& stream);
 // Binary, with normals of facets; neither colours nor normals of vertices.
 void WriteStl(const IndexedMesh& mesh, std::ostream& stream);
 
+// 3MF with the millimetre as its unit and colours of the corners (materials
+// extension), through lib3mf, which writes six decimals. The stream must be one
+// that can seek. Throws Error where the library refuses the mesh.
+void Write3mf(const IndexedMesh& mesh, std::ostream& stream);
+
 }  // namespace octacut

@@ -9,7 +9,7 @@
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/benchmark/compare/align_step.h"
-#include "core/benchmark/compare/surface_samples.h"
+#include "core/mesh/surface_samples.h"
 
 namespace octacut {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/benchmark/compare/surface_samples.h"
+#include "core/mesh/surface_samples.h"
 #include "core/mesh/indexed_mesh.h"
 
 namespace octacut {

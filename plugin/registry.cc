@@ -8,6 +8,7 @@
 #include "plugin/commands/mesh_comparer.h"
 #include "plugin/commands/mesh_evaluator.h"
 #include "plugin/commands/mesh_refiner.h"
+#include "plugin/commands/mesh_texturer.h"
 #include "plugin/commands/octahedral_mesher.h"
 #include "plugin/commands/version.h"
 #include "plugin/commands/visual_hull_mesher.h"
@@ -34,6 +35,9 @@ std::span<const RegistryEntry> CommandRegistry() {
       {"mesh_refiner",
        "Refine a closed mesh photometrically, below voxel size",
        &MakeMeshRefiner},
+      {"mesh_texturer",
+       "Texture a mesh from the photographs of a workspace",
+       &MakeMeshTexturer},
       {"octahedral_mesher",
        "Reconstruct a closed mesh from a sparse model, masks and photographs",
        &MakeOctahedralMesher},

@@ -15,7 +15,7 @@
 namespace octacut {
 
 struct TexturingArguments {
-  TextureOptions texture;
+  TexturingOptions texture;
   TexturedMeshOptions files;
   std::filesystem::path output_path;
   std::filesystem::path normal_map_from;  // empty: no normal map

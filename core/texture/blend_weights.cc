@@ -19,7 +19,7 @@ constexpr float kMinMedianShare = 0.5f;
 
 // The share of the best resolution with which `view` shows a triangle: 0 where
 // it does not, or in another colour than the others.
-float Suitability(const ChosenViews& chosen, size_t face, uint32_t view) {
+float Suitability(const FaceChoice& chosen, size_t face, uint32_t view) {
   const std::span<const FaceView> views = chosen.views.Of(face);
   for (size_t i = 0; i < views.size(); ++i) {
     if (views[i].view == view) {
@@ -53,7 +53,7 @@ class Fader {
  public:
   Fader(const IndexedMesh& mesh,
         const VertexFaces& vertex_faces,
-        const ChosenViews& chosen)
+        const FaceChoice& chosen)
       : mesh_(mesh),
         vertex_faces_(vertex_faces),
         chosen_(chosen),
@@ -210,7 +210,7 @@ class Fader {
 
   const IndexedMesh& mesh_;
   const VertexFaces& vertex_faces_;
-  const ChosenViews& chosen_;
+  const FaceChoice& chosen_;
   std::vector<float> density_;  // pixels a unit of length, of vertices
   std::vector<VertexView> own_;
   std::vector<VertexView> faded_;
@@ -233,14 +233,14 @@ int64_t VertexViews::Find(uint32_t vertex, uint32_t view) const {
 
 VertexViews FadeViews(const IndexedMesh& mesh,
                       const VertexFaces& vertex_faces,
-                      const ChosenViews& chosen,
+                      const FaceChoice& chosen,
                       const Context& context) {
   return Fader(mesh, vertex_faces, chosen).Run(context);
 }
 
 VertexViews AllViews(const IndexedMesh& mesh,
                      const VertexFaces& vertex_faces,
-                     const ChosenViews& chosen,
+                     const FaceChoice& chosen,
                      const Context& context) {
   const size_t num_vertices = mesh.positions.size();
   std::vector<std::vector<VertexView>> chunks(

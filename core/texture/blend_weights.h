@@ -33,7 +33,7 @@ struct VertexViews {
 };
 
 // What is known of each triangle when weights are computed.
-struct ChosenViews {
+struct FaceChoice {
   const FaceViews& views;
   const ViewCosts& costs;
   const std::vector<uint32_t>& chosen;  // kNoView where no view shows it
@@ -50,14 +50,14 @@ inline constexpr float kFadePixels = 8;
 // take its place.
 VertexViews FadeViews(const IndexedMesh& mesh,
                       const VertexFaces& vertex_faces,
-                      const ChosenViews& chosen,
+                      const FaceChoice& chosen,
                       const Context& context);
 
 // For the median: all photographs that all triangles around a vertex may be
 // textured from, weighted by the squares of their resolutions.
 VertexViews AllViews(const IndexedMesh& mesh,
                      const VertexFaces& vertex_faces,
-                     const ChosenViews& chosen,
+                     const FaceChoice& chosen,
                      const Context& context);
 
 }  // namespace octacut

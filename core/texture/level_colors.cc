@@ -50,7 +50,7 @@ class Leveler {
  public:
   Leveler(const IndexedMesh& mesh,
           const VertexFaces& vertex_faces,
-          const ChosenViews& chosen,
+          const FaceChoice& chosen,
           const VertexViews& vertex_views)
       : mesh_(mesh),
         vertex_faces_(vertex_faces),
@@ -200,7 +200,7 @@ class Leveler {
 
   const IndexedMesh& mesh_;
   const VertexFaces& vertex_faces_;
-  const ChosenViews& chosen_;
+  const FaceChoice& chosen_;
   const VertexViews& vertex_views_;
   Triplets triplets_;
   Eigen::MatrixX3d right_;
@@ -211,7 +211,7 @@ class Leveler {
 
 std::vector<Eigen::Vector3f> LevelColors(const IndexedMesh& mesh,
                                          const VertexFaces& vertex_faces,
-                                         const ChosenViews& chosen,
+                                         const FaceChoice& chosen,
                                          const VertexViews& vertex_views,
                                          const Context& context) {
   return Leveler(mesh, vertex_faces, chosen, vertex_views).Run(context);
@@ -219,7 +219,7 @@ std::vector<Eigen::Vector3f> LevelColors(const IndexedMesh& mesh,
 
 std::vector<Eigen::Vector3f> FillColors(const IndexedMesh& mesh,
                                         const VertexFaces& vertex_faces,
-                                        const ChosenViews& chosen,
+                                        const FaceChoice& chosen,
                                         const Context& context) {
   const Phase phase(context, "unseen parts");
   std::vector<Eigen::Vector3f> colors(mesh.positions.size());

@@ -24,7 +24,7 @@ namespace octacut {
 // that moves with the camera, vignetting, exposure) becomes that of all views.
 std::vector<Eigen::Vector3f> LevelColors(const IndexedMesh& mesh,
                                          const VertexFaces& vertex_faces,
-                                         const ChosenViews& chosen,
+                                         const FaceChoice& chosen,
                                          const VertexViews& vertex_views,
                                          const Context& context);
 
@@ -33,7 +33,7 @@ std::vector<Eigen::Vector3f> LevelColors(const IndexedMesh& mesh,
 // over the mesh). Pieces of the mesh that no view shows get the mean colour.
 std::vector<Eigen::Vector3f> FillColors(const IndexedMesh& mesh,
                                         const VertexFaces& vertex_faces,
-                                        const ChosenViews& chosen,
+                                        const FaceChoice& chosen,
                                         const Context& context);
 
 }  // namespace octacut

@@ -162,7 +162,7 @@ void CheckInput(const IndexedMesh& mesh, const Photographs& photographs) {
 
 }  // namespace
 
-void TextureOptions::Check() const {
+void TexturingOptions::Check() const {
   CheckOption(texture_size >= 64 && texture_size <= 8192,
               "texture_size",
               texture_size,
@@ -179,7 +179,7 @@ void TextureOptions::Check() const {
 
 TexturingResult TextureMesh(const IndexedMesh& mesh,
                             const Photographs& photographs,
-                            const TextureOptions& options,
+                            const TexturingOptions& options,
                             const Context& context) {
   options.Check();
   CheckInput(mesh, photographs);
@@ -213,7 +213,7 @@ TexturingResult TextureMesh(const IndexedMesh& mesh,
   layout.packed = PackCharts(
       layout.charts, {options.texture_size, options.max_pages}, context);
   const bool is_best = options.view_blending == ViewBlending::kBest;
-  const ChosenViews known{views, costs, chosen};
+  const FaceChoice known{views, costs, chosen};
   const VertexViews vertex_views =
       is_best ? FadeViews(mesh, vertex_faces, known, context)
               : AllViews(mesh, vertex_faces, known, context);

@@ -14,7 +14,7 @@
 
 namespace octacut {
 
-struct TextureOptions {
+struct TexturingOptions {
   ViewBlending view_blending = ViewBlending::kBest;
   // Pages have at most so many texels along a side, and there are at most so
   // many; 8192 is what graphics cards of today take.
@@ -61,7 +61,7 @@ struct TexturingResult {
 // do not suffice.
 TexturingResult TextureMesh(const IndexedMesh& mesh,
                             const Photographs& photographs,
-                            const TextureOptions& options,
+                            const TexturingOptions& options,
                             const Context& context);
 
 }  // namespace octacut

@@ -13,6 +13,7 @@
 #include "plugin/commands/mesh_exporter.h"
 #include "plugin/commands/mesh_refiner.h"
 #include "plugin/commands/mesh_simplifier.h"
+#include "plugin/commands/mesh_texturer.h"
 #include "plugin/commands/octahedral_mesher.h"
 #include "plugin/commands/version.h"
 #include "plugin/commands/visual_hull_mesher.h"
@@ -54,6 +55,9 @@ std::span<const RegistryEntry> CommandRegistry() {
       {"mesh_simplifier",
        "Reduce the number of triangles of a closed mesh",
        &MakeMeshSimplifier},
+      {"mesh_texturer",
+       "Texture a mesh from the photographs of a workspace",
+       &MakeMeshTexturer},
       {"octahedral_mesher",
        "Reconstruct a closed mesh from a sparse model, masks and photographs",
        &MakeOctahedralMesher},

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
 #include <utility>
 
 #include "colmap_io/files/atomic_files.h"
@@ -52,6 +53,24 @@ std::string NameAmong(const fs::path& path,
     num_equal += other.filename() == path.filename();
   }
   return num_equal > 1 ? path.string() : path.filename().string();
+}
+
+std::vector<fs::path> SplitPaths(const std::vector<fs::path>& values) {
+  std::vector<fs::path> paths;
+  for (const fs::path& value : values) {
+    std::error_code ignored;
+    if (fs::exists(value, ignored)) {
+      paths.push_back(value);
+      continue;
+    }
+    std::istringstream list(value.string());
+    for (std::string part; std::getline(list, part, ',');) {
+      if (!part.empty()) {
+        paths.emplace_back(part);
+      }
+    }
+  }
+  return paths;
 }
 
 void CheckReportPath(const fs::path& output_path,

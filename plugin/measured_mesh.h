@@ -29,6 +29,11 @@ MeasuredMesh MeasureMesh(const std::filesystem::path& path,
 std::string NameAmong(const std::filesystem::path& path,
                       const std::vector<std::filesystem::path>& paths);
 
+// The meshes that a repeatable option names: each value is a path, or several
+// separated by commas where no file has the whole name.
+std::vector<std::filesystem::path> SplitPaths(
+    const std::vector<std::filesystem::path>& values);
+
 // A report that replaced one of the meshes would be a bad surprise: throws
 // OptionError for an output_path that is one of them, InputError for one that
 // cannot be written. An empty one is none.

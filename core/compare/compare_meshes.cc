@@ -7,6 +7,7 @@
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
+#include "core/compare/distance_curve.h"
 #include "core/compare/surface_samples.h"
 #include "core/raycast/ray_scene.h"
 
@@ -174,6 +175,10 @@ void Score(const Distances& to_reference,
     score.f_score = sum > 0 ? 2 * score.precision * score.recall / sum : 0;
     result->scores.push_back(score);
   }
+  result->precision_curve =
+      DistanceCurve(to_reference.samples, result->reference_diagonal);
+  result->recall_curve =
+      DistanceCurve(from_reference.samples, result->reference_diagonal);
   result->accuracy = Quantile(to_reference.samples, options.accuracy_fraction);
   result->completeness = FractionWithin(
       from_reference.samples,

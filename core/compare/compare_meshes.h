@@ -64,6 +64,9 @@ struct MeshComparison {
   DistanceStatistics to_reference;    // from the mesh
   DistanceStatistics from_reference;  // to the mesh
   std::vector<ThresholdScore> scores;
+  // Precision and recall over all thresholds of distance_curve.h.
+  std::vector<double> precision_curve;
+  std::vector<double> recall_curve;
   double accuracy = 0;      // a distance
   double completeness = 0;  // a fraction of the reference
   std::optional<MeshAlignment> alignment;

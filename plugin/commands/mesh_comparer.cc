@@ -39,8 +39,8 @@ class MeshComparer : public Command {
 
  private:
   // Which part of the reference is judged; empty where all of it is.
-  ReferenceFilter JudgedPart(const IndexedMesh& reference) const;
-  ReferenceFilter SeenPart(const IndexedMesh& reference) const;
+  ReferenceFilter JudgedPart(const IndexedMesh& reference);
+  ReferenceFilter SeenPart(const IndexedMesh& reference);
   MeasuredMesh Measure(const fs::path& path, const Context& context) const;
   Json CompareOne(const fs::path& path,
                   const MeasuredMesh& reference,
@@ -157,17 +157,18 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
   options.AddConstant("Alignment.tolerance", compare_.alignment.tolerance);
 }
 
-ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) const {
+ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) {
   const SparseModel model = ReadSparseModel(views_path_);
   std::vector<PosedCamera> cameras;
   for (const SparseImage& image : model.images) {
     cameras.push_back({UndistortedCamera(*model.FindCamera(image.camera_id)),
                        image.CamFromWorld()});
+    page_.cameras.push_back(image.CamFromWorld());
   }
   return SeenByCameras(reference, std::move(cameras), seen_);
 }
 
-ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference) const {
+ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference) {
   const ReferenceFilter seen =
       views_path_.empty() ? ReferenceFilter() : SeenPart(reference);
   if (bounding_box_.empty()) {

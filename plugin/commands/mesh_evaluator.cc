@@ -224,6 +224,9 @@ void MeshEvaluator::WritePage(const CommandEnvironment& environment,
         page_.meshes[0].name,
         page_.meshes[1].name));
   }
+  for (const View& view : views) {
+    page_.cameras.push_back(view.cam_from_world);
+  }
   page_.command_line = CommandLineOf(environment);
   page_.report = report;
   WriteComparisonPage(html_path_, page_, views, environment.context);

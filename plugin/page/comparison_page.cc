@@ -58,12 +58,28 @@ std::string_view Asset(std::string_view name) {
   throw InvariantError(fmt::format("no page asset {}", name));
 }
 
+// "up": the mean of the cameras' upward directions; "front": where the first
+// one stands.
+void AddOrientation(const std::vector<Rigid3d>& cameras, Json* json) {
+  if (cameras.empty()) {
+    return;
+  }
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  for (const Rigid3d& cam_from_world : cameras) {
+    up -= cam_from_world.rotation.row(1).transpose() / double(cameras.size());
+  }
+  const Eigen::Vector3d front = cameras.front().Inverse().translation;
+  (*json)["up"] = {up.x(), up.y(), up.z()};
+  (*json)["front"] = {front.x(), front.y(), front.z()};
+}
+
 Json PageToJson(const ComparisonPage& page, PageBlobs* blobs) {
   Json json;
   json["title"] = page.title;
   json["has_truth"] = page.has_truth;
   json["diagonal"] = page.diagonal;
   json["compared_with"] = page.compared_with;
+  AddOrientation(page.cameras, &json);
   json["protocol"] = page.protocol;
   json["command_line"] = page.command_line;
   json["meshes"] = Json::array();

@@ -23,6 +23,8 @@ struct ComparisonPage {
   // mesh where there is none.
   double diagonal = 0;
   std::string compared_with;  // the name of that mesh
+  // Where the views are taken from, to show the meshes upright at first.
+  std::vector<Rigid3d> cameras;
   // In the order of the report; the reference last.
   std::vector<PageMesh> meshes;
   // Lines that state how the figures came about.

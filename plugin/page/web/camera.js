@@ -4,7 +4,6 @@
 (function () {
   const fieldOfView = (32 * Math.PI) / 180;
   const flightMilliseconds = 700;
-  const home = { x: -0.28, y: 0.62 };
 
   class SharedCamera {
     constructor(onChange) {
@@ -22,27 +21,35 @@
       this.reset(false);
     }
 
-    // Photographs tell what is up: the mean of their upward directions.
+    // Cameras tell what is up: the mean of their upward directions.
     upDirection() {
-      const up = new THREE.Vector3();
-      for (const photograph of Octacut.page.photographs) {
-        const r = photograph.rotation;
-        up.add(new THREE.Vector3(-r[3], -r[4], -r[5]));
-      }
+      const up = new THREE.Vector3(...(Octacut.page.up || [0, 1, 0]));
       return up.length() > 0.1 ? up.normalize() : new THREE.Vector3(0, 1, 0);
+    }
+
+    // Where the first camera stands, a little above; without cameras, obliquely.
+    homeDirection() {
+      if (!Octacut.page.front) {
+        const turn = new THREE.Quaternion().setFromUnitVectors(
+          new THREE.Vector3(0, 1, 0), this.up);
+        return new THREE.Vector3(0.55, 0.28, 0.8).applyQuaternion(turn).normalize();
+      }
+      const front = new THREE.Vector3(...Octacut.toViewer(Octacut.page.front));
+      front.normalize();
+      const level = front.clone().addScaledVector(this.up, -front.dot(this.up));
+      return level.length() > 0.3
+        ? level.normalize().addScaledVector(this.up, 0.2).normalize() : front;
     }
 
     homePose() {
       const sizes = Octacut.box.high.map((v, k) => v - Octacut.box.low[k]);
       const radius = Math.hypot(sizes[0], sizes[1], sizes[2]) / 2;
-      const orientation = new THREE.Quaternion().setFromUnitVectors(
-        new THREE.Vector3(0, 1, 0), this.up);
-      orientation.multiply(new THREE.Quaternion().setFromEuler(
-        new THREE.Euler(home.x, home.y, 0, 'YXZ')));
+      const orientation = new THREE.Quaternion().setFromRotationMatrix(
+        new THREE.Matrix4().lookAt(this.homeDirection(), new THREE.Vector3(), this.up));
       return {
         target: new THREE.Vector3(),
         orientation: orientation,
-        distance: (1.02 * radius) / Math.sin(fieldOfView / 2),
+        distance: (0.9 * radius) / Math.sin(fieldOfView / 2),
         photograph: null,
       };
     }

@@ -43,7 +43,7 @@
     if (viewer) {
       const kinds = new Set(page.meshes.flatMap(mesh => mesh.values.map(v => v.kind)));
       const legend = new Octacut.Legend(viewer, kinds);
-      document.getElementById('stage').append(legend.element);
+      document.getElementById('stage').after(legend.element);
       viewer.showPhotograph = () => {};
       viewer.stepPhotograph = () => {};
       document.getElementById('stage').before(Octacut.toolbar(viewer, legend));
@@ -56,6 +56,8 @@
         '[': () => legend.scaleBy(1 / 1.25), ']': () => legend.scaleBy(1.25),
       });
       viewer.draw();
+      viewer.finish();
+      document.documentElement.dataset.firstFrame = String(Math.round(performance.now()));
     }
     const theme = document.getElementById('theme');
     theme.addEventListener('click', () => {

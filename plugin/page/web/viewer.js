@@ -6,7 +6,7 @@
       this.canvas = canvas;
       this.labels = labels;
       this.renderer = new THREE.WebGLRenderer({
-        canvas: canvas, antialias: true, preserveDrawingBuffer: true });
+        canvas: canvas, antialias: true });
       this.renderer.autoClear = false;
       this.renderer.setScissorTest(true);
       this.surfaces = Octacut.page.meshes.map(mesh => new Octacut.Surface(mesh));
@@ -106,6 +106,12 @@
       if (this.onFrame) {
         this.onFrame();
       }
+    }
+
+    // Waits until what was drawn is there.
+    finish() {
+      const gl = this.renderer.getContext();
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     }
 
     drawViewport(viewport, background) {

@@ -19,13 +19,16 @@ namespace fs = std::filesystem;
 MeasuredMesh MeasureMesh(const fs::path& path,
                          const std::string& name,
                          bool self_intersections,
-                         const Context& context) {
+                         const Context& context,
+                         AllowClouds clouds) {
   const Phase phase(context, fmt::format("Examine {}", name));
   MeshFile file = ReadMesh(path);
   for (const std::string& note : file.notes) {
     context.Info(fmt::format("{}: {}", path.string(), note));
   }
-  if (file.mesh.triangles.empty()) {
+  const bool is_cloud = file.mesh.triangles.empty();
+  if (is_cloud &&
+      (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {
     throw InputError(fmt::format("{}: the mesh has no faces, only {} vertices",
                                  path.string(),
                                  file.mesh.positions.size()));
@@ -36,7 +39,7 @@ MeasuredMesh MeasureMesh(const fs::path& path,
   measured.json["path"] = path.string();
   measured.json["notes"] = file.notes;
   measured.json["audit"] = AuditToJson(measured.result.audit);
-  if (self_intersections) {
+  if (self_intersections && !is_cloud) {
     measured.result.self_intersections =
         FindSelfIntersections(file.mesh, context);
     measured.json["self_intersections"] =

@@ -19,11 +19,15 @@ struct MeasuredMesh {
   Json json;
 };
 
-// Throws InputError for a file that is no mesh with faces.
+enum class AllowClouds { kNo, kYes };
+
+// Throws InputError for a file that is no mesh with faces, unless clouds of
+// points are allowed.
 MeasuredMesh MeasureMesh(const std::filesystem::path& path,
                          const std::string& name,
                          bool self_intersections,
-                         const Context& context);
+                         const Context& context,
+                         AllowClouds clouds = AllowClouds::kNo);
 
 // The file's name, or the whole path where another of `paths` has the same.
 std::string NameAmong(const std::filesystem::path& path,

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/compare/distance_curve.h"
+#include "plugin/transform_file.h"
 
 namespace octacut {
 namespace {
@@ -39,6 +40,7 @@ Json AlignmentToJson(const MeshAlignment& alignment, double diagonal) {
     rotation.push_back(ToJson(transform.rotation.row(row).transpose()));
   }
   Json json;
+  json["matrix"] = TransformToJson(transform);
   json["scale"] = transform.scale;
   json["rotation"] = std::move(rotation);
   json["translation"] = ToJson(transform.translation);

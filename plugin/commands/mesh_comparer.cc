@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
+#include <utility>
 #include <vector>
 
+#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/undistorted_camera.h"
+#include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/read_sparse_model.h"
+#include "core/base/check_option.h"
 #include "core/compare/compare_meshes.h"
 #include "core/compare/seen_reference.h"
 #include "core/compare/signed_distance.h"
@@ -17,6 +22,7 @@
 #include "plugin/mesh_json.h"
 #include "plugin/page/page_builder.h"
 #include "plugin/report.h"
+#include "plugin/transform_file.h"
 
 namespace octacut {
 namespace {
@@ -45,9 +51,11 @@ class MeshComparer : public Command {
   Json CompareOne(const fs::path& path,
                   const MeasuredMesh& reference,
                   const Context& context);
-  void AddToPage(const MeasuredMesh& measured,
-                 const MeasuredMesh& reference,
-                 const Context& context);
+  void ShowDistances(const MeasuredMesh& measured,
+                     const MeasuredMesh& reference,
+                     const Context& context);
+  fs::path DistancePath(const fs::path& mesh) const;
+  void CheckPaths() const;
   void PrintTables(const ComparedMesh& reference, std::ostream& out) const;
   void WritePage(const CommandEnvironment& environment, const Json& report);
   std::vector<std::string> Protocol(
@@ -63,8 +71,12 @@ class MeshComparer : public Command {
   CompareMeshesOptions compare_;
   bool reference_is_truth_ = true;
   fs::path html_path_;
+  fs::path transform_path_;
+  fs::path transform_output_path_;
+  fs::path distance_path_;
   // Of the compared meshes, in the order of input_paths_.
   std::vector<ComparedMesh> results_;
+  Similarity3d given_transform_;
   ComparisonPage page_;
   PageMesh reference_page_;
 };
@@ -83,6 +95,23 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
               &html_path_,
               "HTML page to write, in which the meshes and their distances can "
               "be looked at. Default: none.");
+  options.Add("transform_path",
+              &transform_path_,
+              "Text file with a 4 x 4 matrix, row by row, by which the compared "
+              "meshes are moved first. Default: none.");
+  options
+      .Add("transform_output_path",
+           &transform_output_path_,
+           "Text file to write: the 4 x 4 matrix that brings the mesh, one "
+           "only, into the frame of the reference. Used with align.")
+      .ForExperts();
+  options
+      .Add("distance_path",
+           &distance_path_,
+           "Folder in which each compared mesh is saved with its signed "
+           "distance to the reference at every vertex (.ply, property quality, "
+           "for MeshLab and CloudCompare). Default: none.")
+      .ForExperts();
   options.Add("reference_is_truth",
               &reference_is_truth_,
               "If 0, the reference is one mesh among others: there are "
@@ -182,14 +211,20 @@ ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference) {
 
 MeasuredMesh MeshComparer::Measure(const fs::path& path,
                                    const Context& context) const {
-  return MeasureMesh(
-      path, NameAmong(path, input_paths_), self_intersections_, context);
+  return MeasureMesh(path,
+                     NameAmong(path, input_paths_),
+                     self_intersections_,
+                     context,
+                     html_path_.empty() && distance_path_.empty()
+                         ? AllowClouds::kYes
+                         : AllowClouds::kNo);
 }
 
 Json MeshComparer::CompareOne(const fs::path& path,
                               const MeasuredMesh& reference,
                               const Context& context) {
   MeasuredMesh measured = Measure(path, context);
+  measured.mesh = TransformMesh(std::move(measured.mesh), given_transform_);
   const Phase phase(context, fmt::format("Compare {}", measured.result.name));
   measured.result.comparison =
       CompareMeshes(measured.mesh, reference.mesh, compare_, context);
@@ -197,17 +232,24 @@ Json MeshComparer::CompareOne(const fs::path& path,
   measured.json["comparison"] = reference_is_truth_
                                     ? ComparisonToJson(comparison)
                                     : DistancesToJson(comparison);
+  if (!html_path_.empty() || !distance_path_.empty()) {
+    ShowDistances(measured, reference, context);
+  }
   if (!html_path_.empty()) {
-    AddToPage(measured, reference, context);
     measured.json["places"] = PlacesToJson(page_.meshes.back());
+  }
+  if (!transform_output_path_.empty()) {
+    WriteTransform(
+        transform_output_path_,
+        comparison.alignment->reference_from_mesh * given_transform_);
   }
   results_.push_back(std::move(measured.result));
   return std::move(measured.json);
 }
 
-void MeshComparer::AddToPage(const MeasuredMesh& measured,
-                             const MeasuredMesh& reference,
-                             const Context& context) {
+void MeshComparer::ShowDistances(const MeasuredMesh& measured,
+                                 const MeasuredMesh& reference,
+                                 const Context& context) {
   const MeshComparison& comparison = *measured.result.comparison;
   const IndexedMesh moved =
       comparison.alignment
@@ -215,14 +257,23 @@ void MeshComparer::AddToPage(const MeasuredMesh& measured,
                           comparison.alignment->reference_from_mesh)
           : measured.mesh;
   const std::string& name = measured.result.name;
-  PageMesh page =
-      MakePageMesh(name, moved, input_paths_.size() + 1, context);
   const std::vector<float> distances =
       SignedDistances(moved.positions,
                       reference.mesh,
                       RayScene(reference.mesh),
                       context,
                       compare_.reference_filter);
+  if (!distance_path_.empty()) {
+    WriteMeshWithValues(DistancePath(measured.json["path"].get<std::string>()),
+                        moved,
+                        distances,
+                        "quality");
+  }
+  if (html_path_.empty()) {
+    return;
+  }
+  PageMesh page =
+      MakePageMesh(name, moved, input_paths_.size() + 1, context);
   FindDistancePlaces(
       moved, distances, comparison.reference_diagonal, context, &page);
   AddDistances(reference.result.name, distances, &page);
@@ -234,6 +285,37 @@ void MeshComparer::AddToPage(const MeasuredMesh& measured,
     AddDistances(name, std::move(back), &reference_page_);
   }
   page_.diagonal = comparison.reference_diagonal;
+}
+
+fs::path MeshComparer::DistancePath(const fs::path& mesh) const {
+  return distance_path_ / (mesh.stem().string() + "-distance.ply");
+}
+
+void MeshComparer::CheckPaths() const {
+  std::vector<fs::path> files_read = input_paths_;
+  files_read.push_back(reference_path_);
+  CheckReportPath(output_path_, files_read);
+  files_read.push_back(output_path_);
+  CheckPagePath(html_path_, files_read);
+  CheckOption(transform_output_path_.empty() ||
+                  (compare_.align && input_paths_.size() == 1),
+              "transform_output_path",
+              transform_output_path_.string(),
+              "needs align = 1 and a single input_path");
+  if (!transform_output_path_.empty()) {
+    CheckFilePath(transform_output_path_);
+  }
+  if (!distance_path_.empty()) {
+    std::set<fs::path> names;
+    for (const fs::path& path : input_paths_) {
+      CheckFilePath(DistancePath(path));
+      CheckOption(names.insert(DistancePath(path)).second,
+                  "distance_path",
+                  distance_path_.string(),
+                  fmt::format("two meshes would be saved as {}",
+                              DistancePath(path).filename().string()));
+    }
+  }
 }
 
 void MeshComparer::PrintTables(const ComparedMesh& reference,
@@ -280,6 +362,11 @@ std::vector<std::string> MeshComparer::Protocol(
           alignment->num_iterations,
           alignment->converged ? "" : ", not converged"));
     }
+  }
+  if (!transform_path_.empty()) {
+    lines.push_back(fmt::format("Transform: the compared meshes were moved by "
+                                "the matrix in {}.",
+                                transform_path_.string()));
   }
   if (!compare_.align) {
     lines.emplace_back("Alignment: none, the meshes are compared as they are.");
@@ -329,11 +416,10 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   compare_.Check();
   seen_.Check();
   input_paths_ = SplitPaths(input_paths_);
-  std::vector<fs::path> files_read = input_paths_;
-  files_read.push_back(reference_path_);
-  CheckReportPath(output_path_, files_read);
-  files_read.push_back(output_path_);
-  CheckPagePath(html_path_, files_read);
+  CheckPaths();
+  if (!transform_path_.empty()) {
+    given_transform_ = ReadTransform(transform_path_);
+  }
   MeasuredMesh reference = Measure(reference_path_, context);
   compare_.reference_filter = JudgedPart(reference.mesh);
   if (!html_path_.empty()) {

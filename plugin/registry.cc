@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "plugin/commands/depth_map_renderer.h"
 #include "plugin/commands/example_creator.h"
 #include "plugin/commands/mask_comparer.h"
 #include "plugin/commands/mask_extractor.h"
@@ -22,6 +23,9 @@ namespace octacut {
 
 std::span<const RegistryEntry> CommandRegistry() {
   static constexpr auto kCommands = std::to_array<RegistryEntry>({
+      {"depth_map_renderer",
+       "Write depth and normal maps for COLMAP's stereo_fusion",
+       &MakeDepthMapRenderer},
       {"example_creator",
        "Create a synthetic workspace with ground truth",
        &MakeExampleCreator},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <utility>
 
 #include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_readers.h"
@@ -121,6 +122,16 @@ void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   CheckSizes(mesh);
   WriteFile(path,
             [&](std::ostream& stream) { WriteMesh(stream, format, mesh); });
+}
+
+void WriteMeshWithValues(const std::filesystem::path& path,
+                         IndexedMesh mesh,
+                         std::vector<float> values,
+                         std::string_view name) {
+  mesh.confidence = std::move(values);
+  CheckSizes(mesh);
+  WriteFile(path,
+            [&](std::ostream& stream) { WritePly(mesh, stream, name); });
 }
 
 void WriteMesh(std::ostream& stream,

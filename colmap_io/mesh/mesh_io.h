@@ -49,6 +49,13 @@ void WriteMesh(std::ostream& stream,
                MeshFormat format,
                const IndexedMesh& mesh);
 
+// Writes PLY whatever the extension, with `values`, one a vertex, as a float
+// property `name`.
+void WriteMeshWithValues(const std::filesystem::path& path,
+                         IndexedMesh mesh,
+                         std::vector<float> values,
+                         std::string_view name);
+
 // To be asked before any long work: throws OptionError for an unknown
 // extension and InputError when the folder is missing or cannot be written
 // to, or the path is there and no regular file.

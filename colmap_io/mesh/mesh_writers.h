@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ostream>
+#include <string_view>
 
 #include "core/mesh/indexed_mesh.h"
 
@@ -11,7 +12,10 @@ namespace octacut {
 // uchar red green blue and float confidence where present; list uchar int
 // vertex_indices. Floats hold 24 bits, which is what octacut's own meshes are
 // kept to; of others the other formats (but STL) keep more.
-void WritePly(const IndexedMesh& mesh, std::ostream& stream);
+// `confidence_name` is what the property of the confidences is called.
+void WritePly(const IndexedMesh& mesh,
+              std::ostream& stream,
+              std::string_view confidence_name = "confidence");
 
 // v with colours from 0 to 1 as MeshLab has them, vn, f v//vn. Coordinates
 // with all their digits.

@@ -9,6 +9,7 @@
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/benchmark/compare/align_step.h"
+#include "core/benchmark/compare/cloud.h"
 #include "core/mesh/surface_samples.h"
 
 namespace octacut {
@@ -32,7 +33,15 @@ class Aligner {
         context_(context),
         filter_(filter) {
     const auto count = static_cast<size_t>(options.num_samples);
-    mesh_samples_ = SampleSurface(mesh, count, context.Seed() + 2, context);
+    if (IsCloud(reference)) {
+      throw InputError(
+          "alignment: the reference is a point cloud, which has no normals to "
+          "align with");
+    }
+    mesh_samples_ =
+        IsCloud(mesh)
+            ? SampleCloud(mesh, count)
+            : SampleSurface(mesh, count, context.Seed() + 2, context);
     reference_samples_ =
         SampleSurface(reference, count, context.Seed() + 3, context);
     DropFilteredSamples();

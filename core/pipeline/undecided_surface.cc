@@ -29,7 +29,7 @@ constexpr float kUndecidedAround = 0.5f;
 constexpr float kDecidedAround = 0.9f;
 
 // Of the weights at the hull's border. 0.3 and 0.7 are about as good
-// (docs/design.md, "The border of the hull").
+// (docs/experiments/convex_surfaces.md).
 constexpr float kHullDiscount = 0.5f;
 
 // Levels from which on photo-consistency sees texture that the depth sweep did

@@ -86,6 +86,14 @@ void FlattenUndecidedWeights(const Decision& decision,
   }
 }
 
+std::vector<float> DecidedWeights(const Decision& decision,
+                                  const std::vector<float>& phi,
+                                  const ReconstructionOptions& options) {
+  std::vector<float> weights = EdgeWeights(phi, options.energy);
+  FlattenUndecidedWeights(decision, options, &weights);
+  return weights;
+}
+
 void HoldUndecidedSurface(const Crust& crust,
                           const Decision& decision,
                           const std::vector<float>& hull_depth,

@@ -37,8 +37,8 @@ constexpr double kFewDoubts = 0.1;
 constexpr double kMargin = 0.15;
 // Log odds beyond which a pixel is taken for sure and learned from.
 constexpr float kSure = 1;
-// Of the cut in each view: a border of one pixel's length costs what one view
-// says for sure.
+// The smoothness of the cut in each view: a border of one pixel's length costs
+// as much as the certain evidence of one view.
 constexpr float kSmoothness = kOneViewsWord;
 // What the others hold for object need not be: they leave more than there is.
 // So their word for it counts by this much less than that against it.
@@ -261,8 +261,7 @@ Segmentation Segmenter::Run() {
   if (!best) {
     throw InputError(
         "the photographs: nothing that the cameras look at differs from its "
-        "surroundings in all of them; --OctahedralMeshing.bounding_box or "
-        "--strokes_path can help");
+        "surroundings in all of them; `bounding_box` or strokes can help");
   }
   return *std::move(best);
 }

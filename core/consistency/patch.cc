@@ -30,38 +30,32 @@ void Patch::Sample(const ViewSet& views,
   for (int i = 0; i < selection.count; ++i) {
     Colors& colors = views_[num_views_];
     colors.weight = selection.views[i].weight;
-    if (SampleView(views[selection.views[i].view],
-                   center,
-                   tangent_u * spacing,
-                   tangent_v * spacing,
-                   spacing,
-                   radius,
-                   &colors)) {
+    if (SampleView(
+            views[selection.views[i].view],
+            {center, tangent_u * spacing, tangent_v * spacing, spacing, radius},
+            &colors)) {
       ++num_views_;
     }
   }
 }
 
 bool Patch::SampleView(const PreparedView& view,
-                       const Eigen::Vector3f& center,
-                       const Eigen::Vector3f& tangent_u,
-                       const Eigen::Vector3f& tangent_v,
-                       float spacing,
-                       int radius,
+                       const Lattice& lattice,
                        Colors* colors) const {
+  const int radius = lattice.radius;
   // The patch is small against its distance: its projection is affine.
-  const Eigen::Vector3f h = view.projection.Homogeneous(center);
+  const Eigen::Vector3f h = view.projection.Homogeneous(lattice.center);
   const float inverse_depth = 1 / h.z();
   const float u = h.x() * inverse_depth;
   const float v = h.y() * inverse_depth;
-  const Eigen::Vector3f step_u = view.projection.linear * tangent_u;
-  const Eigen::Vector3f step_v = view.projection.linear * tangent_v;
+  const Eigen::Vector3f step_u = view.projection.linear * lattice.step_u;
+  const Eigen::Vector3f step_v = view.projection.linear * lattice.step_v;
   const float u_du = (step_u.x() - u * step_u.z()) * inverse_depth;
   const float v_du = (step_u.y() - v * step_u.z()) * inverse_depth;
   const float u_dv = (step_v.x() - u * step_v.z()) * inverse_depth;
   const float v_dv = (step_v.y() - v * step_v.z()) * inverse_depth;
-  const PyramidLevel& level =
-      view.pyramid.LevelForFootprint(view.projection.Footprint(spacing, h.z()));
+  const PyramidLevel& level = view.pyramid.LevelForFootprint(
+      view.projection.Footprint(lattice.spacing, h.z()));
   int num_background = 0;
   int sample = 0;
   for (int j = -radius; j <= radius; ++j) {

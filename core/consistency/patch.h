@@ -42,12 +42,17 @@ class Patch {
   const Colors& View(int i) const { return views_[i]; }
 
  private:
+  // (2 radius + 1)^2 points center + i * step_u + j * step_v, `spacing` apart.
+  struct Lattice {
+    Eigen::Vector3f center;
+    Eigen::Vector3f step_u;
+    Eigen::Vector3f step_v;
+    float spacing;
+    int radius;
+  };
+
   bool SampleView(const PreparedView& view,
-                  const Eigen::Vector3f& center,
-                  const Eigen::Vector3f& tangent_u,
-                  const Eigen::Vector3f& tangent_v,
-                  float spacing,
-                  int radius,
+                  const Lattice& lattice,
                   Colors* colors) const;
 
   int num_views_ = 0;

@@ -32,12 +32,12 @@ struct Reprojection {
   // Zero-mean normalised cross-correlation over the windows, -1 .. 1: 1 where
   // all agree.
   double mean_correlation = 0;
-  // Of the windows' correlations the tenth from below.
+  // The tenth percentile of the windows' correlations.
   double percentile_10 = 0;
-  // Of whole windows seen by both views.
+  // The share of the whole windows seen by both views that is plain.
   double plain_fraction = 0;
-  // Of the mesh's pixels those that are in the middle of a whole window with
-  // at least one neighbour.
+  // The share of the mesh's pixels that are in the middle of a whole window
+  // with at least one neighbour.
   double compared_fraction = 0;
 };
 

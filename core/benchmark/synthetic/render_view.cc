@@ -167,7 +167,7 @@ class ViewRenderer {
     return hit.has_value();
   }
 
-  // Of a pixel at the silhouette, from an 8 x 8 lattice.
+  // The coverage of a pixel at the silhouette, from an 8 x 8 lattice.
   float Coverage(int x, int y) const {
     constexpr int kSide = 8;
     int num_hits = 0;

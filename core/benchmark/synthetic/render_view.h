@@ -39,7 +39,7 @@ struct RenderSubject {
   Finish finish = {};
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  // bounding sphere
   double radius = 1;
-  // Of the vertices; visibility only for lights fixed to the object.
+  // Values of the vertices; visibility only for lights fixed to the object.
   std::vector<float> openness = {};
   std::vector<std::vector<float>> visibility = {};
 };

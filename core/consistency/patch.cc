@@ -1,6 +1,8 @@
 #include "core/consistency/patch.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace octacut {
 namespace {
@@ -19,49 +21,59 @@ void TangentBasis(const Eigen::Vector3f& normal,
 
 void Patch::Sample(const ViewSet& views,
                    const Visibility::Selection& selection,
-                   const Eigen::Vector3f& center,
-                   const Eigen::Vector3f& normal,
-                   float spacing,
-                   int radius) {
-  Eigen::Vector3f tangent_u, tangent_v;
-  TangentBasis(normal, &tangent_u, &tangent_v);
-  num_samples_ = (2 * radius + 1) * (2 * radius + 1);
+                   const PatchSurface& surface) {
+  Steps steps;
+  TangentBasis(surface.normal, &steps.u, &steps.v);
+  steps.u *= surface.spacing;
+  steps.v *= surface.spacing;
+  // At the corners the patch is turned by 45 degrees at most: a smaller part of
+  // the surface is turned farther, and is no paraboloid.
+  const float largest_curvature =
+      std::numbers::sqrt2_v<float> /
+      (2 * float(std::max(surface.radius, 1)) * surface.spacing);
+  const float curvature =
+      std::clamp(surface.curvature, -largest_curvature, largest_curvature);
+  steps.fall =
+      surface.normal * (-0.5f * curvature * surface.spacing * surface.spacing);
+  num_samples_ = (2 * surface.radius + 1) * (2 * surface.radius + 1);
   num_views_ = 0;
   for (int i = 0; i < selection.count; ++i) {
     Colors& colors = views_[num_views_];
     colors.weight = selection.views[i].weight;
-    if (SampleView(
-            views[selection.views[i].view],
-            {center, tangent_u * spacing, tangent_v * spacing, spacing, radius},
-            &colors)) {
+    if (SampleView(views[selection.views[i].view], surface, steps, &colors)) {
       ++num_views_;
     }
   }
 }
 
 bool Patch::SampleView(const PreparedView& view,
-                       const Lattice& lattice,
+                       const PatchSurface& surface,
+                       const Steps& steps,
                        Colors* colors) const {
-  const int radius = lattice.radius;
   // The patch is small against its distance: its projection is affine.
-  const Eigen::Vector3f h = view.projection.Homogeneous(lattice.center);
+  const Eigen::Vector3f h = view.projection.Homogeneous(surface.center);
   const float inverse_depth = 1 / h.z();
   const float u = h.x() * inverse_depth;
   const float v = h.y() * inverse_depth;
-  const Eigen::Vector3f step_u = view.projection.linear * lattice.step_u;
-  const Eigen::Vector3f step_v = view.projection.linear * lattice.step_v;
-  const float u_du = (step_u.x() - u * step_u.z()) * inverse_depth;
-  const float v_du = (step_u.y() - v * step_u.z()) * inverse_depth;
-  const float u_dv = (step_v.x() - u * step_v.z()) * inverse_depth;
-  const float v_dv = (step_v.y() - v * step_v.z()) * inverse_depth;
+  const auto pixels_of = [&](const Eigen::Vector3f& step) -> Eigen::Vector2f {
+    const Eigen::Vector3f moved = view.projection.linear * step;
+    return {(moved.x() - u * moved.z()) * inverse_depth,
+            (moved.y() - v * moved.z()) * inverse_depth};
+  };
+  const Eigen::Vector2f step_u = pixels_of(steps.u);
+  const Eigen::Vector2f step_v = pixels_of(steps.v);
+  const Eigen::Vector2f fall = pixels_of(steps.fall);
   const PyramidLevel& level = view.pyramid.LevelForFootprint(
-      view.projection.Footprint(lattice.spacing, h.z()));
+      view.projection.Footprint(surface.spacing, h.z()));
+  const int radius = surface.radius;
   int num_background = 0;
   int sample = 0;
   for (int j = -radius; j <= radius; ++j) {
     for (int i = -radius; i <= radius; ++i) {
-      Float4 color = level.Sample(u + float(i) * u_du + float(j) * u_dv,
-                                  v + float(i) * v_du + float(j) * v_dv);
+      const float falls = float(i * i + j * j);
+      Float4 color = level.Sample(
+          u + float(i) * step_u.x() + float(j) * step_v.x() + falls * fall.x(),
+          v + float(i) * step_u.y() + float(j) * step_v.y() + falls * fall.y());
       num_background += color[3] < kObjectCoverage ? 1 : 0;
       color[3] = 0;
       colors->samples[sample++] = color;

@@ -8,6 +8,19 @@
 
 namespace octacut {
 
+// Where samples are taken, unit coordinates: (2 radius + 1)^2 points, `spacing`
+// apart, on the paraboloid that touches the tangent plane at `center`. On the
+// plane itself they would fit a curved surface best somewhat below it: mean
+// photo-consistency would be lowest inside of what is convex, and outside of
+// what is hollow.
+struct PatchSurface {
+  Eigen::Vector3f center;
+  Eigen::Vector3f normal;
+  float curvature;  // mean, 1/unit; positive where convex
+  float spacing;
+  int radius;
+};
+
 class Patch {
  public:
   static constexpr int kMaxRadius = 4;
@@ -21,15 +34,11 @@ class Patch {
     float reliability = 0;  // contrast / (contrast + noise), after Normalize
   };
 
-  // Samples the patch around `center` with the given normal (unit
-  // coordinates); samples are `spacing` apart. Views in which more than a
-  // third of the samples is background are left out.
+  // Views in which more than a third of the samples is background are left
+  // out.
   void Sample(const ViewSet& views,
               const Visibility::Selection& selection,
-              const Eigen::Vector3f& center,
-              const Eigen::Vector3f& normal,
-              float spacing,
-              int radius);
+              const PatchSurface& surface);
 
   // Per view: subtracts the mean colour, weights chroma (see WeightChroma), and
   // divides by the norm over samples and channels, regularised by the noise
@@ -42,17 +51,17 @@ class Patch {
   const Colors& View(int i) const { return views_[i]; }
 
  private:
-  // (2 radius + 1)^2 points center + i * step_u + j * step_v, `spacing` apart.
-  struct Lattice {
-    Eigen::Vector3f center;
-    Eigen::Vector3f step_u;
-    Eigen::Vector3f step_v;
-    float spacing;
-    int radius;
+  // With steps of one sample along the surface, and by which it falls off one
+  // sample away from the centre.
+  struct Steps {
+    Eigen::Vector3f u;
+    Eigen::Vector3f v;
+    Eigen::Vector3f fall;
   };
 
   bool SampleView(const PreparedView& view,
-                  const Lattice& lattice,
+                  const PatchSurface& surface,
+                  const Steps& steps,
                   Colors* colors) const;
 
   int num_views_ = 0;

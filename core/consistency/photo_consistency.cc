@@ -165,13 +165,12 @@ void ConsistencySummary::Add(const ConsistencySummary& other) {
   num_unseen += other.num_unseen;
 }
 
-PhotoConsistency EstimateConsistency(
-    const ViewSet& views,
-    const VoxelGrid& voxels,
-    const std::vector<Eigen::Vector3f>& normals,
-    const Visibility& visibility,
-    const ConsistencyOptions& options,
-    const Context& context) {
+PhotoConsistency EstimateConsistency(const ViewSet& views,
+                                     const VoxelGrid& voxels,
+                                     const std::vector<SurfaceShape>& shapes,
+                                     const Visibility& visibility,
+                                     const ConsistencyOptions& options,
+                                     const Context& context) {
   options.Check();
   Phase phase(context,
               fmt::format("photo-consistency of level {}", voxels.Level()),
@@ -196,12 +195,14 @@ PhotoConsistency EstimateConsistency(
               ++count;
               const Eigen::Vector3f center =
                   VoxelCenter(DecodeMorton(code), voxels.Level());
+              const SurfaceShape& shape = shapes[index];
               patch.Sample(views,
-                           visibility.Select(center, normals[index]),
-                           center,
-                           normals[index],
-                           patches.spacing,
-                           patches.radius);
+                           visibility.Select(center, shape.normal),
+                           {center,
+                            shape.normal,
+                            shape.curvature * float(voxels.Resolution()),
+                            patches.spacing,
+                            patches.radius});
               if (patch.NumViews() < 2) {
                 result.phi[index] = float(options.neutral);
                 ++summary.num_unseen;

@@ -8,6 +8,7 @@
 #include "core/base/context.h"
 #include "core/grid/voxel_grid.h"
 #include "core/views/view_set.h"
+#include "core/visibility/surface_shape.h"
 #include "core/visibility/visibility.h"
 
 namespace octacut {
@@ -20,10 +21,9 @@ enum class ConsistencyMeasure {
 
 struct ConsistencyOptions {
   ConsistencyMeasure measure = ConsistencyMeasure::kNormalizedVariance;
-  // Samples are (2 r + 1)^2 points on the tangent plane through the voxel's
-  // centre, a voxel apart or, where that is more, a pixel; r in 1 .. 4.
-  // 3 is worse where voxels have two pixels:
-  // docs/experiments/photo_consistency.md.
+  // Samples are (2 r + 1)^2 points on the surface through the voxel's centre, a
+  // voxel apart or, where that is more, a pixel; r in 1 .. 4. 3 is worse where
+  // voxels have two pixels: docs/experiments/photo_consistency.md.
   int patch_radius = 2;
   // Where voxels are as small as pixels, r grows (up to 4) until the patch
   // spans this many pixels of the average view: fewer hold too little texture.
@@ -58,15 +58,14 @@ struct PhotoConsistency {
   ConsistencySummary summary;
 };
 
-// phi of every voxel of `voxels` with the given outward normals (one a voxel,
-// zero where there is none: the voxel counts as unseen), sampled from the
-// pyramid level whose pixels match the spacing of the samples.
-PhotoConsistency EstimateConsistency(
-    const ViewSet& views,
-    const VoxelGrid& voxels,
-    const std::vector<Eigen::Vector3f>& normals,
-    const Visibility& visibility,
-    const ConsistencyOptions& options,
-    const Context& context);
+// phi of every voxel of `voxels`, one shape a voxel (where that has no normal,
+// the voxel counts as unseen), sampled from the pyramid level whose pixels
+// match the spacing of the samples.
+PhotoConsistency EstimateConsistency(const ViewSet& views,
+                                     const VoxelGrid& voxels,
+                                     const std::vector<SurfaceShape>& shapes,
+                                     const Visibility& visibility,
+                                     const ConsistencyOptions& options,
+                                     const Context& context);
 
 }  // namespace octacut

@@ -6,7 +6,7 @@
 #include "core/cut/fixed_point.h"
 #include "core/evidence/covering_voxels.h"
 #include "core/evidence/silhouette_samples.h"
-#include "core/visibility/surface_normals.h"
+#include "core/visibility/surface_shape.h"
 
 namespace octacut {
 namespace {

@@ -112,6 +112,7 @@ LabeledVoxels SolveFinerLevel(const LevelInputs& inputs,
         crust, terms.phi, inputs.evidence.depth_confidence, context);
     CutTerms energy{DecidedWeights(decision, terms.phi, options),
                     terms.evidence};
+    FavorHullBorder(decision, terms.hull_depth, &energy.weights);
     HoldUndecidedSurface(
         crust, decision, terms.hull_depth, context, &energy.evidence);
     OctahedralCut cut = steps.Cut(crust, energy, kept);

@@ -4,7 +4,7 @@
 #include <span>
 #include <utility>
 
-#include "core/visibility/surface_normals.h"
+#include "core/visibility/surface_shape.h"
 
 namespace octacut {
 
@@ -35,9 +35,9 @@ void LevelSteps::ExtendTerms(const Visibility& visibility,
   const Context& context = inputs_.context;
   const AddedVoxels added =
       OnCrust([&] { return FindAddedVoxels(crust, *terms); });
-  const std::vector<Eigen::Vector3f> normals =
+  const std::vector<SurfaceShape> shapes =
       Timed(&summary_.visibility_seconds, [&] {
-        return EstimateNormals(
+        return EstimateSurfaceShape(
             crust.voxels,
             crust.ties,
             crust.prior,
@@ -49,7 +49,7 @@ void LevelSteps::ExtendTerms(const Visibility& visibility,
       Timed(&summary_.consistency_seconds, [&] {
         return EstimateConsistency(inputs_.views,
                                    added.voxels,
-                                   normals,
+                                   shapes,
                                    visibility,
                                    options.consistency,
                                    context);

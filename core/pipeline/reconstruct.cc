@@ -59,7 +59,8 @@ void ReportLevel(const LevelSummary& level, const Context& context) {
   if (level.num_border_voxels > 0) {
     context.Warn(fmt::format(
         "Level {}: {} voxels of the cut still touch the border of the crust "
-        "after it was enlarged {} times. The surface may be inaccurate there.",
+        "after it was enlarged {} times. The surface may be inaccurate there; "
+        "a higher `max_grow_rounds` may help.",
         level.level,
         level.num_border_voxels,
         level.num_grow_rounds));

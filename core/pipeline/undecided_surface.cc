@@ -6,7 +6,7 @@
 #include "core/base/ramp.h"
 #include "core/consistency/local_agreement.h"
 #include "core/grid/parallel_voxels.h"
-#include "core/visibility/surface_normals.h"
+#include "core/visibility/surface_shape.h"
 
 namespace octacut {
 namespace {
@@ -27,6 +27,10 @@ constexpr float kNearHull = 2.5f;
 // from the second on the surface of the coarser level.
 constexpr float kUndecidedAround = 0.5f;
 constexpr float kDecidedAround = 0.9f;
+
+// The share by which weights at the hull's border are reduced. 0.3 and 0.7 are
+// about as good.
+constexpr float kHullDiscount = 0.5f;
 
 // Levels from which on photo-consistency sees texture that the depth sweep did
 // not.
@@ -92,6 +96,15 @@ std::vector<float> DecidedWeights(const Decision& decision,
   std::vector<float> weights = EdgeWeights(phi, options.energy);
   FlattenUndecidedWeights(decision, options, &weights);
   return weights;
+}
+
+void FavorHullBorder(const Decision& decision,
+                     const std::vector<float>& hull_depth,
+                     std::vector<float>* weights) {
+  for (size_t i = 0; i < weights->size(); ++i) {
+    const float nearness = std::max(0.0f, 1 - std::abs(hull_depth[i]));
+    (*weights)[i] *= 1 - kHullDiscount * decision.here[i] * nearness;
+  }
 }
 
 void HoldUndecidedSurface(const Crust& crust,

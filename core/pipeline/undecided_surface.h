@@ -48,6 +48,15 @@ std::vector<float> DecidedWeights(const Decision& decision,
                                   const std::vector<float>& phi,
                                   const ReconstructionOptions& options);
 
+// Halves `weights` on the border of the visual hull where the photographs
+// decide, less within a voxel of it. Every line of sight along a border touches
+// the surface, so that most of a surface that many views see lies on the hull
+// or well inside of it, and where the photographs place it hardly inside, that
+// is their error.
+void FavorHullBorder(const Decision& decision,
+                     const std::vector<float>& hull_depth,
+                     std::vector<float>* weights);
+
 // Adds to `evidence` what holds the undecided surface where that of the coarser
 // level is, by crust.prior, and lets it out to the border of the hull.
 void HoldUndecidedSurface(const Crust& crust,

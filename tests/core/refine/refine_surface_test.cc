@@ -133,7 +133,7 @@ double HullToleranceOf(ViewSet views, const RefineScene& scene) {
 
 TEST(RefineSurface, LetsVerticesLeaveMasksThatContradictOneAnother) {
   const RefineScene exact = testing::MakeRefineScene();
-  EXPECT_EQ(HullToleranceOf(exact.test.views, exact), 0.5);
+  EXPECT_EQ(HullToleranceOf(exact.test.views, exact), 0.25);
   // Every second mask is 2 pixels larger than the others.
   const RefineScene larger = testing::MakeSceneWithMasksOff(2);
   ViewSet views = exact.test.views;

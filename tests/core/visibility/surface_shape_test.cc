@@ -1,4 +1,4 @@
-#include "core/visibility/surface_normals.h"
+#include "core/visibility/surface_shape.h"
 
 #include <gtest/gtest.h>
 
@@ -24,18 +24,18 @@ Crust CrustOfBall() {
       OneLevel(Ball(kMiddle, 0.35), 5), CrustOptions(), Context(2));
 }
 
-TEST(EstimateNormals, PointOutwardOfABall) {
+TEST(EstimateSurfaceShape, PointOutwardOfABall) {
   const Crust crust = CrustOfBall();
-  const std::vector<Eigen::Vector3f> normals =
-      EstimateNormals(crust.voxels, crust.ties, crust.prior, 12, Context(2));
-  ASSERT_EQ(normals.size(), crust.voxels.Size());
+  const std::vector<SurfaceShape> shapes = EstimateSurfaceShape(
+      crust.voxels, crust.ties, crust.prior, 12, Context(2));
+  ASSERT_EQ(shapes.size(), crust.voxels.Size());
   std::vector<double> angles;
   crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
     const Eigen::Vector3d center =
         VoxelCenter(DecodeMorton(code), crust.voxels.Level()).cast<double>();
-    ASSERT_NEAR(normals[index].norm(), 1, 1e-4);
+    ASSERT_NEAR(shapes[index].normal.norm(), 1, 1e-4);
     angles.push_back(std::acos(std::min(1.0,
-                                        normals[index].cast<double>().dot(
+                                        shapes[index].normal.cast<double>().dot(
                                             (center - kMiddle).normalized()))) *
                      180 / std::numbers::pi);
   });
@@ -44,7 +44,34 @@ TEST(EstimateNormals, PointOutwardOfABall) {
   EXPECT_LT(angles[angles.size() * 95 / 100], 18);
 }
 
-TEST(EstimateNormals, OfAPlaneAreExact) {
+TEST(EstimateSurfaceShape, CurvatureOfABallIsThatOfItsRadius) {
+  const Crust crust = CrustOfBall();
+  const std::vector<SurfaceShape> shapes = EstimateSurfaceShape(
+      crust.voxels, crust.ties, crust.prior, 12, Context(2));
+  const double radius = 0.35 * crust.voxels.Resolution();
+  double sum = 0;
+  double squares = 0;
+  size_t count = 0;
+  crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    const double height =
+        (VoxelCenter(DecodeMorton(code), crust.voxels.Level()).cast<double>() -
+         kMiddle)
+                .norm() *
+            crust.voxels.Resolution() -
+        radius;
+    if (std::abs(height) < 1) {
+      sum += shapes[index].curvature;
+      squares += std::pow(shapes[index].curvature - 1 / radius, 2);
+      ++count;
+    }
+  });
+  ASSERT_GT(count, 1000u);
+  EXPECT_NEAR(sum / double(count) * radius, 1, 0.1);
+  // Steps of the coarser voxels make it rough.
+  EXPECT_LT(std::sqrt(squares / double(count)) * radius, 2);
+}
+
+TEST(EstimateSurfaceShape, OfAPlaneAreExact) {
   // A whole slab of the cube: inside below, tied so at both sides.
   std::vector<MortonCode> codes;
   for (int i = 0; i < 16 * 16; ++i) {
@@ -64,16 +91,17 @@ TEST(EstimateNormals, OfAPlaneAreExact) {
       ties[index] = OutsideTie(5);
     }
   });
-  const std::vector<Eigen::Vector3f> normals =
-      EstimateNormals(slab, ties, prior, 4, Context(1));
-  // Far from the slab's border.
+  const std::vector<SurfaceShape> shapes =
+      EstimateSurfaceShape(slab, ties, prior, 4, Context(1));
+  // Far from the slab's rim.
   for (int z = 6; z < 10; ++z) {
-    const Eigen::Vector3f normal = normals[slab.Find(Eigen::Vector3i(8, 8, z))];
-    EXPECT_LT((normal - Eigen::Vector3f::UnitZ()).norm(), 1e-3) << z;
+    const SurfaceShape& shape = shapes[slab.Find(Eigen::Vector3i(8, 8, z))];
+    EXPECT_LT((shape.normal - Eigen::Vector3f::UnitZ()).norm(), 1e-3) << z;
+    EXPECT_NEAR(shape.curvature, 0, 1e-3) << z;
   }
 }
 
-TEST(EstimateNormals, AreZeroWithoutAGradient) {
+TEST(EstimateSurfaceShape, AreZeroWithoutAGradient) {
   std::vector<MortonCode> codes;
   for (MortonCode code = 0; code < 512; ++code) {
     codes.push_back(code);
@@ -85,13 +113,14 @@ TEST(EstimateNormals, AreZeroWithoutAGradient) {
       ties[index] |= InsideTie(face);
     }
   });
-  for (const Eigen::Vector3f& normal : EstimateNormals(
+  for (const SurfaceShape& shape : EstimateSurfaceShape(
            cube, ties, std::vector<float>(cube.Size(), 1), 3, Context(1))) {
-    EXPECT_EQ(normal, Eigen::Vector3f::Zero());
+    EXPECT_EQ(shape.normal, Eigen::Vector3f::Zero());
+    EXPECT_EQ(shape.curvature, 0);
   }
 }
 
-TEST(EstimateNormals, OfSomeVoxelsAreThoseAmongAll) {
+TEST(EstimateSurfaceShape, OfSomeVoxelsAreThoseAmongAll) {
   const Crust crust = CrustOfBall();
   // A patch, and single voxels elsewhere.
   std::vector<uint8_t> wanted(crust.voxels.Size(), 0);
@@ -99,9 +128,9 @@ TEST(EstimateNormals, OfSomeVoxelsAreThoseAmongAll) {
     wanted[index] = DecodeMorton(code).x() < 14 || index % 4001 == 0;
   });
   for (const int blur_steps : {0, 1, 5}) {
-    const std::vector<Eigen::Vector3f> all = EstimateNormals(
+    const std::vector<SurfaceShape> all = EstimateSurfaceShape(
         crust.voxels, crust.ties, crust.prior, blur_steps, Context(2));
-    std::vector<Eigen::Vector3f> expected;
+    std::vector<SurfaceShape> expected;
     for (size_t i = 0; i < all.size(); ++i) {
       if (wanted[i]) {
         expected.push_back(all[i]);
@@ -110,24 +139,24 @@ TEST(EstimateNormals, OfSomeVoxelsAreThoseAmongAll) {
     ASSERT_GT(expected.size(), 100u);
     ASSERT_LT(expected.size(), all.size() / 4);
     for (const int num_threads : {1, 3}) {
-      EXPECT_EQ(EstimateNormals(crust.voxels,
-                                crust.ties,
-                                crust.prior,
-                                blur_steps,
-                                Context(num_threads),
-                                wanted),
+      EXPECT_EQ(EstimateSurfaceShape(crust.voxels,
+                                     crust.ties,
+                                     crust.prior,
+                                     blur_steps,
+                                     Context(num_threads),
+                                     wanted),
                 expected);
     }
   }
 }
 
-TEST(EstimateNormals, AreTheSameForAnyNumberOfThreads) {
+TEST(EstimateSurfaceShape, AreTheSameForAnyNumberOfThreads) {
   const Crust crust = CrustOfBall();
   const auto estimate = [&](int num_threads) {
-    return EstimateNormals(
+    return EstimateSurfaceShape(
         crust.voxels, crust.ties, crust.prior, 5, Context(num_threads));
   };
-  const std::vector<Eigen::Vector3f> expected = estimate(1);
+  const std::vector<SurfaceShape> expected = estimate(1);
   EXPECT_EQ(estimate(2), expected);
   EXPECT_EQ(estimate(4), expected);
 }

@@ -1,4 +1,5 @@
-// Normals throughout a crust, from an estimate of where its inside is.
+// Normal and curvature throughout a crust, from an estimate of where its inside
+// is.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +13,25 @@
 
 namespace octacut {
 
-// Outward unit normal of every voxel: minus the gradient of `prior` (share of
-// the voxel that is inside) after `blur_steps` averagings with the six
-// neighbours; interfaces of the crust count as all inside or all outside as
-// they are tied. Zero where there is no gradient, deep in the inside.
+// The shape of the surface through a voxel, parallel to that of the object.
+struct SurfaceShape {
+  // Outward unit normal. Zero where there is none, deep in the inside.
+  Eigen::Vector3f normal;
+  // Mean curvature, 1/voxel: positive where the surface is convex.
+  float curvature;
+
+  bool operator==(const SurfaceShape&) const = default;
+};
+
+// The shape at every voxel, one element a voxel. The normal is minus the
+// gradient of `prior` (share of the voxel that is inside) after `blur_steps`
+// averagings with the six neighbours; interfaces of the crust count as all
+// inside or all outside as they are tied. The curvature is half of the normals'
+// divergence.
 //
-// With `wanted`, one flag a voxel, the normals of those alone, one after the
+// With `wanted`, one flag a voxel, the shape at those alone, one after the
 // other, at a cost that depends on how many there are.
-std::vector<Eigen::Vector3f> EstimateNormals(
+std::vector<SurfaceShape> EstimateSurfaceShape(
     const VoxelGrid& voxels,
     const std::vector<FaceTies>& ties,
     const std::vector<float>& prior,

@@ -1,4 +1,6 @@
-#include "core/visibility/surface_normals.h"
+#include "core/visibility/surface_shape.h"
+
+#include <algorithm>
 
 #include "core/base/parallel.h"
 #include "core/grid/voxel_walk.h"
@@ -10,6 +12,9 @@ constexpr size_t kBrickGrain = 256;
 constexpr size_t kVoxelGrain = 8192;
 // Below this the gradient is rounding noise.
 constexpr float kSmallestGradient = 1e-4f;
+// 1/voxel: more is the noise of voxels, a ball of some two voxels is not shown
+// by blurred values.
+constexpr float kLargestCurvature = 0.4f;
 
 using NeighborValues = std::array<float, kNumFaces>;
 
@@ -42,6 +47,28 @@ Eigen::Vector3f OutwardNormal(const NeighborValues& across) {
   const float length = outward.norm();
   return length > kSmallestGradient ? Eigen::Vector3f(outward / length)
                                     : Eigen::Vector3f::Zero();
+}
+
+// Half of the divergence of the normals around a voxel. Where there is no
+// neighbour with a normal, the normal is taken to go on as it is.
+float MeanCurvature(const std::vector<Eigen::Vector3f>& normals,
+                    const VoxelWalk& walk,
+                    const VoxelSlot& slot) {
+  float divergence = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    float difference = 0;
+    int num_steps = 0;
+    for (const int side : {0, 1}) {
+      const VoxelGrid::Index n = walk.Neighbor(slot, 2 * axis + side);
+      if (n != VoxelGrid::kNone && !normals[n].isZero()) {
+        const float step = normals[n][axis] - normals[slot.index][axis];
+        difference += side == 0 ? -step : step;
+        ++num_steps;
+      }
+    }
+    divergence += num_steps > 0 ? difference / float(num_steps) : 0;
+  }
+  return std::clamp(divergence / 2, -kLargestCurvature, kLargestCurvature);
 }
 
 // What is within so many 6-neighbour steps of some voxels.
@@ -79,30 +106,28 @@ Rings RingsAround(const VoxelWalk& walk,
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
-                                             const std::vector<FaceTies>& ties,
-                                             const std::vector<float>& prior,
-                                             int blur_steps,
-                                             const Context& context,
-                                             std::span<const uint8_t> wanted) {
+std::vector<SurfaceShape> EstimateSurfaceShape(
+    const VoxelGrid& voxels,
+    const std::vector<FaceTies>& ties,
+    const std::vector<float>& prior,
+    int blur_steps,
+    const Context& context,
+    std::span<const uint8_t> wanted) {
   std::vector<float> values = prior;
   std::vector<float> blurred(values.size());
   const VoxelWalk walk(voxels, context);
   const Rings rings =
-      wanted.empty() ? Rings() : RingsAround(walk, wanted, blur_steps);
-  // Calls body(element, index, values across) for what is so near to what is
-  // wanted; that itself has the slots of its normals.
+      wanted.empty() ? Rings() : RingsAround(walk, wanted, blur_steps + 1);
+  // Calls body(element, slot) for what is so near to what is wanted; that
+  // itself has the slots of its shapes.
   const auto for_all_within = [&](int num_steps, auto&& body) {
-    const auto call = [&](size_t element, const VoxelSlot& slot) {
-      body(element, slot.index, ValuesAcross(values, ties, walk, slot));
-    };
     if (wanted.empty()) {
       ParallelFor(context,
                   walk.NumBricks(),
                   kBrickGrain,
                   [&](size_t begin, size_t end) {
                     walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
-                      call(slot.index, slot);
+                      body(slot.index, slot);
                     });
                   });
       return;
@@ -112,26 +137,29 @@ std::vector<Eigen::Vector3f> EstimateNormals(const VoxelGrid& voxels,
                 kVoxelGrain,
                 [&](size_t begin, size_t end) {
                   for (size_t k = begin; k < end; ++k) {
-                    call(k, rings.slots[k]);
+                    body(k, rings.slots[k]);
                   }
                 });
   };
-  // What is k steps away is needed until there are k steps left.
+  // What is k steps away is needed until there are k - 1 steps left, since
+  // curvature looks at the normals beside a voxel.
   for (int step = 0; step < blur_steps; ++step) {
-    for_all_within(
-        blur_steps - step,
-        [&](size_t, VoxelGrid::Index index, const NeighborValues& across) {
-          blurred[index] = MeanWith(values[index], across);
-        });
+    for_all_within(blur_steps + 1 - step, [&](size_t, const VoxelSlot& slot) {
+      blurred[slot.index] =
+          MeanWith(values[slot.index], ValuesAcross(values, ties, walk, slot));
+    });
     values.swap(blurred);
   }
-  std::vector<Eigen::Vector3f> normals(wanted.empty() ? values.size()
-                                                      : rings.ends.front());
-  for_all_within(
-      0, [&](size_t element, VoxelGrid::Index, const NeighborValues& across) {
-        normals[element] = OutwardNormal(across);
-      });
-  return normals;
+  std::vector<Eigen::Vector3f> normals(values.size());
+  for_all_within(1, [&](size_t, const VoxelSlot& slot) {
+    normals[slot.index] = OutwardNormal(ValuesAcross(values, ties, walk, slot));
+  });
+  std::vector<SurfaceShape> shapes(wanted.empty() ? values.size()
+                                                  : rings.ends.front());
+  for_all_within(0, [&](size_t element, const VoxelSlot& slot) {
+    shapes[element] = {normals[slot.index], MeanCurvature(normals, walk, slot)};
+  });
+  return shapes;
 }
 
 std::vector<float> SmoothPrior(const VoxelGrid& voxels,

@@ -17,5 +17,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME octacut)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# The pages of mesh_comparer and mesh_evaluator contain three.js.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS libjs-three)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS colmap)
 include(CPack)

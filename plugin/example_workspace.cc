@@ -108,7 +108,8 @@ void PrepareExampleFolder(const fs::path& folder,
           "{}: the folder already holds an example; --overwrite 1 replaces it",
           folder.string()));
     }
-    for (const char* part : {"images", "masks", "sparse/0", "gt"}) {
+    for (const char* part :
+         {"images", "masks", "background", "sparse/0", "gt"}) {
       fs::remove_all(folder / part);
     }
   }
@@ -133,6 +134,13 @@ void WriteExampleWorkspace(const SyntheticScene& scene,
       WriteImage(folder / "masks" / (view.name + ".png"), view.mask);
     }
   });
+  for (size_t i = 0; i < scene.empty_set.size(); ++i) {
+    MakeFolder(folder / "background");
+    WriteImage(folder / "background" /
+                   fmt::format("empty_{:03}{}", i, scene.spec.image_extension),
+               scene.empty_set[i],
+               {cv::IMWRITE_JPEG_QUALITY, options.jpeg_quality});
+  }
   WriteSparseModelBinary(ToSparseModel(scene), folder / "sparse" / "0");
   WriteMesh(folder / "gt" / "reference.ply", scene.reference);
 }

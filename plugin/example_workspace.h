@@ -1,5 +1,6 @@
 // A synthetic scene as a COLMAP workspace with ground truth:
 //   images/<view>  masks/<view>.png  sparse/0/*.bin  gt/reference.ply
+// and of a turntable also background/, photographs of the set without object.
 #pragma once
 
 #include <filesystem>

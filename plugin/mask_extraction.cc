@@ -3,19 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <system_error>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
+#include "colmap_io/images/mask_folder.h"
 #include "colmap_io/images/reduced_view.h"
 #include "colmap_io/images/segmentation_files.h"
 #include "core/base/error.h"
 #include "core/scene/region.h"
 #include "core/segment/refine_border.h"
+#include "core/segment/stand_plane.h"
 #include "core/segment/view_confidence.h"
 #include "plugin/contact_sheet.h"
 
@@ -29,6 +31,9 @@ constexpr size_t kBytesPerPixel = 48;
 constexpr size_t kDecodeBudget = size_t{1} << 30;
 // Pixels of the segmented views by which their borders may be off.
 constexpr double kReach = 2;
+// Views in which a sparse point of the stand is seen, at least: of two, its
+// distance may be wrong.
+constexpr size_t kMinTrack = 3;
 
 class Extractor {
  public:
@@ -45,6 +50,9 @@ class Extractor {
     if (!options.bounding_box.empty()) {
       files_.input.box = BoundingBoxFromNumbers(options.bounding_box);
     }
+    if (options.on_stand) {
+      FindStand(workspace.model);
+    }
     encoded_.resize(files_.files.size());
     reduced_.resize(files_.files.size());
   }
@@ -58,11 +66,11 @@ class Extractor {
   }
 
  private:
+  void FindStand(const SparseModel& model);
   void RefineAll();
   cv::Mat RefinedMask(size_t view) const;
   void Judge();
-  void Write() const;
-  void RemoveDoubtedMasks(const std::optional<MaskList>& before) const;
+  void Write();
   bool IsInPlace(size_t view) const {
     std::error_code ignored;
     return fs::equivalent(
@@ -81,6 +89,47 @@ class Extractor {
   std::vector<ViewConfidence> confidences_;
   MaskExtraction result_;
 };
+
+// Where the object stands, and which pixels show the stand.
+void Extractor::FindStand(const SparseModel& model) {
+  std::vector<Pose> poses;
+  std::map<uint32_t, size_t> view_of_image;
+  for (size_t i = 0; i < files_.files.size(); ++i) {
+    poses.push_back(files_.input.views[i].pose);
+    view_of_image[files_.files[i].image->id] = i;
+  }
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<const SparsePoint*> points;
+  for (const SparsePoint& point : model.points) {
+    if (point.track.size() >= kMinTrack) {
+      positions.push_back(point.xyz);
+      points.push_back(&point);
+    }
+  }
+  const StandPlane stand = FindStandPlane(
+      positions, poses, FindSearchRegion(poses, files_.input.box));
+  size_t num_points = 0;
+  for (size_t k = 0; k < points.size(); ++k) {
+    if (std::abs(stand.plane.signedDistance(positions[k])) > stand.tolerance) {
+      continue;
+    }
+    ++num_points;
+    for (const TrackElement& element : points[k]->track) {
+      const auto found = view_of_image.find(element.image_id);
+      if (found != view_of_image.end() &&
+          IsShown(poses[found->second], positions[k])) {
+        files_.input.views[found->second].surroundings.push_back(
+            poses[found->second].camera.Project(
+                poses[found->second].cam_from_world * positions[k]));
+      }
+    }
+  }
+  // What is left of the stand's surface by noise is cut off as well.
+  files_.input.floor = stand.plane;
+  files_.input.floor->offset() -= stand.tolerance;
+  context_.Info(fmt::format(
+      "The object stands on a plane with {} sparse points.", num_points));
+}
 
 cv::Mat Extractor::RefinedMask(size_t view) const {
   const SegmentationFile& file = files_.files[view];
@@ -106,7 +155,7 @@ void Extractor::RefineAll() {
         const cv::Mat mask = file.given_mask.empty()
                                  ? RefinedMask(i)
                                  : ReadMask(file.given_mask);
-        cv::imencode(".png", mask, encoded_[i]);
+        encoded_[i] = EncodeMask(mask);
         reduced_[i] =
             ReduceView(mask, *file.camera, files_.input.views[i].pose.camera) >=
             kObjectThreshold;
@@ -138,57 +187,23 @@ void Extractor::Judge() {
       listed.hash = HashOfBytes(ReadBytes(file.given_mask));
     } else {
       listed.mask = file.image->name + ".png";
-      listed.hash = HashOfBytes(
-          {reinterpret_cast<char*>(encoded_[i].data()), encoded_[i].size()});
+      listed.hash = HashOfPng(encoded_[i]);
     }
   }
 }
 
-void Extractor::Write() const {
-  const std::optional<MaskList> before = ReadMaskList(options_.output_path);
-  AtomicFiles files;
+void Extractor::Write() {
   for (size_t i = 0; i < files_.files.size(); ++i) {
     const ListedMask& listed = result_.list.views[i];
     const bool stays = listed.status == MaskStatus::kGiven && IsInPlace(i);
     if (listed.status == MaskStatus::kUnsure || stays) {
-      continue;
-    }
-    const fs::path path = options_.output_path / listed.mask;
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    files.Write(path, [&](std::ostream& stream) {
-      stream.write(reinterpret_cast<const char*>(encoded_[i].data()),
-                   std::streamsize(encoded_[i].size()));
-    });
-  }
-  std::vector<uchar> sheet;
-  cv::imencode(".jpg",
-               DrawContactSheet(files_.input.views, reduced_, result_.list),
-               sheet);
-  std::error_code error;
-  fs::create_directories(options_.output_path, error);
-  files.Write(options_.output_path / kContactSheetName,
-              [&](std::ostream& stream) {
-                stream.write(reinterpret_cast<const char*>(sheet.data()),
-                             std::streamsize(sheet.size()));
-              });
-  files.Write(options_.output_path / kMaskListName, [&](std::ostream& stream) {
-    stream << MaskListText(result_.list);
-  });
-  files.Commit();
-  RemoveDoubtedMasks(before);
-}
-
-void Extractor::RemoveDoubtedMasks(
-    const std::optional<MaskList>& before) const {
-  for (const ListedMask& listed : result_.list.views) {
-    const fs::path path = options_.output_path / (listed.image + ".png");
-    std::error_code ignored;
-    if (listed.status == MaskStatus::kUnsure && fs::exists(path, ignored) &&
-        IsExtractedMask(before, listed.image, path)) {
-      fs::remove(path, ignored);
+      encoded_[i].clear();
     }
   }
+  WriteMaskFolder(options_.output_path,
+                  result_.list,
+                  encoded_,
+                  DrawContactSheet(files_.input.views, reduced_, result_.list));
 }
 
 }  // namespace
@@ -207,6 +222,12 @@ void DeclareMaskExtractionOptions(OptionManager& options,
            &extraction->strokes_path,
            "Folder of strokes for some images, named as masks: 0 is "
            "background, 255 object, 128 says nothing. Default: none.")
+      .audience = audience;
+  options
+      .Add("on_stand",
+           &extraction->on_stand,
+           "If 1, the object stands on a plane that has sparse points; nothing "
+           "on or below it is object.")
       .audience = audience;
 }
 

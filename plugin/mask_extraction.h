@@ -12,18 +12,16 @@
 
 namespace octacut {
 
-// Name of the picture with all outlines, in the folder of the masks.
-inline constexpr std::string_view kContactSheetName = "contact_sheet.jpg";
-
 struct MaskExtractionOptions {
   std::filesystem::path output_path;  // folder of the masks
   std::filesystem::path given_masks_path;
   std::filesystem::path strokes_path;
   bool skip_missing_images = false;
+  bool on_stand = false;  // the plane is found from the sparse points
   std::vector<double> bounding_box;  // empty, or x0,y0,z0,x1,y1,z1
 };
 
-// given_masks_path and strokes_path.
+// given_masks_path, strokes_path and on_stand.
 void DeclareMaskExtractionOptions(OptionManager& options,
                                   OptionAudience audience,
                                   MaskExtractionOptions* extraction);

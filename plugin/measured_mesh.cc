@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <sstream>
 #include <utility>
 
 #include "colmap_io/files/atomic_files.h"
@@ -18,13 +19,15 @@ namespace fs = std::filesystem;
 MeasuredMesh MeasureMesh(const fs::path& path,
                          const std::string& name,
                          bool self_intersections,
-                         const Context& context) {
+                         const Context& context,
+                         AllowClouds clouds) {
   const Phase phase(context, fmt::format("Examine {}", name));
   MeshFile file = ReadMesh(path);
   for (const std::string& note : file.notes) {
     context.Info(fmt::format("{}: {}", path.string(), note));
   }
-  if (file.mesh.triangles.empty()) {
+  const bool is_cloud = file.mesh.triangles.empty();
+  if (is_cloud && (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {
     throw InputError(fmt::format("{}: the mesh has no faces, only {} vertices",
                                  path.string(),
                                  file.mesh.positions.size()));
@@ -35,7 +38,7 @@ MeasuredMesh MeasureMesh(const fs::path& path,
   measured.json["path"] = path.string();
   measured.json["notes"] = file.notes;
   measured.json["audit"] = AuditToJson(measured.result.audit);
-  if (self_intersections) {
+  if (self_intersections && !is_cloud) {
     measured.result.self_intersections =
         FindSelfIntersections(file.mesh, context);
     measured.json["self_intersections"] =
@@ -52,6 +55,24 @@ std::string NameAmong(const fs::path& path,
     num_equal += other.filename() == path.filename();
   }
   return num_equal > 1 ? path.string() : path.filename().string();
+}
+
+std::vector<fs::path> SplitPaths(const std::vector<fs::path>& values) {
+  std::vector<fs::path> paths;
+  for (const fs::path& value : values) {
+    std::error_code ignored;
+    if (fs::exists(value, ignored)) {
+      paths.push_back(value);
+      continue;
+    }
+    std::istringstream list(value.string());
+    for (std::string part; std::getline(list, part, ',');) {
+      if (!part.empty()) {
+        paths.emplace_back(part);
+      }
+    }
+  }
+  return paths;
 }
 
 void CheckReportPath(const fs::path& output_path,

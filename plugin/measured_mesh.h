@@ -19,15 +19,24 @@ struct MeasuredMesh {
   Json json;
 };
 
-// Throws InputError for a file that is no mesh with faces.
+enum class AllowClouds { kNo, kYes };
+
+// Throws InputError for a file that is no mesh with faces, unless clouds of
+// points are allowed.
 MeasuredMesh MeasureMesh(const std::filesystem::path& path,
                          const std::string& name,
                          bool self_intersections,
-                         const Context& context);
+                         const Context& context,
+                         AllowClouds clouds = AllowClouds::kNo);
 
 // The file's name, or the whole path where another of `paths` has the same.
 std::string NameAmong(const std::filesystem::path& path,
                       const std::vector<std::filesystem::path>& paths);
+
+// The meshes that a repeatable option names: each value is a path, or several
+// separated by commas where no file has the whole name.
+std::vector<std::filesystem::path> SplitPaths(
+    const std::vector<std::filesystem::path>& values);
 
 // A report that replaced one of the meshes would be a bad surprise: throws
 // OptionError for an output_path that is one of them, InputError for one that

@@ -1,6 +1,11 @@
 #include "plugin/mesh_json.h"
 
+#include <algorithm>
+#include <cmath>
 #include <Eigen/Geometry>
+
+#include "core/benchmark/compare/distance_curve.h"
+#include "plugin/transform_file.h"
 
 namespace octacut {
 namespace {
@@ -35,6 +40,7 @@ Json AlignmentToJson(const MeshAlignment& alignment, double diagonal) {
     rotation.push_back(ToJson(transform.rotation.row(row).transpose()));
   }
   Json json;
+  json["matrix"] = TransformToJson(transform);
   json["scale"] = transform.scale;
   json["rotation"] = std::move(rotation);
   json["translation"] = ToJson(transform.translation);
@@ -43,6 +49,13 @@ Json AlignmentToJson(const MeshAlignment& alignment, double diagonal) {
   AddDistance("rms_before", alignment.rms_before, diagonal, &json);
   AddDistance("rms_after", alignment.rms_after, diagonal, &json);
   return json;
+}
+
+Json CurvesToJson(const MeshComparison& comparison) {
+  return {{"steps_per_decade", kCurveStepsPerDecade},
+          {"decades", kCurveDecades},
+          {"to", comparison.precision_curve},
+          {"from", comparison.recall_curve}};
 }
 
 }  // namespace
@@ -84,7 +97,7 @@ Json SelfIntersectionsToJson(const SelfIntersections& found) {
           {"left_out", found.num_left_out}};
 }
 
-Json ComparisonToJson(const MeshComparison& comparison) {
+Json DistancesToJson(const MeshComparison& comparison) {
   const double diagonal = comparison.reference_diagonal;
   Json json;
   json["reference_diagonal"] = diagonal;
@@ -95,6 +108,13 @@ Json ComparisonToJson(const MeshComparison& comparison) {
   json["to_reference"] = DistancesToJson(comparison.to_reference, diagonal);
   json["from_reference"] = DistancesToJson(comparison.from_reference, diagonal);
   AddDistance("hausdorff", comparison.Hausdorff(), diagonal, &json);
+  json["curves"] = CurvesToJson(comparison);
+  return json;
+}
+
+Json ComparisonToJson(const MeshComparison& comparison) {
+  const double diagonal = comparison.reference_diagonal;
+  Json json = DistancesToJson(comparison);
   json["scores"] = Json::array();
   for (const ThresholdScore& score : comparison.scores) {
     json["scores"].push_back({{"threshold", score.threshold},
@@ -117,6 +137,20 @@ Json ComparisonToJson(const MeshComparison& comparison) {
     json["confidence"]["ratio"] = comparison.confidence->Ratio();
   }
   return json;
+}
+
+Json SupportToJson(const std::vector<ViewSupport>& support,
+                   const std::vector<View>& views) {
+  const std::vector<bool> contradicts = ContradictingViews(support);
+  Json each = Json::array();
+  for (size_t i = 0; i < views.size(); ++i) {
+    each.push_back({{"name", views[i].name},
+                    {"support", support[i].support},
+                    {"textured_pixels", support[i].textured_pixels},
+                    {"compared_pixels", support[i].compared_pixels},
+                    {"contradicts", bool(contradicts[i])}});
+  }
+  return {{"mean", MeanSupport(support)}, {"views", std::move(each)}};
 }
 
 Json EvaluationToJson(const MeshEvaluation& evaluation,
@@ -149,6 +183,9 @@ Json EvaluationToJson(const MeshEvaluation& evaluation,
         {"percentile_10", reprojection.percentile_10},
         {"plain_fraction", reprojection.plain_fraction},
         {"compared_fraction", reprojection.compared_fraction}};
+  }
+  if (!evaluation.view_support.empty()) {
+    json["photo_support"] = SupportToJson(evaluation.view_support, views);
   }
   return json;
 }

@@ -22,11 +22,19 @@ Json SelfIntersectionsToJson(const SelfIntersections& found);
 // members "..._over_diagonal".
 Json ComparisonToJson(const MeshComparison& comparison);
 
+// The same without scores, for meshes of which none counts as correct.
+Json DistancesToJson(const MeshComparison& comparison);
+
+// {"mean", "views": [{"name", "support", "textured_pixels", "compared_pixels",
+//  "contradicts"}, ...]}
+Json SupportToJson(const std::vector<ViewSupport>& support,
+                   const std::vector<View>& views);
+
 // {"silhouettes": {"intersection_over_union", "missed", "excess",
 //  "outline_mean", "outline_percentile_95", "views": [...]}, "reprojection"
 //  where it was measured: {"pairs", "windows", "mean_correlation",
-//  "percentile_10", "plain_fraction", "compared_fraction"}}; the views in the
-//  order of `views`, named.
+//  "percentile_10", "plain_fraction", "compared_fraction"}, "photo_support"
+//  likewise}; the views in the order of `views`, named.
 Json EvaluationToJson(const MeshEvaluation& evaluation,
                       const std::vector<View>& views);
 

@@ -14,9 +14,9 @@ Json VectorToJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
 
-void DeclareLoadingOptions(OptionManager& options,
-                           fs::path* workspace_path,
-                           LoadSceneOptions* loading) {
+void DeclareImageOptions(OptionManager& options,
+                         fs::path* workspace_path,
+                         LoadSceneOptions* loading) {
   options.AddRequired("workspace_path",
                       workspace_path,
                       "Folder of the COLMAP project (with images, masks and "
@@ -58,6 +58,12 @@ void DeclareLoadingOptions(OptionManager& options,
            &loading->skip_missing_images,
            "If 1, leave out images whose file is missing instead of stopping.")
       .ForExperts();
+}
+
+void DeclareLoadingOptions(OptionManager& options,
+                           fs::path* workspace_path,
+                           LoadSceneOptions* loading) {
+  DeclareImageOptions(options, workspace_path, loading);
   options.Add("skip_missing_masks",
               &loading->skip_missing_masks,
               "If 1, leave out images whose mask is missing, all background or "

@@ -10,7 +10,11 @@
 
 namespace octacut {
 
-// Where images, model and masks are, and what to do without some of them.
+// Where images, model and masks are, and what to do without some images.
+void DeclareImageOptions(OptionManager& options,
+                         std::filesystem::path* workspace_path,
+                         LoadSceneOptions* loading);
+// The same for the commands that need masks, and what to do without some.
 void DeclareLoadingOptions(OptionManager& options,
                            std::filesystem::path* workspace_path,
                            LoadSceneOptions* loading);

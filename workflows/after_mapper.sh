@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Reconstructs a mesh after COLMAP's mapper and compares it with the dense meshes
-# that COLMAP has left in the same workspace.
+# Reconstructs a mesh after COLMAP's mapper, compares it with the dense meshes
+# that COLMAP has left in the same workspace, and writes a page in which a person
+# can look at them and at the photographs: WORKSPACE/compare-dense.html.
 #
 #   workflows/after_mapper.sh WORKSPACE [options of octacut octahedral_mesher]
 #
@@ -23,7 +24,17 @@ shift
 mesh=$("$root/workflows/option_value.sh" --output_path \
   "$workspace/meshed-octahedral.ply" "$@")
 
+places=()
+for option in --image_path --mask_path --input_path --skip_missing_images \
+  --skip_missing_masks; do
+  value=$("$root/workflows/option_value.sh" "$option" "" "$@")
+  if [[ -n $value ]]; then
+    places+=("$option" "$value")
+  fi
+done
+
 octacut=$("$root/workflows/find_octacut.sh")
 "$octacut" octahedral_mesher --workspace_path "$workspace" "$@"
-OCTACUT=$octacut "$root/workflows/compare_dense.sh" "$workspace" --mesh_path "$mesh"
+OCTACUT=$octacut "$root/workflows/compare_dense.sh" "$workspace" --mesh_path "$mesh" \
+  "${places[@]}"
 echo "mesh: $mesh"

@@ -1,17 +1,35 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that octacut needs and that are missing, as root
 # or with sudo, and those that arguments name. If neither is possible, it prints
-# the missing packages and fails.
+# the missing packages and fails. With `--with_test_tools 1` first, also what only
+# tests need, which are skipped without it.
 # If all packages are installed, it changes nothing.
 set -euo pipefail
+
+# Read what octacut exports; run its pages.
+test_tools=(
+  admesh prusa-slicer blender
+  chromium chromium-driver nodejs
+)
+if [[ ${1:-} == --with_test_tools ]]; then
+  if ((!${2:?"$1 needs 0 or 1"})); then
+    test_tools=()
+  fi
+  shift 2
+else
+  test_tools=()
+fi
 
 packages=(
   g++ cmake make ninja-build
   libeigen3-dev libfmt-dev libspdlog-dev libtbb-dev nlohmann-json3-dev
   libopencv-dev libopenmesh-dev libembree-dev libboost-dev
   libceres-dev
+  lib3mf-dev
+  libjs-three
   libgtest-dev libgmock-dev
   colmap jq shellcheck imagemagick
+  "${test_tools[@]}"
   "$@"
 )
 

@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kProgram = "octacut mask_extractor";
+constexpr std::string_view kTurntable = "turntable";
 
 constexpr std::array<std::pair<MaskStatus, std::string_view>, 3> kStatuses = {
     {{MaskStatus::kExtracted, "extracted"},
@@ -103,6 +104,7 @@ std::optional<MaskList> ReadMaskList(const fs::path& mask_path) {
     if (json.at("program") != kProgram) {
       throw InputError("program is not " + std::string(kProgram));
     }
+    list.is_of_turntable = json.value("mode", "") == kTurntable;
     for (const Json& view : json.at("views")) {
       list.views.push_back(MaskFromJson(view));
     }
@@ -116,6 +118,9 @@ std::optional<MaskList> ReadMaskList(const fs::path& mask_path) {
 
 std::string MaskListText(const MaskList& list) {
   Json json = {{"program", kProgram}};
+  if (list.is_of_turntable) {
+    json["mode"] = kTurntable;
+  }
   Json& views = json["views"] = Json::array();
   for (const ListedMask& mask : list.views) {
     views.push_back(MaskToJson(mask));

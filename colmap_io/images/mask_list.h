@@ -29,6 +29,8 @@ struct ListedMask {
 };
 
 struct MaskList {
+  // The masks show all that turns on a turntable, the plate too.
+  bool is_of_turntable = false;
   std::vector<ListedMask> views;
 
   // Null where the list does not have the image.

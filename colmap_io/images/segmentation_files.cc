@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 #include <string>
 #include <system_error>
 
@@ -26,6 +27,8 @@ namespace fs = std::filesystem;
 constexpr size_t kBytesPerPixel = 8;
 // Part of a reduced pixel that a stroke must cover to count.
 constexpr int kStrokeCoverage = 64;
+// Reduced pixels by which the border of a turntable's mask may be off.
+constexpr int kNearTurning = 3;
 
 void RequireFolder(const fs::path& path, std::string_view option) {
   std::error_code ignored;
@@ -62,6 +65,9 @@ std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
   RequireFolder(options.given_masks_path, "given_masks_path");
   RequireFolder(options.strokes_path, "strokes_path");
   const std::optional<MaskList> list = ReadMaskList(options.output_path);
+  const std::optional<MaskList> strokes =
+      options.strokes_path.empty() ? std::nullopt
+                                   : ReadMaskList(options.strokes_path);
   std::vector<SegmentationFile> files;
   size_t num_missing = 0;
   size_t num_given = 0;
@@ -90,6 +96,7 @@ std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
       file.given_mask = there;
     }
     file.strokes = FindIn(options.strokes_path, image, workspace);
+    file.strokes_are_turntable_mask = strokes && strokes->is_of_turntable;
     num_strokes += file.strokes.empty() ? 0 : 1;
     files.push_back(std::move(file));
   }
@@ -111,6 +118,20 @@ void RequireSize(const fs::path& path,
       path, {uint64_t(pixels.cols), uint64_t(pixels.rows)}, camera);
 }
 
+// What is clearly outside of a mask of all that turns is background.
+cv::Mat OutsideOf(const cv::Mat& turning,
+                  const SparseCamera& camera,
+                  const PinholeCamera& reduced) {
+  cv::Mat near;
+  cv::dilate(ReduceView(turning, camera, reduced) > 0,
+             near,
+             cv::Mat::ones(2 * kNearTurning + 1, 2 * kNearTurning + 1, CV_8U));
+  cv::Mat labels(
+      reduced.height, reduced.width, CV_8U, cv::Scalar(kNothingSaid));
+  labels.setTo(kSurroundings, near == 0);
+  return labels;
+}
+
 cv::Mat ReadStrokes(const SegmentationFile& file,
                     const PinholeCamera& reduced) {
   const cv::Mat strokes =
@@ -121,6 +142,9 @@ cv::Mat ReadStrokes(const SegmentationFile& file,
         fmt::format("{}: the strokes cannot be read", file.strokes.string()));
   }
   RequireSize(file.strokes, strokes, *file.camera);
+  if (file.strokes_are_turntable_mask) {
+    return OutsideOf(strokes, *file.camera, reduced);
+  }
   cv::Mat labels(
       reduced.height, reduced.width, CV_8U, cv::Scalar(kNothingSaid));
   // A JPEG file does not keep the values to the last bit.

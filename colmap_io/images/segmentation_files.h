@@ -16,7 +16,8 @@ struct SegmentationFilesOptions {
   // Folder of finished masks for some views; empty: none. Must exist.
   std::filesystem::path given_masks_path;
   // Folder of pictures for some views: 0 background, 255 object, nothing said
-  // between; empty: none. Must exist.
+  // between; empty: none. Must exist. Of masks of all that turns (mask_list.h),
+  // only the background counts.
   std::filesystem::path strokes_path;
   // Folder that masks go to. Those in it that octacut did not make, or that
   // were changed since, are given masks, too.
@@ -35,6 +36,7 @@ struct SegmentationFile {
   std::filesystem::path photograph;
   std::filesystem::path given_mask;  // empty: to be found
   std::filesystem::path strokes;     // empty: none
+  bool strokes_are_turntable_mask = false;
 };
 
 struct SegmentationFiles {

@@ -82,8 +82,9 @@ SparseModel LargestModel(const std::vector<fs::path>& folders,
 }
 
 fs::path FindMasks(const Workspace& workspace,
-                   const fs::path& given,
+                   const WorkspaceOptions& options,
                    const Context& context) {
+  const fs::path& given = options.mask_path;
   if (!given.empty()) {
     if (!IsFolder(given)) {
       throw InputError(
@@ -105,6 +106,9 @@ fs::path FindMasks(const Workspace& workspace,
         return parent / "masks";
       }
     }
+  }
+  if (options.may_lack_masks) {
+    return {};
   }
   throw InputError(fmt::format(
       "{}: the folder of masks does not exist; use --mask_path to name it, or "
@@ -175,7 +179,7 @@ Workspace OpenWorkspace(const fs::path& path,
                                           workspace.model.cameras.end(),
                                           IsPinhole);
   if (options.needs_masks) {
-    workspace.mask_path = FindMasks(workspace, options.mask_path, context);
+    workspace.mask_path = FindMasks(workspace, options, context);
   }
   return workspace;
 }

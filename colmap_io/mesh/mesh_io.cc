@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <utility>
 
 #include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_readers.h"
@@ -67,8 +68,10 @@ MeshFormat MeshFormatOf(const std::filesystem::path& path) {
   if (extension == ".obj") return MeshFormat::kObj;
   if (extension == ".off") return MeshFormat::kOff;
   if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".3mf") return MeshFormat::k3mf;
   throw OptionError(fmt::format(
-      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off or .stl",
+      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off, .stl or "
+      ".3mf",
       path.string(),
       extension));
 }
@@ -106,6 +109,8 @@ MeshFile ReadMesh(std::istream& stream,
     case MeshFormat::kStl:
       polygons = ReadStl(&source, &result.notes);
       break;
+    case MeshFormat::k3mf:
+      source.Fail("3MF can be written, but not read; use .stl or .ply");
   }
   result.mesh = Triangulate(std::move(polygons), name, &result.notes);
   CheckCoordinates(result.mesh, name);
@@ -117,6 +122,15 @@ void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   CheckSizes(mesh);
   WriteFile(path,
             [&](std::ostream& stream) { WriteMesh(stream, format, mesh); });
+}
+
+void WriteMeshWithValues(const std::filesystem::path& path,
+                         IndexedMesh mesh,
+                         std::vector<float> values,
+                         std::string_view name) {
+  mesh.confidence = std::move(values);
+  CheckSizes(mesh);
+  WriteFile(path, [&](std::ostream& stream) { WritePly(mesh, stream, name); });
 }
 
 void WriteMesh(std::ostream& stream,
@@ -132,6 +146,8 @@ void WriteMesh(std::ostream& stream,
       return WriteOff(mesh, stream);
     case MeshFormat::kStl:
       return WriteStl(mesh, stream);
+    case MeshFormat::k3mf:
+      return Write3mf(mesh, stream);
   }
 }
 

@@ -1,4 +1,5 @@
-// Meshes from and to files: PLY, OBJ, OFF and STL, by extension.
+// Meshes from and to files: PLY, OBJ, OFF and STL, by extension; 3MF only to
+// files.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,7 @@
 
 namespace octacut {
 
-enum class MeshFormat { kPly, kObj, kOff, kStl };
+enum class MeshFormat { kPly, kObj, kOff, kStl, k3mf };
 
 // By the extension of `path`, whatever its case. Throws OptionError that names
 // the extension and lists the known ones.
@@ -30,7 +31,8 @@ struct MeshFile {
 // mesh_readers.h and polygon_mesh.h. A file that begins with "ply" is read as
 // PLY whatever its extension. Throws InputError "<file>: ..." that names the
 // first bad element or line when the file is missing, truncated, has
-// coordinates that are not finite or beyond 1e30, or indices out of range.
+// coordinates that are not finite or beyond 1e30, or indices out of range, or
+// is of a format that is only written.
 // Counts are checked against the size of the file before memory is taken for
 // them.
 MeshFile ReadMesh(const std::filesystem::path& path);
@@ -46,6 +48,13 @@ void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh);
 void WriteMesh(std::ostream& stream,
                MeshFormat format,
                const IndexedMesh& mesh);
+
+// Writes PLY whatever the extension, with `values`, one a vertex, as a float
+// property `name`.
+void WriteMeshWithValues(const std::filesystem::path& path,
+                         IndexedMesh mesh,
+                         std::vector<float> values,
+                         std::string_view name);
 
 // To be asked before any long work: throws OptionError for an unknown
 // extension and InputError when the folder is missing or cannot be written

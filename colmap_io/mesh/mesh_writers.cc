@@ -7,7 +7,9 @@
 
 namespace octacut {
 
-void WritePly(const IndexedMesh& mesh, std::ostream& stream) {
+void WritePly(const IndexedMesh& mesh,
+              std::ostream& stream,
+              std::string_view confidence_name) {
   const bool has_normals = !mesh.normals.empty();
   const bool has_colors = !mesh.colors.empty();
   const bool has_confidence = !mesh.confidence.empty();
@@ -23,7 +25,7 @@ void WritePly(const IndexedMesh& mesh, std::ostream& stream) {
         "property uchar red\nproperty uchar green\nproperty uchar blue\n");
   }
   if (has_confidence) {
-    out.Print("property float confidence\n");
+    out.Print("property float {}\n", confidence_name);
   }
   out.Print(
       "element face {}\nproperty list uchar int vertex_indices\nend_header\n",

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <ostream>
+#include <string_view>
 
 #include "core/mesh/indexed_mesh.h"
 
@@ -11,7 +12,10 @@ namespace octacut {
 // uchar red green blue and float confidence where present; list uchar int
 // vertex_indices. Floats hold 24 bits, which is what octacut's own meshes are
 // kept to; of others the other formats (but STL) keep more.
-void WritePly(const IndexedMesh& mesh, std::ostream& stream);
+// `confidence_name` is what the property of the confidences is called.
+void WritePly(const IndexedMesh& mesh,
+              std::ostream& stream,
+              std::string_view confidence_name = "confidence");
 
 // v with colours from 0 to 1 as MeshLab has them, vn, f v//vn. Coordinates
 // with all their digits.
@@ -23,5 +27,10 @@ void WriteOff(const IndexedMesh& mesh, std::ostream& stream);
 
 // Binary, with normals of facets; neither colours nor normals of vertices.
 void WriteStl(const IndexedMesh& mesh, std::ostream& stream);
+
+// 3MF with the millimetre as its unit and colours of the corners (materials
+// extension), through lib3mf, which writes six decimals. The stream must be one
+// that can seek. Throws Error where the library refuses the mesh.
+void Write3mf(const IndexedMesh& mesh, std::ostream& stream);
 
 }  // namespace octacut

@@ -44,6 +44,12 @@ class OutputBuffer {
   void Float(double value) {
     Uint32(std::bit_cast<uint32_t>(static_cast<float>(value)));
   }
+  // To be asked before anything else is written to the stream.
+  void Flush() {
+    stream_->write(buffer_.data(),
+                   static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
 
  private:
   static constexpr size_t kBlock = size_t{1} << 16;
@@ -52,11 +58,6 @@ class OutputBuffer {
     if (buffer_.size() >= kBlock) {
       Flush();
     }
-  }
-  void Flush() {
-    stream_->write(buffer_.data(),
-                   static_cast<std::streamsize>(buffer_.size()));
-    buffer_.clear();
   }
 
   std::ostream* stream_;

@@ -87,7 +87,7 @@ class OccupancyGrid::PointProjector {
 
 OccupancyGrid::OccupancyGrid(const BoundingCube& cube,
                              int resolution,
-                             const std::optional<Eigen::AlignedBox3d>& box,
+                             const SearchBounds& bounds,
                              std::span<const Pose> poses,
                              std::span<const cv::Mat> log_odds,
                              const Context& context)
@@ -110,7 +110,7 @@ OccupancyGrid::OccupancyGrid(const BoundingCube& cube,
   });
   ParallelFor(context, size_t(resolution), 1, [&](size_t begin, size_t end) {
     for (size_t z = begin; z < end; ++z) {
-      AddSlice(int(z), box);
+      AddSlice(int(z), bounds);
     }
   });
 }
@@ -141,8 +141,7 @@ float OccupancyGrid::ScoreOf(const Eigen::Vector3f& point,
   return is_allowed ? sum : kNoObject;
 }
 
-void OccupancyGrid::AddSlice(int z,
-                             const std::optional<Eigen::AlignedBox3d>& box) {
+void OccupancyGrid::AddSlice(int z, const SearchBounds& bounds) {
   std::vector<PointProjector> projectors;
   for (const EvidenceView& view : views_) {
     projectors.emplace_back(view.pose);
@@ -151,9 +150,10 @@ void OccupancyGrid::AddSlice(int z,
     for (int x = 0; x < resolution_; ++x) {
       const Eigen::Vector3d center = CenterOf(x, y, z);
       scores_[IndexOf(x, y, z)] =
-          box && !box->contains(center)
+          !bounds.Contain(center)
               ? kNoObject
-              : ScoreOf(center.cast<float>(), projectors, box.has_value());
+              : ScoreOf(
+                    center.cast<float>(), projectors, bounds.box.has_value());
     }
   }
 }

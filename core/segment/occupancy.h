@@ -10,7 +10,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,7 +31,7 @@ class OccupancyGrid {
   // known. `resolution` voxels lie along an edge of the cube.
   OccupancyGrid(const BoundingCube& cube,
                 int resolution,
-                const std::optional<Eigen::AlignedBox3d>& box,
+                const SearchBounds& bounds,
                 std::span<const Pose> poses,
                 std::span<const cv::Mat> log_odds,
                 const Context& context);
@@ -69,7 +68,7 @@ class OccupancyGrid {
   float ScoreOf(const Eigen::Vector3f& point,
                 std::span<const PointProjector> projectors,
                 bool is_allowed) const;
-  void AddSlice(int z, const std::optional<Eigen::AlignedBox3d>& box);
+  void AddSlice(int z, const SearchBounds& bounds);
 
   BoundingCube cube_;
   int resolution_;

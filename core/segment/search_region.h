@@ -17,6 +17,18 @@ struct Pose {
   Rigid3d cam_from_world;
 };
 
+// Where the object is said to be.
+struct SearchBounds {
+  std::optional<Eigen::AlignedBox3d> box;
+  // The object is on the positive side.
+  std::optional<Eigen::Hyperplane<double, 3>> floor;
+
+  bool Contain(const Eigen::Vector3d& point) const {
+    return (!box || box->contains(point)) &&
+           (!floor || floor->signedDistance(point) >= 0);
+  }
+};
+
 struct SearchRegion {
   // The point that the cameras look at, or the centre of the given box.
   Eigen::Vector3d center = Eigen::Vector3d::Zero();

@@ -47,6 +47,9 @@ constexpr float kInsideDoubt = 2;
 // count for object only where they are this much more frequent in it.
 constexpr float kFirstDoubt = 1.5f;
 
+// Pixels around a point of the surroundings whose colours are learned.
+constexpr int kPointRadius = 1;
+
 class Segmenter {
  public:
   Segmenter(const SegmentationInput& input, const Context& context)
@@ -112,6 +115,15 @@ cv::Mat Segmenter::FirstLabels(size_t view, double middle) const {
 }
 
 void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
+  const cv::Rect frame(cv::Point(0, 0), labels->size());
+  for (const Eigen::Vector2d& pixel : input_.views[view].surroundings) {
+    const cv::Point corner(int(std::floor(pixel.x())) - kPointRadius,
+                           int(std::floor(pixel.y())) - kPointRadius);
+    (*labels)(
+        cv::Rect(corner, cv::Size(2 * kPointRadius + 1, 2 * kPointRadius + 1)) &
+        frame)
+        .setTo(kSurroundings);
+  }
   const cv::Mat& said = input_.views[view].labels;
   if (!said.empty()) {
     said.copyTo(*labels, said != kNothingSaid);
@@ -146,7 +158,8 @@ void Segmenter::Relabel(size_t view) {
 }
 
 bool Segmenter::Round(const BoundingCube& cube, int resolution) {
-  OccupancyGrid grid(cube, resolution, input_.box, poses_, colours_, context_);
+  OccupancyGrid grid(
+      cube, resolution, {input_.box, input_.floor}, poses_, colours_, context_);
   if (!grid.KeepThingAt(result_.region.center, result_.region.radius)) {
     return false;
   }
@@ -178,7 +191,10 @@ void Segmenter::CutView(size_t i) {
   view.mask.create(view.log_odds.size(), CV_8U);
   view.mask.setTo(kNothingSaid);
   view.mask.setTo(kSurroundings, view.others < -0.95f);
-  ApplySaid(i, &view.mask);
+  const cv::Mat& said = input_.views[i].labels;
+  if (!said.empty()) {
+    said.copyTo(view.mask, said != kNothingSaid);
+  }
   CutLabels(input_.views[i].image, view.log_odds, kSmoothness, &view.mask);
 }
 

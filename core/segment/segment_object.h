@@ -29,11 +29,17 @@ struct UnsegmentedView {
   // CV_8UC1 of that size: 0 background, 255 object, 128 where nothing is said;
   // empty when nothing is said at all.
   cv::Mat labels;
+  // Pixels that show surroundings near the object, such as points of the stand:
+  // their colours are learned.
+  std::vector<Eigen::Vector2d> surroundings;
 };
 
 struct SegmentationInput {
   std::vector<UnsegmentedView> views;
   std::optional<Eigen::AlignedBox3d> box;  // around the object, if known
+  // What the object stands on, if known: there is no object on its negative
+  // side.
+  std::optional<Eigen::Hyperplane<double, 3>> floor;
 };
 
 struct SegmentedView {

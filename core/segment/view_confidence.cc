@@ -38,7 +38,15 @@ double Agreement(const cv::Mat& mask, const cv::Mat& others) {
   return either == 0 ? 0 : double(common) / either;
 }
 
-double Contrast(const cv::Mat& mask, const cv::Mat& colours) {
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+}  // namespace
+
+double BorderContrast(const cv::Mat& mask, const cv::Mat& log_odds) {
   const cv::Mat inside = DistanceToOther(mask);
   const cv::Mat outside = DistanceToOther(~mask);
   const cv::Mat inner = (inside > kBorder) & (inside <= kBorder + kRing);
@@ -47,16 +55,8 @@ double Contrast(const cv::Mat& mask, const cv::Mat& colours) {
     const int all = cv::countNonZero(ring);
     return all == 0 ? 0.0 : double(cv::countNonZero(right & ring)) / all;
   };
-  return std::min(share(colours > 0, inner), share(colours < 0, outer));
+  return std::min(share(log_odds > 0, inner), share(log_odds < 0, outer));
 }
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-}  // namespace
 
 std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
                                        std::span<const cv::Mat> masks) {
@@ -66,7 +66,7 @@ std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
     const SegmentedView& view = segmentation.views[i];
     ViewConfidence& judged = result[i];
     judged.agreement = Agreement(masks[i], view.others);
-    judged.contrast = Contrast(masks[i], view.colours);
+    judged.contrast = BorderContrast(masks[i], view.colours);
     judged.confidence = judged.agreement * judged.contrast;
     agreements.push_back(judged.agreement);
   }

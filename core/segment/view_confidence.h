@@ -23,6 +23,10 @@ struct ViewConfidence {
   std::string doubt;
 };
 
+// Part of the border of `mask` (CV_8UC1, 0 or 255) where log odds (CV_32F of
+// that size) say object inside and background outside, of both the lesser.
+double BorderContrast(const cv::Mat& mask, const cv::Mat& log_odds);
+
 // `masks` are the final silhouettes at the size of the segmented views, CV_8UC1
 // of 0 and 255. A view is not trusted when its silhouette is empty, when half
 // of it or of its border is in doubt, or when it agrees with the others far

@@ -126,6 +126,10 @@ void DeclareSurface(OptionManager& options, SceneSpec* scene) {
           {{"plain", BackgroundKind::kPlain}, {"room", BackgroundKind::kRoom}},
           "Background behind the object.")
       .ForExperts();
+  options.Add("Scene.stand",
+              &scene->stand.is_there,
+              "If 1, the object stands on a round plate, which turns with it "
+              "and is not in the masks.");
   options.Add("Scene.lights_fixed_to_camera",
               &scene->lighting.fixed_to_camera,
               "If 1, the lights move with the camera, as if the object stood "
@@ -172,12 +176,14 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
   options.Add("reference_resolution",
               &scene_.reference.resolution,
               "Number of cells along the longest side of the reference mesh.");
-  options.AddEnum("Rig.kind",
-                  &scene_.rig.kind,
-                  {{"sphere", RigKind::kSphere},
-                   {"rings", RigKind::kRings},
-                   {"turntable", RigKind::kTurntable}},
-                  "Arrangement of the cameras around the object.");
+  options.AddEnum(
+      "Rig.kind",
+      &scene_.rig.kind,
+      {{"sphere", RigKind::kSphere},
+       {"rings", RigKind::kRings},
+       {"turntable", RigKind::kTurntable}},
+      "Arrangement of the cameras around the object. On a turntable, a "
+      "room stands still with the camera.");
   options
       .Add("Rig.min_elevation",
            &scene_.rig.min_elevation,

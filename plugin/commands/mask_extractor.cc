@@ -4,12 +4,17 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "colmap_io/images/workspace.h"
+#include "core/base/check_option.h"
 #include "plugin/mask_extraction.h"
+#include "plugin/turntable_extraction.h"
 
 namespace octacut {
 namespace {
+
+enum class MaskMode { kSparseModel, kTurntable };
 
 class MaskExtractor : public Command {
  public:
@@ -17,16 +22,29 @@ class MaskExtractor : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
+  MaskExtraction RunTurntable(const Context& context) const;
+  void Report(const CommandEnvironment& environment,
+              const MaskExtraction& extraction) const;
+
+  MaskMode mode_ = MaskMode::kSparseModel;
   std::filesystem::path workspace_path_;
+  std::filesystem::path background_path_;
   WorkspaceOptions workspace_;
   MaskExtractionOptions extraction_;
 };
 
 void MaskExtractor::DeclareOptions(OptionManager& options) {
-  options.AddRequired("workspace_path",
-                      &workspace_path_,
-                      "Folder of the COLMAP project (with images and sparse) "
-                      "or a dense folder.");
+  options.Add("workspace_path",
+              &workspace_path_,
+              "Folder of the COLMAP project (with images and sparse) or a "
+              "dense folder. Required unless mode is turntable.");
+  options.AddEnum("mode",
+                  &mode_,
+                  {{"sparse_model", MaskMode::kSparseModel},
+                   {"turntable", MaskMode::kTurntable}},
+                  "sparse_model: the object, after the mapper. turntable: what "
+                  "turns in front of a camera that stands still, before the "
+                  "mapper; requires image_path and output_path.");
   options.Add("image_path",
               &workspace_.image_path,
               "Folder of the photographs. Default: images in the workspace.");
@@ -47,6 +65,10 @@ void MaskExtractor::DeclareOptions(OptionManager& options) {
       "skip_missing_images",
       &extraction_.skip_missing_images,
       "If 1, leave out images whose file is missing instead of stopping.");
+  options.Add("background_path",
+              &background_path_,
+              "Folder of photographs of the empty set, for mode turntable. "
+              "Default: none.");
   DeclareMaskExtractionOptions(
       options, OptionAudience::kEveryone, &extraction_);
   options.Add("OctahedralMeshing.bounding_box",
@@ -56,14 +78,57 @@ void MaskExtractor::DeclareOptions(OptionManager& options) {
 }
 
 void MaskExtractor::Run(const CommandEnvironment& environment) {
+  if (mode_ == MaskMode::kTurntable) {
+    Report(environment, RunTurntable(environment.context));
+    return;
+  }
+  CheckOption(!workspace_path_.empty(),
+              "workspace_path",
+              workspace_path_.string(),
+              "is required");
+  CheckOption(background_path_.empty(),
+              "background_path",
+              background_path_.string(),
+              "is for mode turntable");
   if (extraction_.output_path.empty()) {
     extraction_.output_path = workspace_path_ / "masks";
   }
   workspace_.needs_masks = false;
   const Workspace workspace =
       OpenWorkspace(workspace_path_, workspace_, environment.context);
-  const MaskExtraction extraction =
-      ExtractMasks(workspace, extraction_, environment.context);
+  Report(environment,
+         ExtractMasks(workspace, extraction_, environment.context));
+}
+
+MaskExtraction MaskExtractor::RunTurntable(const Context& context) const {
+  for (const auto& [name, value] :
+       {std::pair("image_path", workspace_.image_path),
+        std::pair("output_path", extraction_.output_path)}) {
+    CheckOption(
+        !value.empty(), name, value.string(), "is required for mode turntable");
+  }
+  for (const auto& [name, is_set] :
+       {std::pair("workspace_path", !workspace_path_.empty()),
+        std::pair("input_path", !workspace_.input_path.empty()),
+        std::pair("image_list_path", !workspace_.image_list_path.empty()),
+        std::pair("given_masks_path", !extraction_.given_masks_path.empty()),
+        std::pair("strokes_path", !extraction_.strokes_path.empty()),
+        std::pair("on_stand", extraction_.on_stand),
+        std::pair("OctahedralMeshing.bounding_box",
+                  !extraction_.bounding_box.empty())}) {
+    CheckOption(!is_set,
+                name,
+                "...",
+                "is not for mode turntable, which knows no cameras");
+  }
+  return ExtractTurntableMasks({.image_path = workspace_.image_path,
+                                .output_path = extraction_.output_path,
+                                .background_path = background_path_},
+                               context);
+}
+
+void MaskExtractor::Report(const CommandEnvironment& environment,
+                           const MaskExtraction& extraction) const {
   environment.out << fmt::format("{}: {} masks, {} given, {} views unsure\n",
                                  extraction_.output_path.string(),
                                  extraction.num_extracted,

@@ -3,22 +3,39 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <set>
+#include <utility>
 #include <vector>
 
+#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/undistorted_camera.h"
+#include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/read_sparse_model.h"
+#include "core/base/check_option.h"
 #include "core/benchmark/compare/compare_meshes.h"
 #include "core/benchmark/compare/seen_reference.h"
+#include "core/benchmark/compare/signed_distance.h"
+#include "core/raycast/ray_scene.h"
 #include "core/scene/region.h"
 #include "plugin/comparison_tables.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
+#include "plugin/page/page_builder.h"
 #include "plugin/report.h"
+#include "plugin/transform_file.h"
 
 namespace octacut {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::vector<std::string> NamesOf(const std::vector<ComparedMesh>& meshes) {
+  std::vector<std::string> names;
+  for (const ComparedMesh& mesh : meshes) {
+    names.push_back(mesh.name);
+  }
+  return names;
+}
 
 class MeshComparer : public Command {
  public:
@@ -28,9 +45,21 @@ class MeshComparer : public Command {
 
  private:
   // Which part of the reference is judged; empty where all of it is.
-  ReferenceFilter JudgedPart(const IndexedMesh& reference) const;
-  ReferenceFilter SeenPart(const IndexedMesh& reference) const;
+  ReferenceFilter JudgedPart(const IndexedMesh& reference);
+  ReferenceFilter SeenPart(const IndexedMesh& reference);
   MeasuredMesh Measure(const fs::path& path, const Context& context) const;
+  Json CompareOne(const fs::path& path,
+                  const MeasuredMesh& reference,
+                  const Context& context);
+  void ShowDistances(const MeasuredMesh& measured,
+                     const MeasuredMesh& reference,
+                     const Context& context);
+  fs::path DistancePath(const fs::path& mesh) const;
+  void CheckPaths() const;
+  void PrintTables(const ComparedMesh& reference, std::ostream& out) const;
+  void WritePage(const CommandEnvironment& environment, const Json& report);
+  std::vector<std::string> Protocol(
+      const CommandEnvironment& environment) const;
 
   std::vector<fs::path> input_paths_;
   fs::path reference_path_;
@@ -40,17 +69,54 @@ class MeshComparer : public Command {
   SeenReferenceOptions seen_;
   std::vector<double> bounding_box_;
   CompareMeshesOptions compare_;
+  bool reference_is_truth_ = true;
+  fs::path html_path_;
+  fs::path transform_path_;
+  fs::path transform_output_path_;
+  fs::path distance_path_;
+  // Results for the compared meshes, in the order of input_paths_.
+  std::vector<ComparedMesh> results_;
+  Similarity3d given_transform_;
+  ComparisonPage page_;
+  PageMesh reference_page_;
 };
 
 void MeshComparer::DeclareOptions(OptionManager& options) {
   options.AddRequiredRepeatable("input_path",
                                 &input_paths_,
-                                "Mesh to compare (.ply, .obj, .off or .stl).");
+                                "Mesh to compare (.ply, .obj, .off or .stl), "
+                                "or several separated by commas.");
   options.AddRequired("reference_path",
                       &reference_path_,
                       "Reference mesh, which counts as correct.");
   options.Add(
       "output_path", &output_path_, "JSON report to write. Default: none.");
+  options.Add("html_path",
+              &html_path_,
+              "HTML page to write, in which the meshes and their distances can "
+              "be looked at. Default: none.");
+  options.Add(
+      "transform_path",
+      &transform_path_,
+      "Text file with a 4 x 4 matrix, row by row, by which the compared "
+      "meshes are moved first. Default: none.");
+  options
+      .Add("transform_output_path",
+           &transform_output_path_,
+           "Text file to write: the 4 x 4 matrix that brings the mesh, one "
+           "only, into the frame of the reference. Used with align.")
+      .ForExperts();
+  options
+      .Add("distance_path",
+           &distance_path_,
+           "Folder in which each compared mesh is saved with its signed "
+           "distance to the reference at every vertex (.ply, property quality, "
+           "for MeshLab and CloudCompare). Default: none.")
+      .ForExperts();
+  options.Add("reference_is_truth",
+              &reference_is_truth_,
+              "If 0, the reference is one mesh among others: there are "
+              "distances, but no scores.");
   options
       .Add("num_samples",
            &compare_.num_samples,
@@ -121,17 +187,18 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
   options.AddConstant("Alignment.tolerance", compare_.alignment.tolerance);
 }
 
-ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) const {
+ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) {
   const SparseModel model = ReadSparseModel(views_path_);
   std::vector<PosedCamera> cameras;
   for (const SparseImage& image : model.images) {
     cameras.push_back({UndistortedCamera(*model.FindCamera(image.camera_id)),
                        image.CamFromWorld()});
+    page_.cameras.push_back(image.CamFromWorld());
   }
   return SeenByCameras(reference, std::move(cameras), seen_);
 }
 
-ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference) const {
+ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference) {
   const ReferenceFilter seen =
       views_path_.empty() ? ReferenceFilter() : SeenPart(reference);
   if (bounding_box_.empty()) {
@@ -145,55 +212,242 @@ ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference) const {
 
 MeasuredMesh MeshComparer::Measure(const fs::path& path,
                                    const Context& context) const {
-  return MeasureMesh(
-      path, NameAmong(path, input_paths_), self_intersections_, context);
+  return MeasureMesh(path,
+                     NameAmong(path, input_paths_),
+                     self_intersections_,
+                     context,
+                     html_path_.empty() && distance_path_.empty()
+                         ? AllowClouds::kYes
+                         : AllowClouds::kNo);
+}
+
+Json MeshComparer::CompareOne(const fs::path& path,
+                              const MeasuredMesh& reference,
+                              const Context& context) {
+  MeasuredMesh measured = Measure(path, context);
+  measured.mesh = TransformMesh(std::move(measured.mesh), given_transform_);
+  const Phase phase(context, fmt::format("Compare {}", measured.result.name));
+  measured.result.comparison =
+      CompareMeshes(measured.mesh, reference.mesh, compare_, context);
+  const MeshComparison& comparison = *measured.result.comparison;
+  measured.json["comparison"] = reference_is_truth_
+                                    ? ComparisonToJson(comparison)
+                                    : DistancesToJson(comparison);
+  if (!html_path_.empty() || !distance_path_.empty()) {
+    ShowDistances(measured, reference, context);
+  }
+  if (!html_path_.empty()) {
+    measured.json["places"] = PlacesToJson(page_.meshes.back());
+  }
+  if (!transform_output_path_.empty()) {
+    WriteTransform(
+        transform_output_path_,
+        comparison.alignment->reference_from_mesh * given_transform_);
+  }
+  results_.push_back(std::move(measured.result));
+  return std::move(measured.json);
+}
+
+void MeshComparer::ShowDistances(const MeasuredMesh& measured,
+                                 const MeasuredMesh& reference,
+                                 const Context& context) {
+  const MeshComparison& comparison = *measured.result.comparison;
+  const IndexedMesh moved =
+      comparison.alignment
+          ? TransformMesh(measured.mesh,
+                          comparison.alignment->reference_from_mesh)
+          : measured.mesh;
+  const std::string& name = measured.result.name;
+  const std::vector<float> distances =
+      SignedDistances(moved.positions,
+                      reference.mesh,
+                      RayScene(reference.mesh),
+                      context,
+                      compare_.reference_filter);
+  if (!distance_path_.empty()) {
+    WriteMeshWithValues(DistancePath(measured.json["path"].get<std::string>()),
+                        moved,
+                        distances,
+                        "quality");
+  }
+  if (html_path_.empty()) {
+    return;
+  }
+  PageMesh page = MakePageMesh(name, moved, input_paths_.size() + 1, context);
+  FindDistancePlaces(
+      moved, distances, comparison.reference_diagonal, context, &page);
+  AddDistances(reference.result.name, distances, &page);
+  page_.meshes.push_back(std::move(page));
+  if (reference_page_.values.empty()) {
+    std::vector<float> back = SignedDistances(
+        reference.mesh.positions, moved, RayScene(moved), context);
+    DropUnjudged(reference.mesh, compare_.reference_filter, &back);
+    AddDistances(name, std::move(back), &reference_page_);
+  }
+  page_.diagonal = comparison.reference_diagonal;
+}
+
+fs::path MeshComparer::DistancePath(const fs::path& mesh) const {
+  return distance_path_ / (mesh.stem().string() + "-distance.ply");
+}
+
+void MeshComparer::CheckPaths() const {
+  std::vector<fs::path> files_read = input_paths_;
+  files_read.push_back(reference_path_);
+  CheckReportPath(output_path_, files_read);
+  files_read.push_back(output_path_);
+  CheckPagePath(html_path_, files_read);
+  CheckOption(transform_output_path_.empty() ||
+                  (compare_.align && input_paths_.size() == 1),
+              "transform_output_path",
+              transform_output_path_.string(),
+              "needs align = 1 and a single input_path");
+  if (!transform_output_path_.empty()) {
+    CheckFilePath(transform_output_path_);
+  }
+  if (!distance_path_.empty()) {
+    std::set<fs::path> names;
+    for (const fs::path& path : input_paths_) {
+      CheckFilePath(DistancePath(path));
+      CheckOption(names.insert(DistancePath(path)).second,
+                  "distance_path",
+                  distance_path_.string(),
+                  fmt::format("two meshes would be saved as {}",
+                              DistancePath(path).filename().string()));
+    }
+  }
+}
+
+void MeshComparer::PrintTables(const ComparedMesh& reference,
+                               std::ostream& out) const {
+  std::vector<ComparedMesh> all = results_;
+  all.push_back(reference);
+  out << TopologyTable(all) << '\n';
+  const std::string alignment = AlignmentTable(results_);
+  if (!alignment.empty()) {
+    out << alignment << '\n';
+  }
+  out << DistanceTable(results_);
+  if (reference_is_truth_) {
+    out << '\n' << ScoreTable(results_, compare_);
+    const std::string confidence = ConfidenceTable(results_);
+    if (!confidence.empty()) {
+      out << '\n' << confidence;
+    }
+  }
+  if (compare_.reference_filter) {
+    out << fmt::format("\ncompared: {:.1f} % of the reference's area\n",
+                       100 * results_.front().comparison->judged_share);
+  }
+}
+
+std::vector<std::string> MeshComparer::Protocol(
+    const CommandEnvironment& environment) const {
+  std::vector<std::string> lines = ProtocolOfRun(environment);
+  lines.push_back(fmt::format(
+      "Sampling: {} points on each surface, spread evenly by area; distances "
+      "to the closest point of the other surface. Maxima include vertices.",
+      compare_.num_samples));
+  for (const ComparedMesh& mesh : results_) {
+    if (const auto& alignment = mesh.comparison->alignment) {
+      lines.push_back(fmt::format(
+          "Alignment: {} was registered with the reference (ICP, {}, {:g} % of "
+          "the pairs kept): root mean square {:.4g} % of the diagonal before, "
+          "{:.4g} % after {} iterations{}.",
+          mesh.name,
+          compare_.alignment.estimate_scale ? "similarity" : "rigid",
+          100 * compare_.alignment.kept_fraction,
+          100 * alignment->rms_before / page_.diagonal,
+          100 * alignment->rms_after / page_.diagonal,
+          alignment->num_iterations,
+          alignment->converged ? "" : ", not converged"));
+    }
+  }
+  if (!transform_path_.empty()) {
+    lines.push_back(
+        fmt::format("Transform: the compared meshes were moved by "
+                    "the matrix in {}.",
+                    transform_path_.string()));
+  }
+  if (!compare_.align) {
+    lines.emplace_back("Alignment: none, the meshes are compared as they are.");
+  }
+  std::string crop = "Crop: ";
+  if (!compare_.reference_filter) {
+    crop += "none, all of the reference counts.";
+  } else {
+    if (!bounding_box_.empty()) {
+      crop += "inside the bounding box; ";
+    }
+    if (!views_path_.empty()) {
+      crop += fmt::format(
+          "where at least {} cameras of {} see the reference at {:g} degrees "
+          "or less to its normal; ",
+          seen_.min_views,
+          views_path_.string(),
+          seen_.max_angle);
+    }
+    crop += fmt::format("{:.1f} % of the reference's area counts.",
+                        100 * results_.front().comparison->judged_share);
+  }
+  lines.push_back(std::move(crop));
+  lines.emplace_back(
+      "Signs: positive is outside of the other surface, by the orientation of "
+      "its triangles. Coloured values are those of the full mesh's vertices.");
+  return lines;
+}
+
+void MeshComparer::WritePage(const CommandEnvironment& environment,
+                             const Json& report) {
+  page_.title = fmt::format(
+      "{} and {}",
+      fmt::join(NamesOf(results_), ", "),
+      reference_page_.name + (reference_is_truth_ ? " (truth)" : ""));
+  page_.has_truth = reference_is_truth_;
+  page_.compared_with = reference_page_.name;
+  page_.meshes.push_back(std::move(reference_page_));
+  page_.protocol = Protocol(environment);
+  page_.command_line = CommandLineOf(environment);
+  page_.report = report;
+  WriteComparisonPage(html_path_, page_, {}, environment.context);
 }
 
 void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
   seen_.Check();
-  std::vector<fs::path> meshes_read = input_paths_;
-  meshes_read.push_back(reference_path_);
-  CheckReportPath(output_path_, meshes_read);
+  input_paths_ = SplitPaths(input_paths_);
+  CheckPaths();
+  if (!transform_path_.empty()) {
+    given_transform_ = ReadTransform(transform_path_);
+  }
   MeasuredMesh reference = Measure(reference_path_, context);
   compare_.reference_filter = JudgedPart(reference.mesh);
-  reference.result.name += " (reference)";
-  std::vector<ComparedMesh> results;
+  if (!html_path_.empty()) {
+    reference_page_ = MakePageMesh(reference.result.name,
+                                   reference.mesh,
+                                   input_paths_.size() + 1,
+                                   context);
+    reference_page_.is_reference = true;
+  }
   Json meshes = Json::array();
   for (const fs::path& path : input_paths_) {
-    MeasuredMesh measured = Measure(path, context);
-    const Phase phase(context, fmt::format("Compare {}", measured.result.name));
-    measured.result.comparison =
-        CompareMeshes(measured.mesh, reference.mesh, compare_, context);
-    measured.json["comparison"] = ComparisonToJson(*measured.result.comparison);
-    meshes.push_back(std::move(measured.json));
-    results.push_back(std::move(measured.result));
+    meshes.push_back(CompareOne(path, reference, context));
   }
-
-  std::vector<ComparedMesh> all = results;
-  all.push_back(reference.result);
-  environment.out << TopologyTable(all) << '\n';
-  const std::string alignment = AlignmentTable(results);
-  if (!alignment.empty()) {
-    environment.out << alignment << '\n';
-  }
-  environment.out << DistanceTable(results) << '\n'
-                  << ScoreTable(results, compare_);
-  const std::string confidence = ConfidenceTable(results);
-  if (!confidence.empty()) {
-    environment.out << '\n' << confidence;
-  }
-  if (compare_.reference_filter) {
-    environment.out << fmt::format(
-        "\ncompared: {:.1f} % of the reference's area\n",
-        100 * results.front().comparison->judged_share);
-  }
-  if (!output_path_.empty()) {
+  ComparedMesh named = reference.result;
+  named.name += " (reference)";
+  PrintTables(named, environment.out);
+  if (!output_path_.empty() || !html_path_.empty()) {
     Json report = MakeReport(environment);
     report["reference"] = std::move(reference.json);
+    report["reference_is_truth"] = reference_is_truth_;
     report["meshes"] = std::move(meshes);
-    WriteReport(output_path_, report);
+    if (!html_path_.empty()) {
+      WritePage(environment, report);
+    }
+    if (!output_path_.empty()) {
+      WriteReport(output_path_, report);
+    }
   }
 }
 

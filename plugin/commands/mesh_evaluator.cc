@@ -2,13 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/base/check_option.h"
+#include "core/benchmark/compare/compare_meshes.h"
+#include "core/benchmark/compare/signed_distance.h"
 #include "core/benchmark/evaluate/evaluate_mesh.h"
+#include "core/benchmark/evaluate/paired_bootstrap.h"
+#include "core/raycast/ray_scene.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
+#include "plugin/page/page_builder.h"
 #include "plugin/report.h"
 #include "plugin/text_table.h"
 #include "plugin/workspace_options.h"
@@ -16,19 +24,39 @@
 namespace octacut {
 namespace {
 
+struct JudgedMesh {
+  MeasuredMesh measured;
+  MeshEvaluation evaluation;
+};
+
 class MeshEvaluator : public Command {
  public:
   void DeclareOptions(OptionManager& options) override;
+  bool UsesRandomSeed() const override { return true; }
   void Run(const CommandEnvironment& environment) override;
 
  private:
+  TextTable MakeTable() const;
+  std::vector<JudgedMesh> Judge(const std::vector<View>& views,
+                                const Context& context,
+                                TextTable* table);
+  void AddToPage(const std::vector<JudgedMesh>& meshes,
+                 size_t index,
+                 const std::vector<View>& views,
+                 const Context& context);
+  void WritePage(const CommandEnvironment& environment,
+                 const std::vector<View>& views,
+                 const Json& report);
+
   std::filesystem::path workspace_path_;
   LoadSceneOptions loading_;
   std::vector<std::filesystem::path> mesh_paths_;
   std::filesystem::path output_path_;
+  std::filesystem::path html_path_;
   int image_level_ = 10;
   bool self_intersections_ = true;
   EvaluateMeshOptions evaluate_;
+  ComparisonPage page_;
 };
 
 void MeshEvaluator::DeclareOptions(OptionManager& options) {
@@ -36,9 +64,14 @@ void MeshEvaluator::DeclareOptions(OptionManager& options) {
   options.AddRequiredRepeatable("mesh_path",
                                 &mesh_paths_,
                                 "Mesh to evaluate (.ply, .obj, .off or .stl), "
-                                "in the frame of the sparse model.");
+                                "in the frame of the sparse model, or several "
+                                "separated by commas.");
   options.Add(
       "output_path", &output_path_, "JSON report to write. Default: none.");
+  options.Add("html_path",
+              &html_path_,
+              "HTML page to write, in which the meshes can be looked at and "
+              "compared with the photographs. Default: none.");
   options
       .Add("image_level",
            &image_level_,
@@ -83,24 +116,13 @@ std::vector<std::string> TableRow(const std::string& name,
     row.insert(row.end(),
                {fmt::format("{:.4f}", reprojection->mean_correlation),
                 fmt::format("{:.4f}", reprojection->percentile_10),
-                percent(reprojection->compared_fraction)});
+                percent(reprojection->compared_fraction),
+                fmt::format("{:.4f}", MeanSupport(evaluation.view_support))});
   }
   return row;
 }
 
-void MeshEvaluator::Run(const CommandEnvironment& environment) {
-  const Context& context = environment.context;
-  evaluate_.Check();
-  CheckOption(image_level_ >= 1 && image_level_ <= 20,
-              "image_level",
-              image_level_,
-              "must be in 1 .. 20");
-  CheckReportPath(output_path_, mesh_paths_);
-  loading_.load_images = evaluate_.photometric;
-  // A mesh is judged by what it is given.
-  loading_.keep_all_views = true;
-  const LoadedScene loaded =
-      LoadScene(workspace_path_, loading_, image_level_, context);
+TextTable MeshEvaluator::MakeTable() const {
   std::vector<std::string> heading = {"mesh",
                                       "overlap, %",
                                       "missed, %",
@@ -108,26 +130,246 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
                                       "outline: mean, pixels",
                                       "95 %"};
   if (evaluate_.photometric) {
-    heading.insert(heading.end(), {"correlation: mean", "10 %", "compared, %"});
+    heading.insert(heading.end(),
+                   {"correlation: mean", "10 %", "compared, %", "support"});
   }
-  TextTable table(std::move(heading));
-  Json meshes = Json::array();
+  return TextTable(std::move(heading));
+}
+
+std::vector<JudgedMesh> MeshEvaluator::Judge(const std::vector<View>& views,
+                                             const Context& context,
+                                             TextTable* table) {
+  std::vector<JudgedMesh> meshes;
   for (const std::filesystem::path& path : mesh_paths_) {
-    MeasuredMesh measured = MeasureMesh(
+    JudgedMesh mesh;
+    mesh.measured = MeasureMesh(
         path, NameAmong(path, mesh_paths_), self_intersections_, context);
     const Phase phase(context,
-                      fmt::format("Evaluate {}", measured.result.name));
-    const MeshEvaluation evaluation =
-        EvaluateMesh(measured.mesh, loaded.scene.views, evaluate_, context);
-    measured.json.update(EvaluationToJson(evaluation, loaded.scene.views));
-    meshes.push_back(std::move(measured.json));
-    table.AddRow(TableRow(measured.result.name, evaluation));
+                      fmt::format("Evaluate {}", mesh.measured.result.name));
+    mesh.evaluation =
+        EvaluateMesh(mesh.measured.mesh, views, evaluate_, context);
+    if (mesh.evaluation.reprojection) {
+      mesh.evaluation.reprojection->maps.clear();
+    }
+    mesh.measured.json.update(EvaluationToJson(mesh.evaluation, views));
+    table->AddRow(TableRow(mesh.measured.result.name, mesh.evaluation));
+    meshes.push_back(std::move(mesh));
   }
+  return meshes;
+}
+
+void MeshEvaluator::AddToPage(const std::vector<JudgedMesh>& meshes,
+                              size_t index,
+                              const std::vector<View>& views,
+                              const Context& context) {
+  const MeasuredMesh& measured = meshes[index].measured;
+  const IndexedMesh& mesh = measured.mesh;
+  PageMesh page =
+      MakePageMesh(measured.result.name, mesh, meshes.size(), context);
+  PaintFromPhotographs(mesh, views, context, &page);
+  const std::vector<float>& support = meshes[index].evaluation.vertex_support;
+  if (meshes.size() > 1) {
+    // The first mesh is what the others are compared with, and the second what
+    // the first is compared with.
+    const MeasuredMesh& other = meshes[index == 0 ? 1 : 0].measured;
+    std::vector<float> distances = SignedDistances(
+        mesh.positions, other.mesh, RayScene(other.mesh), context);
+    if (support.empty()) {
+      FindDistancePlaces(mesh, distances, page_.diagonal, context, &page);
+    }
+    AddDistances(other.result.name, std::move(distances), &page);
+  }
+  if (!support.empty()) {
+    FindUnsupportedPlaces(mesh, support, page_.diagonal, context, &page);
+    page.values.push_back({"support", "photographs", support});
+  }
+  page_.meshes.push_back(std::move(page));
+}
+
+void MeshEvaluator::WritePage(const CommandEnvironment& environment,
+                              const std::vector<View>& views,
+                              const Json& report) {
+  std::string names;
+  for (const PageMesh& mesh : page_.meshes) {
+    names.append(names.empty() ? "" : ", ").append(mesh.name);
+  }
+  page_.title = names + ": judged by photographs";
+  page_.compared_with = page_.meshes.front().name;
+  page_.protocol = ProtocolOfRun(environment);
+  page_.protocol.push_back(fmt::format(
+      "Photographs: {} views of {}, at the resolution of (2^{})^3 voxels. Each "
+      "is compared with up to {} neighbours at {:g} to {:g} degrees by "
+      "zero-mean "
+      "normalised cross-correlation in windows of {} x {} pixels.",
+      views.size(),
+      workspace_path_.string(),
+      image_level_,
+      evaluate_.reprojection.num_neighbors,
+      evaluate_.reprojection.min_angle,
+      evaluate_.reprojection.max_angle,
+      2 * evaluate_.reprojection.window_radius + 1,
+      2 * evaluate_.reprojection.window_radius + 1));
+  page_.protocol.emplace_back(
+      "Alignment: none, the meshes are in the frame of the sparse model. Crop: "
+      "none.");
+  page_.protocol.emplace_back(
+      "Colours of the photographs: mean over the three views that see a vertex "
+      "most from the front, for every mesh alike. The difference to a "
+      "photograph is to these colours.");
+  if (page_.meshes.size() > 1) {
+    page_.protocol.push_back(fmt::format(
+        "Distances: {} points on each surface; to {}, and of {} to {}. None of "
+        "them is declared to be the truth.",
+        CompareMeshesOptions().num_samples,
+        page_.meshes[0].name,
+        page_.meshes[0].name,
+        page_.meshes[1].name));
+  }
+  for (const View& view : views) {
+    page_.cameras.push_back(view.cam_from_world);
+  }
+  page_.command_line = CommandLineOf(environment);
+  page_.report = report;
+  WriteComparisonPage(html_path_, page_, views, environment.context);
+}
+
+namespace {
+
+double DiagonalOf(const MeasuredMesh& mesh) {
+  return mesh.result.audit.bounding_box.diagonal().norm();
+}
+
+// Where no mesh counts as correct, distances are to the first one.
+void CompareWithFirst(std::vector<JudgedMesh>* meshes, const Context& context) {
+  CompareMeshesOptions options;
+  const IndexedMesh& first = meshes->front().measured.mesh;
+  for (size_t i = 1; i < meshes->size(); ++i) {
+    MeasuredMesh& measured = (*meshes)[i].measured;
+    const Phase phase(context, fmt::format("Compare {}", measured.result.name));
+    measured.json["comparison"] =
+        DistancesToJson(CompareMeshes(measured.mesh, first, options, context));
+  }
+}
+
+// The meshes by their support, and whether each is better than the next by
+// more than chance.
+Json RankingToJson(const std::vector<JudgedMesh>& meshes, uint64_t seed) {
+  std::vector<size_t> order(meshes.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  const auto support_of = [&](size_t i) {
+    return MeanSupport(meshes[i].evaluation.view_support);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+    return support_of(a) > support_of(b);
+  });
+  const auto values_of = [&](size_t i) {
+    std::vector<double> values;
+    for (const ViewSupport& view : meshes[i].evaluation.view_support) {
+      if (view.textured_pixels > 0) {
+        values.push_back(view.support);
+      }
+    }
+    return values;
+  };
+  Json json;
+  json["order"] = Json::array();
+  json["pairs"] = Json::array();
+  for (size_t k = 0; k < order.size(); ++k) {
+    const std::string& name = meshes[order[k]].measured.result.name;
+    json["order"].push_back(name);
+    const std::vector<double> values = values_of(order[k]);
+    if (k + 1 < order.size() && values.size() >= 2) {
+      const BootstrapDifference difference =
+          PairedBootstrap(values, values_of(order[k + 1]), seed);
+      json["pairs"].push_back(
+          {{"better", name},
+           {"worse", meshes[order[k + 1]].measured.result.name},
+           {"mean", difference.mean},
+           {"low", difference.low},
+           {"high", difference.high},
+           {"p_value", difference.p_value},
+           {"more_than_chance", difference.IsMoreThanChance()}});
+    }
+  }
+  return json;
+}
+
+void PrintRanking(const Json& ranking, std::ostream& out) {
+  for (const Json& pair : ranking["pairs"]) {
+    const std::string better = pair["better"];
+    const std::string worse = pair["worse"];
+    const std::string figures = fmt::format("{:.4f}, 95 %: {:.4f} to {:.4f}",
+                                            pair["mean"].get<double>(),
+                                            pair["low"].get<double>(),
+                                            pair["high"].get<double>());
+    out << (pair["more_than_chance"].get<bool>()
+                ? fmt::format(
+                      "The photographs support {} better than {} ({}).\n",
+                      better,
+                      worse,
+                      figures)
+                : fmt::format("The photographs do not decide between {} and {} "
+                              "({}).\n",
+                              better,
+                              worse,
+                              figures));
+  }
+}
+
+}  // namespace
+
+void MeshEvaluator::Run(const CommandEnvironment& environment) {
+  const Context& context = environment.context;
+  evaluate_.Check();
+  evaluate_.reprojection.keep_maps = evaluate_.photometric;
+  CheckOption(image_level_ >= 1 && image_level_ <= 20,
+              "image_level",
+              image_level_,
+              "must be in 1 .. 20");
+  mesh_paths_ = SplitPaths(mesh_paths_);
+  CheckReportPath(output_path_, mesh_paths_);
+  std::vector<std::filesystem::path> others = mesh_paths_;
+  others.push_back(output_path_);
+  CheckPagePath(html_path_, others);
+  loading_.load_images = evaluate_.photometric;
+  // A mesh is judged by what it is given.
+  loading_.keep_all_views = true;
+  const LoadedScene loaded =
+      LoadScene(workspace_path_, loading_, image_level_, context);
+  const std::vector<View>& views = loaded.scene.views;
+  TextTable table = MakeTable();
+  std::vector<JudgedMesh> meshes = Judge(views, context, &table);
   environment.out << table.ToString();
+  Json ranking;
+  if (evaluate_.photometric && meshes.size() > 1) {
+    ranking = RankingToJson(meshes, context.Seed());
+    environment.out << '\n';
+    PrintRanking(ranking, environment.out);
+  }
+  if (output_path_.empty() && html_path_.empty()) {
+    return;
+  }
+  if (!html_path_.empty()) {
+    CompareWithFirst(&meshes, context);
+    page_.diagonal = DiagonalOf(meshes.front().measured);
+    for (size_t i = 0; i < meshes.size(); ++i) {
+      AddToPage(meshes, i, views, context);
+      meshes[i].measured.json["places"] = PlacesToJson(page_.meshes.back());
+    }
+  }
+  Json report = MakeReport(environment);
+  report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
+  report["meshes"] = Json::array();
+  for (JudgedMesh& mesh : meshes) {
+    report["meshes"].push_back(std::move(mesh.measured.json));
+  }
+  if (!ranking.is_null()) {
+    report["ranking"] = std::move(ranking);
+  }
+  if (!html_path_.empty()) {
+    WritePage(environment, views, report);
+  }
   if (!output_path_.empty()) {
-    Json report = MakeReport(environment);
-    report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
-    report["meshes"] = std::move(meshes);
     WriteReport(output_path_, report);
   }
 }

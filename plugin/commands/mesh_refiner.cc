@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include "colmap_io/mesh/mesh_io.h"
-#include "core/base/error.h"
 #include "core/hull/false_gaps.h"
 #include "core/mesh/audit.h"
-#include "core/mesh/untangle.h"
 #include "core/pipeline/options.h"
 #include "core/scene/region.h"
 #include "core/verdict/judge_mesh.h"
 #include "core/views/border_edges.h"
+#include "plugin/closed_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/refinement_options.h"
 #include "plugin/report.h"
@@ -27,8 +26,6 @@ class MeshRefiner : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
-  IndexedMesh ReadClosedMesh(const Context& context) const;
-
   WorkspaceArguments workspace_;
   std::filesystem::path mesh_path_;
   int target_level_ = 9;
@@ -56,17 +53,6 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
   DeclareRefinementOptions(options, &refinement_);
 }
 
-IndexedMesh MeshRefiner::ReadClosedMesh(const Context& context) const {
-  IndexedMesh mesh = ReadMesh(mesh_path_).mesh;
-  // What is audited is what refinement keeps and files hold.
-  RoundToFloats(&mesh.positions);
-  const std::string failure = AuditMesh(mesh, context).DescribeFailure();
-  if (!failure.empty()) {
-    throw InputError(fmt::format("{}: {}", mesh_path_.string(), failure));
-  }
-  return mesh;
-}
-
 void MeshRefiner::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   refinement_.Check();
@@ -75,7 +61,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
     mesh_path_ = workspace_.workspace_path / "meshed-octahedral.ply";
   }
   workspace_.CheckReportIsNot(mesh_path_, "the mesh to refine");
-  IndexedMesh mesh = ReadClosedMesh(context);
+  IndexedMesh mesh = ReadClosedMesh(mesh_path_, context);
   workspace_.loading.fill_bites = fill_false_gaps_;
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);

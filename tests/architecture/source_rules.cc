@@ -24,7 +24,9 @@ constexpr auto kCoreBeside =
     std::to_array<std::string_view>({"benchmark/compare",
                                      "benchmark/evaluate",
                                      "benchmark/synthetic",
-                                     "segment"});
+                                     "print",
+                                     "segment",
+                                     "simplify"});
 constexpr auto kBesideMayInclude = std::to_array<std::string_view>(
     {"base", "scene", "mesh", "raycast", "grid"});
 
@@ -36,7 +38,7 @@ struct Confined {
 };
 const std::vector<Confined>& ConfinedHeaders() {
   static const std::vector<Confined> kConfined = {
-      {"OpenMesh/", {"core/mesh/", "core/refine/", "tests/"}},
+      {"OpenMesh/", {"core/mesh/", "core/refine/", "core/simplify/", "tests/"}},
       {"ceres/", {"core/refine/", "tests/"}},
       {"embree3/", {"core/raycast/"}},
   };

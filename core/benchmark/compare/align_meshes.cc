@@ -9,7 +9,8 @@
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/benchmark/compare/align_step.h"
-#include "core/benchmark/compare/surface_samples.h"
+#include "core/benchmark/compare/cloud.h"
+#include "core/mesh/surface_samples.h"
 
 namespace octacut {
 namespace {
@@ -30,8 +31,15 @@ class Aligner {
         context_(context),
         filter_(filter) {
     const auto count = static_cast<size_t>(options.num_samples);
+    if (IsCloud(reference.mesh)) {
+      throw InputError(
+          "alignment: the reference is a point cloud, which has no normals to "
+          "align with");
+    }
     mesh_samples_ =
-        SampleSurface(mesh.mesh, count, context.Seed() + 2, context);
+        IsCloud(mesh.mesh)
+            ? SampleCloud(mesh.mesh, count)
+            : SampleSurface(mesh.mesh, count, context.Seed() + 2, context);
     reference_samples_ =
         SampleSurface(reference.mesh, count, context.Seed() + 3, context);
     DropFilteredSamples();

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/benchmark/compare/similarity.h"
+#include "core/mesh/similarity.h"
 
 namespace octacut {
 

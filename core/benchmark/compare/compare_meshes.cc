@@ -7,7 +7,9 @@
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
-#include "core/benchmark/compare/surface_samples.h"
+#include "core/benchmark/compare/cloud.h"
+#include "core/benchmark/compare/distance_curve.h"
+#include "core/mesh/surface_samples.h"
 #include "core/raycast/ray_scene.h"
 
 namespace octacut {
@@ -19,6 +21,7 @@ constexpr uint32_t kNoTriangle = std::numeric_limits<uint32_t>::max();
 // Distances from one surface to the other, at the points that count.
 struct Distances {
   std::vector<double> samples;
+  size_t num_taken = 0;  // samples, those that do not count too
   double max = 0;
   // The errors by confidence of the first surface, if it has a confidence.
   std::optional<ConfidenceErrors> confidence;
@@ -84,14 +87,17 @@ class Measurement {
                 const RayScene& other,
                 Direction direction,
                 uint64_t seed) const {
-    std::vector<SurfaceSample> points = SampleSurface(
-        mesh, static_cast<size_t>(options_.num_samples), seed, context_);
+    const auto num_wanted = static_cast<size_t>(options_.num_samples);
+    std::vector<SurfaceSample> points =
+        IsCloud(mesh) ? SampleCloud(mesh, num_wanted)
+                      : SampleSurface(mesh, num_wanted, seed, context_);
     const auto num_samples = static_cast<std::ptrdiff_t>(points.size());
     const std::vector<SurfaceSample> samples = points;
     const std::vector<SurfaceSample> vertices = UsedVertices(mesh);
     points.insert(points.end(), vertices.begin(), vertices.end());
     const std::vector<double> distances = Measure(points, other, direction);
     Distances result;
+    result.num_taken = samples.size();
     for (const double distance : distances) {
       // Not a number is larger than nothing.
       result.max = distance > result.max ? distance : result.max;
@@ -100,7 +106,7 @@ class Measurement {
                  distances.begin() + num_samples,
                  std::back_inserter(result.samples),
                  [](double distance) { return !std::isnan(distance); });
-    if (!mesh.confidence.empty()) {
+    if (!mesh.confidence.empty() && !IsCloud(mesh)) {
       result.confidence = MeasureConfidenceErrors(mesh, samples, distances);
     }
     if (result.samples.empty()) {
@@ -174,6 +180,10 @@ void Score(const Distances& to_reference,
     score.f_score = sum > 0 ? 2 * score.precision * score.recall / sum : 0;
     result->scores.push_back(score);
   }
+  result->precision_curve =
+      DistanceCurve(to_reference.samples, result->reference_diagonal);
+  result->recall_curve =
+      DistanceCurve(from_reference.samples, result->reference_diagonal);
   result->accuracy = Quantile(to_reference.samples, options.accuracy_fraction);
   result->completeness = FractionWithin(
       from_reference.samples,
@@ -181,11 +191,9 @@ void Score(const Distances& to_reference,
 }
 
 void CheckComparable(const IndexedMesh& mesh, const char* which) {
-  if (mesh.triangles.empty()) {
+  if (mesh.positions.empty()) {
     throw InputError(
-        fmt::format("{}: the mesh has {} vertices but no triangles",
-                    which,
-                    mesh.positions.size()));
+        fmt::format("{}: there are neither triangles nor points", which));
   }
 }
 
@@ -226,6 +234,12 @@ MeshComparison CompareMeshes(const IndexedMesh& mesh,
   options.Check();
   CheckComparable(mesh, "mesh to compare");
   CheckComparable(reference, "reference");
+  if (mesh.triangles.empty() || reference.triangles.empty()) {
+    return CompareMeshes(PointsAsTriangles(mesh),
+                         PointsAsTriangles(reference),
+                         options,
+                         context);
+  }
   const RayScene reference_scene(reference);
   RayScene mesh_scene(mesh);
   MeshComparison result;
@@ -250,7 +264,7 @@ MeshComparison CompareMeshes(const IndexedMesh& mesh,
   result.from_reference = Summarize(&from_reference);
   result.confidence = to_reference.confidence;
   result.judged_share = static_cast<double>(result.from_reference.num_samples) /
-                        static_cast<double>(options.num_samples);
+                        static_cast<double>(from_reference.num_taken);
   Score(to_reference, from_reference, options, &result);
   return result;
 }

@@ -66,6 +66,9 @@ struct MeshComparison {
   DistanceStatistics to_reference;    // from the mesh
   DistanceStatistics from_reference;  // to the mesh
   std::vector<ThresholdScore> scores;
+  // Precision and recall over all thresholds of distance_curve.h.
+  std::vector<double> precision_curve;
+  std::vector<double> recall_curve;
   double accuracy = 0;      // a distance
   double completeness = 0;  // a fraction of the reference
   std::optional<MeshAlignment> alignment;
@@ -78,10 +81,12 @@ struct MeshComparison {
 };
 
 // Both meshes may be open or not manifold; vertices that no triangle uses do
-// not count. The samples depend on Context::Seed() alone: the same bytes for
-// any number of threads. Throws InputError when a mesh has no triangles (a
-// point cloud), no area or an index out of range, or when nothing of the
-// reference counts.
+// not count. Either may be a point cloud (no triangles): its points are the
+// samples, num_samples at most, and each stands for itself. The samples depend
+// on Context::Seed() alone: the same bytes for any number of threads. Throws
+// InputError when a mesh is empty, has no area or an index out of range, when
+// nothing of the reference counts, or when it is a cloud and `align` asks for
+// its normals.
 MeshComparison CompareMeshes(const IndexedMesh& mesh,
                              const IndexedMesh& reference,
                              const CompareMeshesOptions& options,

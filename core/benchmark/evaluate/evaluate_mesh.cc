@@ -42,6 +42,15 @@ MeshEvaluation EvaluateMesh(const IndexedMesh& mesh,
   if (options.photometric) {
     evaluation.reprojection = MeasureReprojection(
         views, depths, MiddleOf(mesh), options.reprojection, context);
+    if (options.reprojection.keep_maps) {
+      evaluation.view_support = MeasureViewSupport(
+          views, evaluation.reprojection->maps, options.reprojection, context);
+      evaluation.vertex_support = SupportOfPoints(mesh.positions,
+                                                  views,
+                                                  depths,
+                                                  evaluation.reprojection->maps,
+                                                  context);
+    }
   }
   return evaluation;
 }

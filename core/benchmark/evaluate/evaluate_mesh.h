@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/context.h"
+#include "core/benchmark/evaluate/photo_support.h"
 #include "core/benchmark/evaluate/reprojection.h"
 #include "core/benchmark/evaluate/silhouette_agreement.h"
 #include "core/mesh/indexed_mesh.h"
@@ -22,6 +23,10 @@ struct EvaluateMeshOptions {
 struct MeshEvaluation {
   SilhouetteAgreement silhouettes;
   std::optional<Reprojection> reprojection;
+  // With ReprojectionOptions::keep_maps: of the views, in their order.
+  std::vector<ViewSupport> view_support;
+  // Likewise of the mesh's vertices; not a number where nothing is known.
+  std::vector<float> vertex_support;
 };
 
 // `mesh` in the frame of the views. Holds a depth (4 bytes) for each of their

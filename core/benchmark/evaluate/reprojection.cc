@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -75,6 +76,20 @@ double TenthFromBelow(const std::array<uint64_t, kCorrelationBins>& histogram,
   return 1;
 }
 
+// The means of CV_32FC2 sums and numbers.
+cv::Mat MeanMap(const cv::Mat& sums) {
+  cv::Mat means(sums.size(), CV_32FC1);
+  for (int y = 0; y < sums.rows; ++y) {
+    for (int x = 0; x < sums.cols; ++x) {
+      const cv::Vec2f& sum = sums.at<cv::Vec2f>(y, x);
+      means.at<float>(y, x) = sum[1] > 0
+                                  ? sum[0] / sum[1]
+                                  : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  return means;
+}
+
 struct ViewSums {
   std::vector<PairSums> pairs;
   size_t mesh_pixels = 0;
@@ -134,23 +149,34 @@ Reprojection MeasureReprojection(const std::vector<View>& views,
   }
   const auto neighbors = ReprojectionNeighbors(views, middle, options);
   std::vector<ViewSums> sums(views.size());
+  std::vector<cv::Mat> maps(options.keep_maps ? views.size() : 0);
   Phase phase(context, "Reprojection", views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       cv::Mat compared = cv::Mat::zeros(depths[i].size(), CV_8UC1);
+      cv::Mat correlations;
+      if (options.keep_maps) {
+        correlations = cv::Mat::zeros(depths[i].size(), CV_32FC2);
+      }
       for (const size_t j : neighbors[i]) {
         sums[i].pairs.push_back(
             CompareWithNeighbor({views[i], greys[i], depths[i]},
                                 {views[j], greys[j], depths[j]},
                                 options,
-                                &compared));
+                                &compared,
+                                options.keep_maps ? &correlations : nullptr));
+      }
+      if (options.keep_maps) {
+        maps[i] = MeanMap(correlations);
       }
       sums[i].mesh_pixels = size_t(cv::countNonZero(depths[i] > 0));
       sums[i].compared_pixels = size_t(cv::countNonZero(compared));
       phase.Advance();
     }
   });
-  return Combine(sums);
+  Reprojection result = Combine(sums);
+  result.maps = std::move(maps);
+  return result;
 }
 
 }  // namespace octacut

@@ -22,6 +22,8 @@ struct ReprojectionOptions {
   // Standard deviation of a window's grey levels below which it is plain: its
   // correlation says nothing, and is left out.
   double min_contrast = 2;
+  // Whether Reprojection::maps is wanted, which takes four bytes a pixel.
+  bool keep_maps = false;
 
   void Check() const;  // throws OptionError
 };
@@ -39,6 +41,9 @@ struct Reprojection {
   // The share of the mesh's pixels that are in the middle of a whole window
   // with at least one neighbour.
   double compared_fraction = 0;
+  // One a view, of its size, CV_32FC1: the mean correlation of the window
+  // around each pixel over the neighbours; not a number where there is none.
+  std::vector<cv::Mat> maps;
 };
 
 // For each view the indices of its neighbours as seen from `middle`, nearest

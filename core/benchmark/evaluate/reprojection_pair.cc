@@ -94,7 +94,8 @@ cv::Mat WindowSum(const cv::Mat& values, int radius) {
 PairSums CompareWithNeighbor(const GreyView& view,
                              const GreyView& neighbor,
                              const ReprojectionOptions& options,
-                             cv::Mat* compared) {
+                             cv::Mat* compared,
+                             cv::Mat* correlations) {
   const Warped warped = WarpOverMesh(view, neighbor);
   const int radius = options.window_radius;
   const double count = (2 * radius + 1) * (2 * radius + 1);
@@ -130,6 +131,9 @@ PairSums CompareWithNeighbor(const GreyView& view,
           std::clamp(ab / std::sqrt(aa * std::max(bb, 1e-9)), -1.0, 1.0);
       ++result.num_windows;
       result.sum += correlation;
+      if (correlations != nullptr) {
+        correlations->at<cv::Vec2f>(y, x) += cv::Vec2f(float(correlation), 1);
+      }
       ++result.histogram[std::min(
           kCorrelationBins - 1, int((correlation + 1) / 2 * kCorrelationBins))];
     }

@@ -29,10 +29,13 @@ struct GreyView {
 
 // Correlates the windows of `view` with the image of `neighbor`, reprojected
 // over the surface that the depths show. `compared` (CV_8UC1, of the view's
-// size) becomes 1 in the middle of every whole window.
+// size) becomes 1 in the middle of every whole window. `correlations`, unless
+// null, gets the sums of the correlations and their number at the middle of
+// every window that is not plain: CV_32FC2, of the view's size.
 PairSums CompareWithNeighbor(const GreyView& view,
                              const GreyView& neighbor,
                              const ReprojectionOptions& options,
-                             cv::Mat* compared);
+                             cv::Mat* compared,
+                             cv::Mat* correlations = nullptr);
 
 }  // namespace octacut

@@ -113,6 +113,17 @@ SyntheticObject MakeLump() {
   return {Displace(body, &LumpRelief, 0.062, 1.1)};
 }
 
+SyntheticObject MakeVase() {
+  const ImplicitShape body =
+      Union({Move(Stretch(MakeSphere(1), {0.55, 0.55, 0.6}), {0, 0, -0.2}),
+             MakeBar({0, 0, 0.3}, {0, 0, 0.9}, 0.22, 0.36),
+             MakeBar({0, 0, -0.85}, {0, 0, -0.6}, 0.4, 0.3)},
+            0.15);
+  const ImplicitShape opening = MakeBar({0, 0, 0.4}, {0, 0, 1.1}, 0.12, 0.34);
+  return {Subtract(
+      Intersect(body, MakeBox({2, 2, 0.85}, 0.01), 0.02), opening, 0.03)};
+}
+
 }  // namespace
 
 SyntheticObject MakeObject(std::string_view name,
@@ -147,6 +158,9 @@ SyntheticObject MakeObject(std::string_view name,
                          .min_width = parameters.fold_width / 5,
                          .depth = parameters.fold_depth})};
   }
+  if (name == "vase") {
+    return MakeVase();
+  }
   if (name == "example") {
     return {MakeBeastEwer(), 1};
   }
@@ -163,6 +177,7 @@ std::vector<std::string> ObjectNames() {
           "touching_spheres",
           "lump",
           "drapery",
+          "vase",
           "example"};
 }
 

@@ -35,7 +35,8 @@ struct SyntheticObject {
 // "sphere", "torus", "box" (rotated), "cup" (a round cavity), "rods" (three
 // crossed cylinders), "fingers" (a hand), "touching_spheres" (joined by a
 // narrow neck), "lump" (a smooth body with folds and relief), "drapery" (a
-// column of folds, see drapery.h), "example". Throws OptionError for other
+// column of folds, see drapery.h), "vase" (a solid of revolution with a flat
+// bottom, the same from all sides), "example". Throws OptionError for other
 // names.
 SyntheticObject MakeObject(std::string_view name,
                            const ObjectParameters& parameters = {});

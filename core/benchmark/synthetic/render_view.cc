@@ -89,20 +89,30 @@ class ViewRenderer {
     for (int x = 0; x < image.cols; ++x) {
       const bool near_object =
           x >= min_x_ && x <= max_x_ && y >= min_y_ && y <= max_y_;
-      float covered = 0;
+      Covered covered;
       Vector3f color = Vector3f::Zero();
       if (near_object) {
         covered = ShadePixel(x, y, color);
       }
-      if (covered < 1) {
-        color = covered * color + (1 - covered) * Background(x, y);
+      if (covered.by_all < 1) {
+        color =
+            covered.by_all * color + (1 - covered.by_all) * Background(x, y);
       }
       pixels[x] = {tone_(color.z()), tone_(color.y()), tone_(color.x())};
-      coverage[x] = static_cast<uint8_t>(std::lround(255 * covered));
+      coverage[x] = static_cast<uint8_t>(std::lround(255 * covered.by_object));
     }
   }
 
  private:
+  struct Covered {     // parts of a pixel
+    float by_all = 0;  // object and stand
+    float by_object = 0;
+  };
+  struct Hits {  // rays
+    size_t num_all = 0;
+    size_t num_object = 0;
+  };
+
   // Pixels outside a rectangle around the projected bounding sphere cannot
   // see the object.
   void FindObjectRectangle(const Rigid3d& cam_from_world) {
@@ -139,45 +149,57 @@ class ViewRenderer {
     return world_from_cam_.rotation * lens_.Unproject({x, y});
   }
 
-  // Mean colour of the object's part of a pixel; returns how much of the
-  // pixel that is.
-  float ShadePixel(int x, int y, Vector3f& color) const {
-    size_t num_hits = 0;
+  // Mean colour of the part of a pixel that object and stand cover; returns how
+  // much of the pixel that is.
+  Covered ShadePixel(int x, int y, Vector3f& color) const {
+    Hits hits;
     for (const auto& offset : kOffsets) {
-      num_hits += AddSample(x + offset[0], y + offset[1], color);
+      AddSample(x + offset[0], y + offset[1], color, hits);
     }
-    if (num_hits == 0) {
-      return 0;
+    if (hits.num_all == 0) {
+      return {};
     }
-    size_t num_samples = num_hits;
+    Hits further = hits;
     for (const Eigen::Vector2d& offset : further_offsets_) {
-      num_samples += AddSample(x + offset.x(), y + offset.y(), color);
+      AddSample(x + offset.x(), y + offset.y(), color, further);
     }
-    color /= static_cast<float>(num_samples);
-    return num_hits == kOffsets.size() ? 1.0f : Coverage(x, y);
+    color /= static_cast<float>(further.num_all);
+    if (hits.num_all == kOffsets.size() &&
+        (hits.num_object == 0 || hits.num_object == kOffsets.size())) {
+      return {1, hits.num_object == 0 ? 0.0f : 1.0f};
+    }
+    return Coverage(x, y);
   }
 
-  // Adds the object's colour at a place of the image; whether it is there.
-  bool AddSample(double x, double y, Vector3f& color) const {
+  void Count(const RayScene::Hit& hit, Hits& hits) const {
+    ++hits.num_all;
+    hits.num_object += hit.triangle < subject_.num_object_triangles;
+  }
+
+  // Adds the colour of what is at a place of the image, if anything is.
+  void AddSample(double x, double y, Vector3f& color, Hits& hits) const {
     const Vector3d ray = Ray(x, y);
     const auto hit = subject_.rays.FirstHit(world_from_cam_.translation, ray);
     if (hit) {
       color += shade_(*hit, world_from_cam_.translation, ray);
+      Count(*hit, hits);
     }
-    return hit.has_value();
   }
 
   // The coverage of a pixel at the silhouette, from an 8 x 8 lattice.
-  float Coverage(int x, int y) const {
+  Covered Coverage(int x, int y) const {
     constexpr int kSide = 8;
-    int num_hits = 0;
+    Hits hits;
     for (int i = 0; i < kSide * kSide; ++i) {
       const Vector3d ray =
           Ray(x + (i % kSide + 0.5) / kSide, y + (i / kSide + 0.5) / kSide);
-      num_hits +=
-          subject_.rays.FirstHit(world_from_cam_.translation, ray).has_value();
+      if (const auto hit =
+              subject_.rays.FirstHit(world_from_cam_.translation, ray)) {
+        Count(*hit, hits);
+      }
     }
-    return static_cast<float>(num_hits) / (kSide * kSide);
+    return {static_cast<float>(hits.num_all) / (kSide * kSide),
+            static_cast<float>(hits.num_object) / (kSide * kSide)};
   }
 
   Vector3f Background(int x, int y) const {
@@ -189,13 +211,14 @@ class ViewRenderer {
     if (background.kind == BackgroundKind::kPlain) {
       return plain;
     }
-    // Where the ray leaves the room's sphere.
-    const Vector3d ray = Ray(x + 0.5, y + 0.5).normalized();
-    const Vector3d from = world_from_cam_.translation - subject_.center;
-    const double room = background.room_radius * subject_.radius;
-    const double along = from.dot(ray);
-    const double root = along * along - from.squaredNorm() + room * room;
-    const Vector3d wall = from + (std::sqrt(std::max(root, 0.0)) - along) * ray;
+    const Vector3d wall =
+        background.fixed_to_camera
+            ? Vector3d(background.room_radius * subject_.radius *
+                       lens_.Unproject({x + 0.5, y + 0.5}).normalized())
+            : Vector3d(RoomWall(subject_,
+                                world_from_cam_.translation,
+                                Ray(x + 0.5, y + 0.5)) -
+                       subject_.center);
     TextureOptions texture = subject_.texture;
     texture.kind = TextureKind::kPainted;
     texture.contrast = 1;
@@ -214,6 +237,18 @@ class ViewRenderer {
 };
 
 }  // namespace
+
+Vector3d RoomWall(const RenderSubject& subject,
+                  const Vector3d& origin,
+                  const Vector3d& ray) {
+  const Vector3d direction = ray.normalized();
+  const Vector3d from = origin - subject.center;
+  const double room = subject.background.room_radius * subject.radius;
+  const double along = from.dot(direction);
+  const double root = along * along - from.squaredNorm() + room * room;
+  return subject.center + from +
+         (std::sqrt(std::max(root, 0.0)) - along) * direction;
+}
 
 RenderedView RenderView(const RenderSubject& subject,
                         const Lens& lens,

@@ -1,6 +1,8 @@
 // Photographs of a synthetic object: image and antialiased silhouette.
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -26,6 +28,9 @@ struct BackgroundOptions {
   Eigen::Vector3f bottom{0.20f, 0.21f, 0.23f};
   double room_radius = 8;         // in radii of the object's bounding sphere
   double room_texture_scale = 1;  // the same
+  // The room is around the camera and stands still as it does, as behind a
+  // turntable.
+  bool fixed_to_camera = false;
 };
 
 // What the renderer needs of an object. The mesh has vertex normals; mesh and
@@ -39,6 +44,9 @@ struct RenderSubject {
   Finish finish = {};
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  // bounding sphere
   double radius = 1;
+  // Triangles from this number on are the stand, which is not in the mask.
+  size_t num_object_triangles = std::numeric_limits<size_t>::max();
+  TextureOptions stand_texture = {};
   // Values of the vertices; visibility only for lights fixed to the object.
   std::vector<float> openness = {};
   std::vector<std::vector<float>> visibility = {};
@@ -53,9 +61,15 @@ RenderSubject MakeRenderSubject(const IndexedMesh& mesh,
                                 const BackgroundOptions& background,
                                 const Context& context);
 
+// Where a ray from inside the room meets its wall. World coordinates.
+Eigen::Vector3d RoomWall(const RenderSubject& subject,
+                         const Eigen::Vector3d& origin,
+                         const Eigen::Vector3d& ray);
+
 struct RenderedView {
   cv::Mat image;  // CV_8UC3, BGR, sRGB
-  cv::Mat mask;   // CV_8UC1, coverage by the object from 0 to 255
+  cv::Mat mask;   // CV_8UC1, coverage by the object, without the stand, from 0
+                  // to 255
 };
 
 RenderedView RenderView(const RenderSubject& subject,

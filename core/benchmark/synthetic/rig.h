@@ -23,7 +23,8 @@ struct Lens {
 enum class RigKind {
   kSphere,     // a spiral, even in elevation: hollows open upwards
   kRings,      // four rings from min_elevation to max_elevation
-  kTurntable,  // one ring at min_elevation
+  kTurntable,  // one ring at min_elevation: the camera stands still, and so
+               // does a room in which the object turns
 };
 
 struct RigOptions {

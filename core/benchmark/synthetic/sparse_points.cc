@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
+#include <utility>
 
 #include "core/benchmark/synthetic/noise.h"
 
@@ -18,11 +20,18 @@ struct SurfaceSample {
   uint32_t triangle;
 };
 
-// Cumulated areas of the triangles.
-std::vector<double> CumulateAreas(const IndexedMesh& mesh) {
+// Triangles of the object, or of the stand.
+struct Part {
+  size_t begin;
+  size_t end;
+};
+
+// Cumulated areas of the triangles of the part.
+std::vector<double> CumulateAreas(const IndexedMesh& mesh, const Part& part) {
   std::vector<double> areas;
   double total = 0;
-  for (const auto& triangle : mesh.triangles) {
+  for (size_t i = part.begin; i < part.end; ++i) {
+    const auto& triangle = mesh.triangles[i];
     const Eigen::Vector3d& a = mesh.positions[triangle[0]];
     total += (mesh.positions[triangle[1]] - a)
                  .cross(mesh.positions[triangle[2]] - a)
@@ -34,12 +43,15 @@ std::vector<double> CumulateAreas(const IndexedMesh& mesh) {
 }
 
 SurfaceSample SampleSurface(const IndexedMesh& mesh,
+                            const Part& part,
                             const std::vector<double>& areas,
                             uint64_t bits) {
   const double target = areas.back() * HashUniform(HashBits(bits, 1));
-  const size_t triangle = std::min<size_t>(
-      std::upper_bound(areas.begin(), areas.end(), target) - areas.begin(),
-      areas.size() - 1);
+  const size_t triangle =
+      part.begin +
+      std::min<size_t>(
+          std::upper_bound(areas.begin(), areas.end(), target) - areas.begin(),
+          areas.size() - 1);
   double u = HashUniform(HashBits(bits, 2));
   double v = HashUniform(HashBits(bits, 3));
   if (u + v > 1) {
@@ -74,38 +86,100 @@ bool IsSeen(const SurfaceSample& sample,
          !rays.IsOccluded(sample.position, toward, 1e-4, 1);
 }
 
-}  // namespace
+class PointSampler {
+ public:
+  PointSampler(const SyntheticScene& scene, const RenderSubject& subject)
+      : scene_(scene), subject_(subject) {}
 
-std::vector<SyntheticPoint> SampleSparsePoints(const SyntheticScene& scene,
-                                               const RayScene& rays) {
-  const SceneSpec& spec = scene.spec;
-  const std::vector<double> areas = CumulateAreas(scene.reference);
-  std::vector<SyntheticPoint> points;
-  for (int i = 0; i < spec.num_points; ++i) {
-    const uint64_t bits = HashBits(spec.seed, 77, i);
-    const SurfaceSample sample = SampleSurface(scene.reference, areas, bits);
-    SyntheticPoint point;
+  void AddSurface(const Part& part, int count, uint64_t stream) {
+    const std::vector<double> areas = CumulateAreas(subject_.mesh, part);
+    for (int i = 0; i < count; ++i) {
+      const uint64_t bits = HashBits(scene_.spec.seed, stream, i);
+      const SurfaceSample sample =
+          SampleSurface(subject_.mesh, part, areas, bits);
+      SyntheticPoint point;
+      point.on_object = part.begin == 0;
+      point.color =
+          subject_.mesh.colors[subject_.mesh.triangles[sample.triangle][0]];
+      Add(sample, bits, std::move(point));
+    }
+  }
+
+  // Where random pixels of the views show the wall.
+  void AddRoom(int count, uint64_t stream) {
+    for (int i = 0; i < count; ++i) {
+      const uint64_t bits = HashBits(scene_.spec.seed, stream, i);
+      const SyntheticView& view =
+          scene_.views[HashBits(bits, 1) % scene_.views.size()];
+      const PinholeCamera& camera = view.lens.camera;
+      const Eigen::Vector2d pixel(
+          camera.width * HashUniform(HashBits(bits, 2)),
+          camera.height * HashUniform(HashBits(bits, 3)));
+      const Rigid3d world_from_cam = view.true_cam_from_world.Inverse();
+      const Eigen::Vector3d ray =
+          world_from_cam.rotation * view.lens.Unproject(pixel);
+      if (subject_.rays.FirstHit(world_from_cam.translation, ray)) {
+        continue;
+      }
+      SurfaceSample sample;
+      sample.position = RoomWall(subject_, world_from_cam.translation, ray);
+      sample.normal = (subject_.center - sample.position).normalized();
+      sample.triangle = 0;
+      SyntheticPoint point;
+      point.on_object = false;
+      const auto color =
+          view.image.at<cv::Vec3b>(int(pixel.y()), int(pixel.x()));
+      point.color = {color[2], color[1], color[0]};
+      Add(sample, bits, std::move(point));
+    }
+  }
+
+  std::vector<SyntheticPoint> Points() && { return std::move(points_); }
+
+ private:
+  void Add(const SurfaceSample& sample, uint64_t bits, SyntheticPoint point) {
+    const double noise = scene_.spec.observation_noise;
     point.position = sample.position;
-    point.color =
-        scene.reference.colors[scene.reference.triangles[sample.triangle][0]];
-    for (uint32_t k = 0; k < scene.views.size(); ++k) {
-      const SyntheticView& view = scene.views[k];
-      if (IsSeen(sample, view, rays)) {
+    for (uint32_t k = 0; k < scene_.views.size(); ++k) {
+      const SyntheticView& view = scene_.views[k];
+      if (IsSeen(sample, view, subject_.rays)) {
         Eigen::Vector2d pixel =
             view.lens.Project(view.true_cam_from_world * sample.position);
-        if (spec.observation_noise > 0) {
-          pixel += spec.observation_noise *
-                   Eigen::Vector2d(HashNormal(HashBits(bits, k, 4)),
-                                   HashNormal(HashBits(bits, k, 5)));
+        if (noise > 0) {
+          pixel += noise * Eigen::Vector2d(HashNormal(HashBits(bits, k, 4)),
+                                           HashNormal(HashBits(bits, k, 5)));
         }
         point.observations.push_back({k, pixel});
       }
     }
     if (point.observations.size() >= 2) {
-      points.push_back(std::move(point));
+      points_.push_back(std::move(point));
     }
   }
-  return points;
+
+  const SyntheticScene& scene_;
+  const RenderSubject& subject_;
+  std::vector<SyntheticPoint> points_;
+};
+
+}  // namespace
+
+std::vector<SyntheticPoint> SampleSparsePoints(const SyntheticScene& scene,
+                                               const RenderSubject& subject) {
+  const int count = scene.spec.num_points;
+  const size_t num_triangles = subject.mesh.triangles.size();
+  const size_t num_object =
+      std::min(subject.num_object_triangles, num_triangles);
+  PointSampler sampler(scene, subject);
+  sampler.AddSurface({0, num_object}, count, 77);
+  if (num_object < num_triangles) {
+    sampler.AddSurface({num_object, num_triangles}, count / 2, 78);
+  }
+  const BackgroundOptions& background = subject.background;
+  if (background.kind == BackgroundKind::kRoom && !background.fixed_to_camera) {
+    sampler.AddRoom(count / 2, 79);
+  }
+  return std::move(sampler).Points();
 }
 
 }  // namespace octacut

@@ -99,8 +99,9 @@ Vector3f SurfaceShader::Scattered(const SurfacePoint& point) const {
                    static_cast<float>(lighting.specular) * light;
     }
   }
-  const Vector3f color =
-      TextureColor(subject_.texture, point.position.cast<float>());
+  const Vector3f color = TextureColor(
+      IsObject(point.hit) ? subject_.texture : subject_.stand_texture,
+      point.position.cast<float>());
   return color.cwiseProduct(diffuse) + highlight;
 }
 
@@ -124,7 +125,7 @@ Vector3f SurfaceShader::Mirrored(const SurfacePoint& point,
 
 Vector3f SurfaceShader::Sent(const SurfacePoint& point, int num_bounces) const {
   const Finish& finish = subject_.finish;
-  if (!(finish.reflectance.maxCoeff() > 0)) {
+  if (!(finish.reflectance.maxCoeff() > 0) || !IsObject(point.hit)) {
     return Scattered(point);
   }
   const Vector3f fresnel =

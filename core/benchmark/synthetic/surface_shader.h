@@ -39,6 +39,9 @@ class SurfaceShader {
   // The mean over the triangle's corners, weighted as the hit is near them.
   template <typename Values>
   auto Interpolate(const Values& values, const RayScene::Hit& hit) const;
+  bool IsObject(const RayScene::Hit& hit) const {
+    return hit.triangle < subject_.num_object_triangles;
+  }
   // What texture and lights make of it.
   Eigen::Vector3f Scattered(const SurfacePoint& point) const;
   // What it mirrors, the object itself included `num_bounces` times.

@@ -21,6 +21,21 @@
 
 namespace octacut {
 
+// A round plate that the object stands on and turns with. It is in the
+// photographs, not in the masks.
+struct StandOptions {
+  bool is_there = false;
+  // Relative to that of the smallest upright cylinder around the object, whose
+  // axis it shares.
+  double radius = 1.15;
+  TextureOptions texture{.kind = TextureKind::kMarble,
+                         .scale = 0.5,
+                         .color = {0.42f, 0.27f, 0.15f},
+                         .seed = 5};
+
+  void Check() const;  // throws OptionError
+};
+
 struct SceneSpec {
   std::string object = "example";  // see MakeObject
   ObjectParameters parameters;
@@ -30,9 +45,13 @@ struct SceneSpec {
   MaterialKind material = MaterialKind::kDiffuse;
   TextureOptions texture;
   LightingOptions lighting;
+  // A room stands still with the camera of a turntable.
   BackgroundOptions background;
+  StandOptions stand;
   DegradeOptions degrade;
-  // Sparse points; those that fewer than two views see are left out.
+  // Sparse points on the object; those that fewer than two views see are left
+  // out. Stand and room, as far as they turn with the object, get half as many
+  // each.
   int num_points = 2000;
   // Standard deviation of the observations of sparse points, in pixels.
   double observation_noise = 0;
@@ -66,6 +85,7 @@ struct SyntheticPoint {
     Eigen::Vector2d pixel;  // (0, 0) is the image's top-left corner
   };
   Eigen::Vector3d position;
+  bool on_object = true;                  // not on the surroundings
   std::array<uint8_t, 3> color;           // red, green, blue
   std::vector<Observation> observations;  // at least two, ordered by view
 };
@@ -76,12 +96,16 @@ struct SyntheticScene {
   IndexedMesh reference;  // with vertex normals and colours
   std::vector<SyntheticView> views;
   std::vector<SyntheticPoint> points;
+  // On a turntable: photographs without the object, the stand turned.
+  std::vector<cv::Mat> empty_set;
 };
 
-// The same bytes for any number of threads.
+// The same bytes for any number of threads. Throws OptionError when a camera is
+// below the plane of the stand, which would hide the object from it.
 SyntheticScene MakeScene(const SceneSpec& spec, const Context& context);
 
-// The scene as the core's steps take it. Images are shared, not copied.
+// The scene as the core's steps take it, with the points on the object. Images
+// are shared, not copied.
 // Throws InputError when the lens distorts.
 Scene ToScene(const SyntheticScene& synthetic);
 

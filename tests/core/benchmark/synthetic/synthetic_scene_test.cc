@@ -103,6 +103,71 @@ TEST(MakeScene, AnotherSeedGivesOtherNoise) {
   EXPECT_FALSE(SameBytes(one.views[0].image, other.views[0].image));
 }
 
+// Red of the photograph where the stand is and the object is not.
+TEST(MakeScene, AStandIsInThePhotographsNotInTheMasks) {
+  SceneSpec spec = QuickScene("vase", 160, 120, 4);
+  spec.rig.min_elevation = 20;
+  const SyntheticScene bare = MakeScene(spec, Context(2));
+  spec.stand.is_there = true;
+  spec.stand.texture.kind = TextureKind::kPlain;
+  spec.stand.texture.color = {0.9f, 0.02f, 0.02f};
+  const SyntheticScene scene = MakeScene(spec, Context(2));
+  int num_stand_points = 0;
+  for (size_t i = 0; i < scene.views.size(); ++i) {
+    // All of the object is above the stand, so it hides nothing; where they
+    // touch, rounding decides.
+    cv::Mat difference;
+    cv::absdiff(scene.views[i].mask, bare.views[i].mask, difference);
+    EXPECT_LE(cv::countNonZero(difference > 64), 4);
+    int num_red = 0;
+    for (int y = 0; y < 120; ++y) {
+      for (int x = 0; x < 160; ++x) {
+        const auto pixel = scene.views[i].image.at<cv::Vec3b>(y, x);
+        const bool is_red = pixel[2] > 2 * pixel[1] + 20;
+        num_red += is_red;
+        EXPECT_FALSE(is_red && scene.views[i].mask.at<uint8_t>(y, x) == 255);
+      }
+    }
+    EXPECT_GT(num_red, 200);
+  }
+  for (const SyntheticPoint& point : scene.points) {
+    num_stand_points += !point.on_object;
+    EXPECT_EQ(point.on_object,
+              std::abs(scene.object.shape(point.position)) < 2e-3);
+  }
+  EXPECT_GT(num_stand_points, 10);
+  EXPECT_EQ(ToScene(scene).points.size(),
+            scene.points.size() - size_t(num_stand_points));
+  spec.rig.min_elevation = -40;
+  EXPECT_THROW(MakeScene(spec, Context(2)), OptionError);
+}
+
+TEST(MakeScene, ATurntablesRoomStandsStill) {
+  SceneSpec spec = QuickScene("sphere", 80, 60, 5);
+  spec.background.kind = BackgroundKind::kRoom;
+  spec.rig.kind = RigKind::kTurntable;
+  spec.rig.min_elevation = 20;
+  spec.rig.fill = 0.5;
+  const SyntheticScene scene = MakeScene(spec, Context(2));
+  ASSERT_EQ(scene.empty_set.size(), 4u);
+  for (const SyntheticView& view : scene.views) {
+    cv::Mat difference;
+    cv::absdiff(view.image, scene.empty_set[0], difference);
+    difference.setTo(0, view.mask > 0);
+    EXPECT_EQ(cv::norm(difference, cv::NORM_INF), 0);
+  }
+  for (const SyntheticPoint& point : scene.points) {
+    EXPECT_TRUE(point.on_object);
+  }
+  // A room that stands still with the object has points.
+  spec.rig.kind = RigKind::kSphere;
+  size_t num_room = 0;
+  for (const SyntheticPoint& point : MakeScene(spec, Context(2)).points) {
+    num_room += !point.on_object;
+  }
+  EXPECT_GT(num_room, 20u);
+}
+
 TEST(ToScene, HandsOnWhatTheStepsNeed) {
   SceneSpec spec = QuickScene("sphere", 80, 60, 3);
   spec.reference.resolution = 40;

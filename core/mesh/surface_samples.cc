@@ -1,4 +1,8 @@
-#include "core/benchmark/compare/surface_samples.h"
+<<<<<<<< HEAD:core/benchmark/compare/surface_samples.cc
+#include "core/mesh/surface_samples.h"
+========
+#include "core/mesh/surface_samples.h"
+>>>>>>>> wt-print:core/mesh/surface_samples.cc
 
 #include <fmt/format.h>
 

@@ -1,4 +1,8 @@
-#include "core/benchmark/compare/surface_samples.h"
+<<<<<<<< HEAD:tests/core/benchmark/compare/surface_samples_test.cc
+#include "core/mesh/surface_samples.h"
+========
+#include "core/mesh/surface_samples.h"
+>>>>>>>> wt-print:tests/core/mesh/surface_samples_test.cc
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,132 @@
+#include "colmap_io/images/mask_folder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
+#include <system_error>
+
+#include "colmap_io/files/atomic_files.h"
+#include "core/base/error.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool IsPicture(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(
+      extension.begin(), extension.end(), extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? c + 32 : c;
+      });
+  return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
+}
+
+void WriteBytes(AtomicFiles* files,
+                const fs::path& path,
+                const std::vector<uchar>& bytes) {
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  files->Write(path, [&](std::ostream& stream) {
+    stream.write(reinterpret_cast<const char*>(bytes.data()),
+                 std::streamsize(bytes.size()));
+  });
+}
+
+// What the earlier list says of images that the new one does not have.
+MaskList Merged(const MaskList& list,
+                const std::optional<MaskList>& before,
+                const fs::path& folder) {
+  MaskList merged = list;
+  if (before) {
+    std::error_code ignored;
+    for (const ListedMask& mask : before->views) {
+      if (list.Find(mask.image) == nullptr &&
+          (mask.mask.empty() || fs::exists(folder / mask.mask, ignored))) {
+        merged.views.push_back(mask);
+      }
+    }
+  }
+  return merged;
+}
+
+void RemoveDoubtedMasks(const MaskList& list,
+                        const std::optional<MaskList>& before,
+                        const fs::path& folder) {
+  for (const ListedMask& listed : list.views) {
+    const fs::path path = folder / (listed.image + ".png");
+    std::error_code ignored;
+    if (listed.status == MaskStatus::kUnsure && fs::exists(path, ignored) &&
+        IsExtractedMask(before, listed.image, path)) {
+      fs::remove(path, ignored);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<uchar> EncodeMask(const cv::Mat& mask) {
+  std::vector<uchar> png;
+  cv::imencode(".png", mask, png);
+  return png;
+}
+
+std::string HashOfPng(const std::vector<uchar>& png) {
+  return HashOfBytes({reinterpret_cast<const char*>(png.data()), png.size()});
+}
+
+void RequireOnlyOwnMasks(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) {
+    return;
+  }
+  const std::optional<MaskList> list = ReadMaskList(folder);
+  std::vector<fs::path> pictures;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+    if (entry.is_regular_file() && IsPicture(entry.path()) &&
+        entry.path() != folder / kContactSheetName) {
+      pictures.push_back(entry.path());
+    }
+  }
+  std::sort(pictures.begin(), pictures.end());
+  for (const fs::path& path : pictures) {
+    const std::string name = path.lexically_relative(folder).string();
+    const std::string image = name.substr(0, name.rfind('.'));
+    if (!IsExtractedMask(list, image, path)) {
+      throw InputError(fmt::format(
+          "output_path {}: {} was not made by octacut, or was changed since; "
+          "choose another folder",
+          folder.string(),
+          path.string()));
+    }
+  }
+}
+
+void WriteMaskFolder(const fs::path& folder,
+                     const MaskList& list,
+                     const std::vector<std::vector<uchar>>& pngs,
+                     const cv::Mat& contact_sheet) {
+  const std::optional<MaskList> before = ReadMaskList(folder);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  AtomicFiles files;
+  for (size_t i = 0; i < pngs.size(); ++i) {
+    if (!pngs[i].empty()) {
+      WriteBytes(&files, folder / list.views[i].mask, pngs[i]);
+    }
+  }
+  if (!contact_sheet.empty()) {
+    std::vector<uchar> sheet;
+    cv::imencode(".jpg", contact_sheet, sheet);
+    WriteBytes(&files, folder / kContactSheetName, sheet);
+  }
+  files.Write(folder / kMaskListName, [&](std::ostream& stream) {
+    stream << MaskListText(Merged(list, before, folder));
+  });
+  files.Commit();
+  RemoveDoubtedMasks(list, before, folder);
+}
+
+}  // namespace octacut

@@ -1,0 +1,137 @@
+#include "colmap_io/mesh/textured_mesh_io.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <opencv2/imgcodecs.hpp>
+#include <ostream>
+#include <string>
+
+#include "colmap_io/files/atomic_files.h"
+#include "colmap_io/mesh/glb_writer.h"
+#include "colmap_io/mesh/textured_writers.h"
+#include "core/base/error.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Above it, files grow without a visible gain.
+constexpr int kJpegQuality = 95;
+
+std::string Extension(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(
+      extension.begin(), extension.end(), extension.begin(), [](char c) {
+        return char(std::tolower(static_cast<unsigned char>(c)));
+      });
+  return extension;
+}
+
+EncodedImage Encode(const cv::Mat& image, TextureImageFormat format) {
+  const bool is_png = format == TextureImageFormat::kPng;
+  EncodedImage result;
+  result.mime_type = is_png ? "image/png" : "image/jpeg";
+  const std::vector<int> parameters =
+      is_png ? std::vector<int>()
+             : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, kJpegQuality};
+  if (!cv::imencode(
+          is_png ? ".png" : ".jpg", image, result.bytes, parameters)) {
+    throw InputError("a page of the texture could not be encoded");
+  }
+  return result;
+}
+
+EncodedPages EncodePages(const TexturedMesh& mesh, TextureImageFormat format) {
+  EncodedPages pages;
+  for (const TexturePage& page : mesh.pages) {
+    pages.colors.push_back(Encode(page.color, format));
+    if (!page.normals.empty()) {
+      pages.normals.push_back(Encode(page.normals, TextureImageFormat::kPng));
+    }
+  }
+  return pages;
+}
+
+fs::path WithEnding(const fs::path& path, const std::string& ending) {
+  fs::path result = path;
+  result.replace_extension();
+  result += ending;
+  return result;
+}
+
+}  // namespace
+
+void CheckTexturedMeshPath(const fs::path& path) {
+  const std::string extension = Extension(path);
+  if (extension != ".glb" && extension != ".obj" && extension != ".ply") {
+    throw OptionError(
+        fmt::format("{}: unknown extension \"{}\" of a textured mesh: must be "
+                    ".glb, .obj or .ply",
+                    path.string(),
+                    extension));
+  }
+  CheckFilePath(path);
+  if (extension == ".obj") {
+    CheckFilePath(WithEnding(path, ".mtl"));
+  }
+}
+
+std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
+                                        const TexturedMesh& mesh,
+                                        const TexturedMeshOptions& options) {
+  CheckTexturedMeshPath(path);
+  const EncodedPages pages = EncodePages(mesh, options.image_format);
+  AtomicFiles files;
+  std::vector<fs::path> written;
+  const auto write = [&](const fs::path& file,
+                         const std::function<void(std::ostream&)>& body) {
+    files.Write(file, body);
+    written.push_back(file);
+  };
+  const std::string extension = Extension(path);
+  if (extension == ".glb") {
+    write(path,
+          [&](std::ostream& stream) { WriteTexturedGlb(mesh, pages, stream); });
+    files.Commit();
+    return written;
+  }
+  // The images come first, so that none is missing where the mesh is there.
+  PageNames names;
+  const auto write_image = [&](const EncodedImage& image,
+                               const std::string& ending) {
+    const fs::path file = WithEnding(
+        path, ending + (image.mime_type == "image/png" ? ".png" : ".jpg"));
+    write(file, [&](std::ostream& stream) {
+      stream.write(reinterpret_cast<const char*>(image.bytes.data()),
+                   std::streamsize(image.bytes.size()));
+    });
+    return file.filename().string();
+  };
+  for (size_t page = 0; page < pages.colors.size(); ++page) {
+    const std::string number =
+        pages.colors.size() == 1 ? "" : fmt::format("_{}", page);
+    names.colors.push_back(write_image(pages.colors[page], number));
+    if (extension == ".obj" && !pages.normals.empty()) {
+      names.normals.push_back(
+          write_image(pages.normals[page], "_normal" + number));
+    }
+  }
+  if (extension == ".obj") {
+    const fs::path materials = WithEnding(path, ".mtl");
+    write(materials, [&](std::ostream& stream) { WriteMtl(names, stream); });
+    write(path, [&](std::ostream& stream) {
+      WriteTexturedObj(mesh, materials.filename().string(), stream);
+    });
+  } else {
+    write(path,
+          [&](std::ostream& stream) { WriteTexturedPly(mesh, names, stream); });
+  }
+  files.Commit();
+  return written;
+}
+
+}  // namespace octacut

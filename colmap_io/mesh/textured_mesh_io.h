@@ -1,0 +1,37 @@
+// Textured meshes to files: GLB, OBJ and PLY, by extension.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/texture/textured_mesh.h"
+
+namespace octacut {
+
+enum class TextureImageFormat { kPng, kJpeg };
+
+struct TexturedMeshOptions {
+  TextureImageFormat image_format = TextureImageFormat::kPng;
+};
+
+// Throws OptionError for an extension other than .glb, .obj and .ply, and
+// InputError where one of the files cannot be written. To be asked before any
+// long work; the names of the pages of .obj and .ply are known afterwards only.
+void CheckTexturedMeshPath(const std::filesystem::path& path);
+
+// Writes by extension, all files or none:
+// - .glb: one file with the images in it, and with the normal maps.
+// - .obj: beside it NAME.mtl and an image for each page, NAME.png, or
+//   NAME_0.png and so on if there are several; coordinates with all their
+//   digits. Normal maps become NAME_normal.png (map_Bump).
+// - .ply: binary, with images beside it as for .obj; texture coordinates of the
+//   corners of faces (texcoord, and texnumber if there are several pages) and
+//   comments TextureFile, as MeshLab reads and writes them. No normal maps.
+// Images as JPEG end with .jpg; normal maps are always PNG. Returns the paths
+// of what was written.
+std::vector<std::filesystem::path> WriteTexturedMesh(
+    const std::filesystem::path& path,
+    const TexturedMesh& mesh,
+    const TexturedMeshOptions& options);
+
+}  // namespace octacut

@@ -1,0 +1,170 @@
+#include "core/segment/still_background.h"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+// Photographs whose values are tried as the background's, evenly taken. One
+// that a quarter of the photographs shows is among them almost surely.
+constexpr size_t kCandidates = 16;
+// Lower quartile of the length of a vector of three normal deviates, and of
+// how many standard deviations two photographs may differ.
+constexpr float kQuartile = 1.10f;
+constexpr float kDeviations = 3.5f;
+// JPEG's own errors, in 8 bits.
+constexpr float kLeastTolerance = 8;
+// Pixels of a window that must show the background.
+constexpr float kMostOfWindow = 0.85f;
+// Least light in a shadow; L + 16 goes with its cube root.
+constexpr float kLeastLight = 0.4f;
+constexpr float kBlack = 16 * 2.55f;
+constexpr float kNeutral = 128;  // of a and b
+
+float Distance(const cv::Vec3b& a, const cv::Vec3f& b) {
+  const float x = float(a[0]) - b[0];
+  const float y = float(a[1]) - b[1];
+  const float z = float(a[2]) - b[2];
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+// From the differences between neighbouring photographs.
+float Tolerance(std::span<const cv::Mat> labs) {
+  std::vector<float> quartiles;
+  for (size_t i = 0; i + 1 < labs.size(); ++i) {
+    std::vector<float> distances;
+    for (int y = 0; y < labs[i].rows; y += 3) {
+      for (int x = 0; x < labs[i].cols; x += 3) {
+        distances.push_back(
+            Distance(labs[i].at<cv::Vec3b>(y, x),
+                     cv::Vec3f(labs[i + 1].at<cv::Vec3b>(y, x))));
+      }
+    }
+    const auto point = distances.begin() + ptrdiff_t(distances.size() / 4);
+    std::nth_element(distances.begin(), point, distances.end());
+    quartiles.push_back(*point);
+  }
+  if (quartiles.empty()) {
+    return kLeastTolerance;
+  }
+  const auto middle = quartiles.begin() + ptrdiff_t(quartiles.size() / 2);
+  std::nth_element(quartiles.begin(), middle, quartiles.end());
+  return std::max(kLeastTolerance, kDeviations * *middle / kQuartile);
+}
+
+// The mean of the values that most photographs agree on.
+cv::Vec3f MostFrequent(std::span<const cv::Mat> labs,
+                       int y,
+                       int x,
+                       float tolerance) {
+  const size_t count = std::min(kCandidates, labs.size());
+  cv::Vec3f best;
+  int most = 0;
+  for (size_t k = 0; k < count; ++k) {
+    const cv::Vec3f candidate(
+        labs[k * labs.size() / count].at<cv::Vec3b>(y, x));
+    cv::Vec3f sum(0, 0, 0);
+    int votes = 0;
+    for (const cv::Mat& lab : labs) {
+      const auto& value = lab.at<cv::Vec3b>(y, x);
+      if (Distance(value, candidate) < tolerance) {
+        sum += cv::Vec3f(value);
+        ++votes;
+      }
+    }
+    if (votes > most) {
+      most = votes;
+      best = sum / float(votes);
+    }
+  }
+  return best;
+}
+
+// The share of the masks that are set, for each pixel.
+cv::Mat PartOf(const std::vector<cv::Mat>& masks) {
+  cv::Mat sum = cv::Mat::zeros(masks.front().size(), CV_32F);
+  for (const cv::Mat& mask : masks) {
+    cv::accumulate(mask, sum);
+  }
+  return sum / (255.0 * double(masks.size()));
+}
+
+}  // namespace
+
+int WideWindow(const cv::Size& size) {
+  return std::max(kStillWindow, std::max(size.width, size.height) / 50 * 2 + 1);
+}
+
+cv::Mat ToLab(const cv::Mat& image) {
+  cv::Mat lab;
+  cv::cvtColor(image, lab, cv::COLOR_BGR2Lab);
+  return lab;
+}
+
+StillBackground FindStillBackground(std::span<const cv::Mat> labs,
+                                    const Context& context) {
+  const cv::Size size = labs.front().size();
+  StillBackground background;
+  background.tolerance = Tolerance(labs);
+  background.color.create(size, CV_32FC3);
+  ParallelFor(context, size_t(size.height), 8, [&](size_t begin, size_t end) {
+    for (int y = int(begin); y < int(end); ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        background.color.at<cv::Vec3f>(y, x) =
+            MostFrequent(labs, y, x, background.tolerance);
+      }
+    }
+  });
+  std::vector<cv::Mat> shown(labs.size());
+  std::vector<cv::Mat> widely_shown(labs.size());
+  const int wide = WideWindow(size);
+  ParallelFor(context, labs.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      cv::Mat same(size, CV_32F);
+      for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+          const float distance = Distance(labs[i].at<cv::Vec3b>(y, x),
+                                          background.color.at<cv::Vec3f>(y, x));
+          same.at<float>(y, x) = distance < background.tolerance ? 1.0f : 0.0f;
+        }
+      }
+      cv::Mat part;
+      cv::boxFilter(same, part, CV_32F, {kStillWindow, kStillWindow});
+      shown[i] = part >= kMostOfWindow;  // 255 where it is
+      cv::boxFilter(same, part, CV_32F, {wide, wide});
+      widely_shown[i] = part >= kMostOfWindow;
+    }
+  });
+  background.support = PartOf(shown);
+  background.wide_support = PartOf(widely_shown);
+  return background;
+}
+
+cv::Mat DistanceFromBackground(const cv::Mat& lab,
+                               const StillBackground& background) {
+  static const float least = std::cbrt(kLeastLight);
+  cv::Mat distance(lab.size(), CV_32F);
+  for (int y = 0; y < lab.rows; ++y) {
+    for (int x = 0; x < lab.cols; ++x) {
+      const auto& value = lab.at<cv::Vec3b>(y, x);
+      const auto& color = background.color.at<cv::Vec3f>(y, x);
+      const float light = std::clamp(
+          (float(value[0]) + kBlack) / (color[0] + kBlack), least, 1.0f);
+      const cv::Vec3f shaded((color[0] + kBlack) * light - kBlack,
+                             (color[1] - kNeutral) * light + kNeutral,
+                             (color[2] - kNeutral) * light + kNeutral);
+      const float in_light = Distance(value, color) / background.tolerance;
+      const float in_shadow = Distance(value, shaded) / background.tolerance;
+      distance.at<float>(y, x) =
+          in_light < 1 ? in_light : std::max(1.0f, in_shadow);
+    }
+  }
+  return distance;
+}
+
+}  // namespace octacut

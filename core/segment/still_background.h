@@ -1,0 +1,43 @@
+// The background behind a turntable, from photographs of a camera that stands
+// still.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <span>
+
+#include "core/base/context.h"
+
+namespace octacut {
+
+// CIE Lab in 8 bits, as OpenCV has it: CV_8UC3.
+cv::Mat ToLab(const cv::Mat& image);
+
+struct StillBackground {
+  // CV_32FC3, Lab in the units of 8 bits: what a point looks like most often.
+  cv::Mat color;
+  // CV_32F: part of the photographs that show this, as far as the window of
+  // kStillWindow pixels around the point shows it too, and the same for windows
+  // of WideWindow pixels. The pattern of a turning plate may bring back a pixel
+  // or a small window, but hardly a wide one.
+  cv::Mat support;
+  cv::Mat wide_support;
+  // Distance in Lab from which on two pixels differ by more than noise.
+  float tolerance = 0;
+};
+
+inline constexpr int kStillWindow = 9;
+// An odd number of pixels, a twenty-fifth of the longer side.
+int WideWindow(const cv::Size& size);
+
+// `labs` are of one size. The noise is that of most pixels, which is right
+// where a quarter of them stand still.
+StillBackground FindStillBackground(std::span<const cv::Mat> labs,
+                                    const Context& context);
+
+// CV_32F: distance of each pixel of `lab` from the background in units of the
+// tolerance. What would be nearer as the background in shadow, with 0.4 to all
+// of its light, has a distance of at most one: it may be either.
+cv::Mat DistanceFromBackground(const cv::Mat& lab,
+                               const StillBackground& background);
+
+}  // namespace octacut

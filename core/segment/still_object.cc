@@ -1,0 +1,161 @@
+#include "core/segment/still_object.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/segment/colour_mixture.h"
+#include "core/segment/label_cut.h"
+#include "core/segment/labels.h"
+#include "core/segment/pixel_features.h"
+#include "core/segment/view_confidence.h"
+
+namespace octacut {
+namespace {
+
+// Less of the frame than this is left to the cuts in the photographs.
+constexpr double kLeastPart = 5e-4;
+constexpr int kRounds = 4;
+constexpr size_t kSamples = 6000;
+constexpr int kComponents = 8;
+constexpr float kMostOdds = 4;
+constexpr float kSmoothness = 8;
+constexpr double kLeastContrast = 0.6;
+// Part of the frame's width at its sides that is background.
+constexpr double kSide = 0.02;
+
+// What lies between the outermost points that turn, in each row.
+cv::Mat BetweenTurning(const cv::Mat& turning) {
+  cv::Mat between = cv::Mat::zeros(turning.size(), CV_8U);
+  for (int y = 0; y < turning.rows; ++y) {
+    const uint8_t* const row = turning.ptr<uint8_t>(y);
+    int first = 0;
+    while (first < turning.cols && row[first] == 0) {
+      ++first;
+    }
+    int last = turning.cols - 1;
+    while (last > first && row[last] == 0) {
+      --last;
+    }
+    if (first < last) {
+      between.row(y).colRange(first, last + 1).setTo(255);
+    }
+  }
+  return between;
+}
+
+std::vector<PixelFeature> Samples(const cv::Mat& features,
+                                  const cv::Mat& chosen) {
+  const size_t count = size_t(cv::countNonZero(chosen));
+  std::vector<PixelFeature> samples;
+  size_t next = 0;
+  size_t index = 0;
+  const size_t wanted = std::min(count, kSamples);
+  for (int y = 0; y < chosen.rows; ++y) {
+    for (int x = 0; x < chosen.cols; ++x) {
+      if (chosen.at<uint8_t>(y, x) != 0 && index++ == next * count / wanted) {
+        samples.push_back(features.at<PixelFeature>(y, x));
+        ++next;
+      }
+    }
+  }
+  return samples;
+}
+
+cv::Mat LogOdds(const cv::Mat& features,
+                const ColourMixture& object,
+                const ColourMixture& surroundings) {
+  cv::Mat log_odds(features.size(), CV_32F);
+  for (int y = 0; y < features.rows; ++y) {
+    for (int x = 0; x < features.cols; ++x) {
+      const PixelFeature& feature = features.at<PixelFeature>(y, x);
+      log_odds.at<float>(y, x) = std::clamp(
+          std::log(object.Density(feature) / surroundings.Density(feature)),
+          -kMostOdds,
+          kMostOdds);
+    }
+  }
+  return log_odds;
+}
+
+cv::Mat ToBgr(const cv::Mat& lab) {
+  cv::Mat bytes;
+  lab.convertTo(bytes, CV_8UC3);
+  cv::Mat image;
+  cv::cvtColor(bytes, image, cv::COLOR_Lab2BGR);
+  return image;
+}
+
+// What can be nothing but background: the sides of the frame, and what is
+// beside or below all that turns.
+cv::Mat SureBackground(const cv::Mat& turning) {
+  const cv::Rect box = cv::boundingRect(turning);
+  cv::Mat sure(turning.size(), CV_8U, cv::Scalar(255));
+  const int side = int(std::ceil(kSide * turning.cols));
+  const int left = std::max(side, box.x);
+  const int right = std::min(turning.cols - side, box.x + box.width);
+  if (left < right) {
+    sure.colRange(left, right).rowRange(0, box.y + box.height).setTo(0);
+  }
+  return sure;
+}
+
+}  // namespace
+
+StillObject FindStillObject(const StillBackground& background,
+                            const cv::Mat& turning) {
+  StillObject result;
+  result.mask = cv::Mat::zeros(turning.size(), CV_8U);
+  cv::Mat solid;
+  cv::morphologyEx(turning,
+                   solid,
+                   cv::MORPH_OPEN,
+                   cv::Mat::ones(kStillWindow, kStillWindow, CV_8U));
+  if (cv::countNonZero(solid) == 0) {
+    return result;
+  }
+  cv::Mat seeds =
+      BetweenTurning(solid) & ~turning & (background.support > 0.9f);
+  cv::erode(seeds, seeds, cv::Mat::ones(kStillWindow, kStillWindow, CV_8U));
+  const double frame = double(turning.total());
+  if (cv::countNonZero(seeds) < kLeastPart * frame) {
+    return result;
+  }
+  const cv::Mat sure = SureBackground(solid) & ~turning;
+  const cv::Mat image = ToBgr(background.color);
+  const cv::Mat features = PixelFeatures(image);
+  const ColourMixture surroundings(Samples(features, sure), kComponents);
+  cv::Mat object = seeds;
+  cv::Mat log_odds;
+  for (int round = 0; round < kRounds; ++round) {
+    log_odds = LogOdds(features,
+                       ColourMixture(Samples(features, object), kComponents),
+                       surroundings);
+    cv::Mat labels(turning.size(), CV_8U, cv::Scalar(kNothingSaid));
+    labels.setTo(kSurroundings, sure);
+    labels.setTo(kObject, turning);
+    labels.setTo(kObject, seeds);
+    CutLabels(image, log_odds, kSmoothness, &labels);
+    object = (labels == kObject) & ~turning;
+  }
+  // The seeds themselves must look different from the background.
+  const int num_seeds = cv::countNonZero(seeds);
+  const double told =
+      double(cv::countNonZero((log_odds > 0) & seeds)) / num_seeds;
+  const double contrast =
+      std::min(told, BorderContrast(object | turning, log_odds));
+  if (contrast < kLeastContrast) {
+    result.doubt = fmt::format(
+        "a part in front of the plate looks the same in all photographs, and "
+        "along {:.0f} % of its border as the background does; photographs of "
+        "the empty set (background_path) can tell",
+        100 * (1 - contrast));
+  }
+  result.mask = object;
+  return result;
+}
+
+}  // namespace octacut

@@ -1,0 +1,26 @@
+// The part of an object on a turntable that looks the same from all sides.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+#include <string>
+
+#include "core/segment/still_background.h"
+
+namespace octacut {
+
+struct StillObject {
+  cv::Mat mask;  // CV_8UC1, 0 or 255
+  // Why it cannot be told from the background, as a part of a sentence; empty
+  // when it can, or when there is none.
+  std::string doubt;
+};
+
+// `turning` (CV_8UC1, not zero) is what never shows the background, such as the
+// plate's pattern. What stands still between two such points of a row is in
+// front of the plate, since what turns sweeps whole rows. From there on,
+// colours that the background does not have beside and below what turns decide,
+// and the border is where the photographs have one.
+StillObject FindStillObject(const StillBackground& background,
+                            const cv::Mat& turning);
+
+}  // namespace octacut

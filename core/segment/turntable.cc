@@ -1,0 +1,151 @@
+#include "core/segment/turntable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/segment/label_cut.h"
+#include "core/segment/labels.h"
+#include "core/segment/still_background.h"
+#include "core/segment/still_object.h"
+#include "core/segment/view_confidence.h"
+
+namespace octacut {
+namespace {
+
+// Part of the photographs that must show what is taken for background.
+constexpr float kLeastSupport = 0.15f;
+// Part of the frame that must turn, and that must stand still.
+constexpr double kLeastTurning = 0.002;
+constexpr double kLeastStill = 0.1;
+// Constants of the cut in each photograph.
+constexpr float kMostOdds = 4;
+constexpr float kSmoothness = 4;
+constexpr float kUnreliable = 0.25f;
+constexpr double kLeastConfidence = 0.5;
+
+class TurntableSegmenter {
+ public:
+  TurntableSegmenter(const TurntableInput& input, const Context& context)
+      : input_(input), context_(context), result_(input.images.size()) {}
+
+  std::vector<TurntableView> Run() {
+    Phase phase(context_, "finding what turns");
+    const std::vector<cv::Mat> labs = Labs(input_.images);
+    const std::vector<cv::Mat> empty_labs = Labs(input_.empty_set);
+    const StillBackground of_all = FindStillBackground(labs, context_);
+    background_ =
+        empty_labs.empty() ? of_all : FindStillBackground(empty_labs, context_);
+    background_.tolerance = of_all.tolerance;
+    RequireTurntable(of_all);
+    // What never shows the background: object, and a plate with a pattern.
+    always_ = background_.support < (empty_labs.empty() ? kLeastSupport : 1.0f);
+    unreliable_ = cv::Mat::zeros(always_.size(), CV_8U);
+    if (empty_labs.empty()) {
+      // A wide window is half on such a point when a fifth of it is.
+      const int wide = WideWindow(always_.size());
+      unreliable_ = background_.wide_support < kLeastSupport;
+      cv::Mat core;
+      cv::erode(unreliable_,
+                core,
+                cv::Mat::ones(2 * (wide / 5) + 1, 2 * (wide / 5) + 1, CV_8U));
+      cv::bitwise_or(always_, core, always_);
+      const StillObject still = FindStillObject(of_all, always_);
+      doubt_ = still.doubt;
+      cv::bitwise_or(always_, still.mask, always_);
+    }
+    ParallelFor(context_, labs.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        CutView(i, labs[i]);
+      }
+    });
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<cv::Mat> Labs(const std::vector<cv::Mat>& images) const {
+    std::vector<cv::Mat> labs(images.size());
+    ParallelFor(context_, images.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        labs[i] = ToLab(images[i]);
+      }
+    });
+    return labs;
+  }
+  void RequireTurntable(const StillBackground& of_all) const;
+  void CutView(size_t i, const cv::Mat& lab);
+
+  const TurntableInput& input_;
+  const Context& context_;
+  std::vector<TurntableView> result_;
+  StillBackground background_;
+  cv::Mat always_;  // CV_8U, 255 where object or plate always are
+  // CV_8U, 255 where the background may be the plate's most frequent colour.
+  cv::Mat unreliable_;
+  std::string doubt_;
+};
+
+void TurntableSegmenter::RequireTurntable(const StillBackground& of_all) const {
+  const double frame = double(of_all.support.total());
+  if (cv::countNonZero(of_all.support < 0.9f) < kLeastTurning * frame) {
+    throw InputError(fmt::format(
+        "the photographs: all {} show the same; nothing turns in them",
+        input_.images.size()));
+  }
+  if (cv::countNonZero(of_all.support > 0.5f) < kLeastStill * frame) {
+    throw InputError(fmt::format(
+        "the photographs: hardly anything stands still in all {}; mode "
+        "turntable needs a camera and a background that do not move",
+        input_.images.size()));
+  }
+}
+
+void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
+  const cv::Mat distance = DistanceFromBackground(lab, background_);
+  cv::Mat log_odds = kMostOdds * (distance - 1);
+  cv::min(log_odds, kMostOdds, log_odds);
+  cv::max(log_odds, -kMostOdds, log_odds);
+  cv::Mat(log_odds * kUnreliable).copyTo(log_odds, unreliable_);
+  log_odds.setTo(kMostOdds, always_);
+  // Where a whole neighbourhood is background, or object, there is nothing to
+  // decide.
+  const cv::Mat window = cv::Mat::ones(kStillWindow, kStillWindow, CV_8U);
+  cv::Mat largest;
+  cv::Mat least;
+  cv::dilate(log_odds, largest, window);
+  cv::erode(log_odds, least, window);
+  TurntableView& view = result_[i];
+  view.mask = cv::Mat(lab.size(), CV_8U, cv::Scalar(kNothingSaid));
+  view.mask.setTo(kSurroundings, largest < 0);
+  view.mask.setTo(kObject, least > 0);
+  CutLabels(input_.images[i], log_odds, kSmoothness, &view.mask);
+  // Specks are smaller than the window.
+  cv::Mat opened;
+  cv::morphologyEx(
+      view.mask, opened, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8U));
+  view.mask = opened;
+  view.confidence = BorderContrast(view.mask, log_odds);
+  if (cv::countNonZero(view.mask) == 0) {
+    view.doubt = "nothing in it differs from the background";
+  } else if (!doubt_.empty()) {
+    view.doubt = doubt_;
+  } else if (view.confidence < kLeastConfidence) {
+    view.doubt = fmt::format(
+        "object and background look alike along {:.0f} % of the border",
+        100 * (1 - view.confidence));
+  }
+}
+
+}  // namespace
+
+std::vector<TurntableView> SegmentTurntable(const TurntableInput& input,
+                                            const Context& context) {
+  return TurntableSegmenter(input, context).Run();
+}
+
+}  // namespace octacut

@@ -1,0 +1,103 @@
+#include "core/texture/occlusion_guard.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "core/scene/scene.h"
+#include "core/texture/face_views.h"
+
+namespace octacut {
+
+OcclusionGuard::OcclusionGuard(
+    const IndexedMesh& mesh,
+    const std::vector<std::array<uint32_t, 3>>& neighbors,
+    const std::vector<uint8_t>& is_front,
+    const std::vector<Eigen::Vector3f>& in_camera,
+    const PhotographPose& pose,
+    const cv::Mat& mask,
+    double tolerance)
+    : contours_(pose.camera.height,
+                pose.camera.width,
+                CV_32F,
+                cv::Scalar(std::numeric_limits<float>::infinity())),
+      tolerance_(tolerance) {
+  const cv::Mat object = mask >= kObjectThreshold;
+  if (cv::countNonZero(object) == int(object.total())) {
+    distance_ = cv::Mat(
+        object.size(), CV_32F, cv::Scalar(std::numeric_limits<float>::max()));
+  } else {
+    cv::distanceTransform(object, distance_, cv::DIST_L2, cv::DIST_MASK_5);
+  }
+  for (size_t f = 0; f < mesh.triangles.size(); ++f) {
+    if (!is_front[f]) {
+      continue;
+    }
+    for (size_t k = 0; k < 3; ++k) {
+      const uint32_t neighbor = neighbors[f][k];
+      if (neighbor == kNoFace || !is_front[neighbor]) {
+        DrawEdge(in_camera[mesh.triangles[f][k]],
+                 in_camera[mesh.triangles[f][(k + 1) % 3]],
+                 pose.camera);
+      }
+    }
+  }
+}
+
+void OcclusionGuard::DrawEdge(const Eigen::Vector3f& a,
+                              const Eigen::Vector3f& b,
+                              const PinholeCamera& camera) {
+  if (!(a.z() > 0) || !(b.z() > 0)) {
+    return;
+  }
+  const Eigen::Vector2d from = camera.Project(a.cast<double>());
+  const Eigen::Vector2d to = camera.Project(b.cast<double>());
+  const Eigen::Array2d size(camera.width, camera.height);
+  const Eigen::Array2d low = from.cwiseMin(to).array() + kGuardPixels;
+  const Eigen::Array2d high = from.cwiseMax(to).array() - kGuardPixels;
+  if ((low < 0).any() || (high > size).any()) {
+    return;
+  }
+  // Discs a pixel apart cover the line.
+  const int steps = std::max(1, int(std::ceil((to - from).norm())));
+  for (int i = 0; i <= steps; ++i) {
+    const double t = double(i) / steps;
+    const Eigen::Vector2d pixel = from + t * (to - from);
+    DrawDisc(pixel.x(), pixel.y(), float((1 - t) * double(a.z()) + t * b.z()));
+  }
+}
+
+void OcclusionGuard::DrawDisc(double u, double v, float depth) {
+  const int x0 = std::max(0, int(std::ceil(u - 0.5 - kGuardPixels)));
+  const int y0 = std::max(0, int(std::ceil(v - 0.5 - kGuardPixels)));
+  const int x1 =
+      std::min(contours_.cols - 1, int(std::floor(u - 0.5 + kGuardPixels)));
+  const int y1 =
+      std::min(contours_.rows - 1, int(std::floor(v - 0.5 + kGuardPixels)));
+  for (int y = y0; y <= y1; ++y) {
+    float* const row = contours_.ptr<float>(y);
+    for (int x = x0; x <= x1; ++x) {
+      const double dx = x + 0.5 - u;
+      const double dy = y + 0.5 - v;
+      if (dx * dx + dy * dy <= kGuardPixels * kGuardPixels) {
+        row[x] = std::min(row[x], depth);
+      }
+    }
+  }
+}
+
+float OcclusionGuard::Distance(double u, double v) const {
+  if (!(u >= 0 && v >= 0 && u < distance_.cols && v < distance_.rows)) {
+    return 0;
+  }
+  return distance_.at<float>(int(v), int(u));
+}
+
+bool OcclusionGuard::IsSure(double u, double v, double depth) const {
+  return Distance(u, v) > kGuardPixels &&
+         depth < double(contours_.at<float>(int(v), int(u))) - tolerance_;
+}
+
+}  // namespace octacut

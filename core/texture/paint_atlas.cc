@@ -1,0 +1,361 @@
+#include "core/texture/paint_atlas.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <opencv2/core.hpp>
+
+#include "core/base/parallel.h"
+#include "core/texture/fill_gaps.h"
+#include "core/texture/pixel_sampler.h"
+#include "core/texture/triangle_raster.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kFacesPerChunk = 1024;
+// The chosen view counts at least this much, so that a texel that no other view
+// may show has a colour.
+constexpr float kLeastOwnWeight = 1e-3f;
+// More than this many views do not change a median.
+constexpr int kMedianViews = 7;
+
+// Collects the colours of texels from one view after another.
+class Accumulator {
+ public:
+  Accumulator(const cv::Size& size, ViewBlending blending)
+      : blending_(blending) {
+    if (blending == ViewBlending::kBest) {
+      sums_ = cv::Mat(size, CV_32FC4, cv::Scalar::all(0));
+    } else {
+      samples_.resize(size_t(size.area()));
+    }
+    width_ = size.width;
+  }
+
+  void Add(int x, int y, const Eigen::Vector3f& color, float weight) {
+    if (blending_ == ViewBlending::kBest) {
+      sums_.at<cv::Vec4f>(y, x) += cv::Vec4f(
+          weight * color[0], weight * color[1], weight * color[2], weight);
+      return;
+    }
+    Samples& samples = samples_[size_t(y) * size_t(width_) + size_t(x)];
+    Sample sample;
+    for (int c = 0; c < 3; ++c) {
+      sample.color[c] = ToByte(color[c]);
+    }
+    // At least one, so that a sample counts at all.
+    sample.weight = uint8_t(std::clamp(int(std::lround(255 * weight)), 1, 255));
+    if (samples.count < kMedianViews) {
+      samples.all[samples.count++] = sample;
+      return;
+    }
+    const auto least = std::min_element(
+        samples.all.begin(),
+        samples.all.end(),
+        [](const auto& a, const auto& b) { return a.weight < b.weight; });
+    if (least->weight < sample.weight) {
+      *least = sample;
+    }
+  }
+
+  // Whether the texel has a colour.
+  bool Resolve(int x, int y, cv::Vec3b* pixel) const {
+    if (blending_ == ViewBlending::kBest) {
+      const cv::Vec4f& sum = sums_.at<cv::Vec4f>(y, x);
+      for (int c = 0; c < 3 && sum[3] > 0; ++c) {
+        (*pixel)[c] = ToByte(sum[c] / sum[3]);
+      }
+      return sum[3] > 0;
+    }
+    const Samples& samples = samples_[size_t(y) * size_t(width_) + size_t(x)];
+    for (int c = 0; c < 3 && samples.count > 0; ++c) {
+      (*pixel)[c] = WeightedMedian(samples, c);
+    }
+    return samples.count > 0;
+  }
+
+ private:
+  struct Sample {
+    uint8_t color[3];
+    uint8_t weight;
+  };
+  struct Samples {
+    std::array<Sample, kMedianViews> all;
+    uint8_t count = 0;
+  };
+
+  static uint8_t ToByte(float value) {
+    return uint8_t(std::clamp(int(std::lround(value)), 0, 255));
+  }
+
+  // The middle of the distribution; between two samples linear in the weights,
+  // so that the median changes gradually over the surface.
+  static uint8_t WeightedMedian(const Samples& samples, int channel) {
+    std::array<Sample, kMedianViews> sorted;
+    float total = 0;
+    for (size_t i = 0; i < samples.count; ++i) {
+      size_t place = i;
+      for (; place > 0 &&
+             sorted[place - 1].color[channel] > samples.all[i].color[channel];
+           --place) {
+        sorted[place] = sorted[place - 1];
+      }
+      sorted[place] = samples.all[i];
+      total += samples.all[i].weight;
+    }
+    float before = 0;
+    float last_middle = 0;
+    for (size_t i = 0; i < samples.count; ++i) {
+      const float middle = before + sorted[i].weight / 2.0f;
+      if (middle >= total / 2) {
+        if (i == 0) {
+          return sorted[0].color[channel];
+        }
+        const float part = (total / 2 - last_middle) / (middle - last_middle);
+        return ToByte((1 - part) * sorted[i - 1].color[channel] +
+                      part * sorted[i].color[channel]);
+      }
+      last_middle = middle;
+      before += sorted[i].weight;
+    }
+    return sorted[samples.count - 1].color[channel];
+  }
+
+  ViewBlending blending_;
+  int width_;
+  cv::Mat sums_;
+  std::vector<Samples> samples_;
+};
+
+// What one view adds to one triangle.
+struct ViewOnFace {
+  bool is_own;
+  Eigen::Vector3f weights;      // at the corners
+  Eigen::Matrix3f corrections;  // a column a corner
+};
+
+class PagePainter {
+ public:
+  PagePainter(const PaintInput& input,
+              const Photographs& photographs,
+              const Context& context,
+              uint32_t page)
+      : input_(input),
+        photographs_(photographs),
+        context_(context),
+        map_(MapTexels(input.layout, page, context)),
+        colors_(map_.size(), input.blending),
+        // Photographs are reduced by means of so many samples along a side.
+        num_samples_(std::max(1, int(std::ceil(0.8 / input.texel_scale)))) {
+    faces_of_view_.resize(photographs.poses.size());
+    for (uint32_t c = 0; c < input.layout.charts.charts.size(); ++c) {
+      if (input.layout.packed.places[c].page == page) {
+        AddChart(input.layout.charts.charts[c]);
+      }
+    }
+  }
+
+  void Paint(Phase* phase, SeamPoints* seams) {
+    const size_t num_views = photographs_.poses.size();
+    const size_t batch = std::clamp(
+        photographs_.max_held, size_t{1}, size_t(context_.NumThreads()));
+    for (size_t first = 0; first < num_views; first += batch) {
+      const size_t count = std::min(batch, num_views - first);
+      std::vector<Photograph> loaded(count);
+      ParallelFor(context_, count, 1, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          if (!faces_of_view_[first + i].empty()) {
+            loaded[i] = photographs_.load(first + i);
+          }
+        }
+      });
+      for (size_t i = 0; i < count; ++i) {
+        if (!loaded[i].image.empty()) {
+          PaintView(uint32_t(first + i), loaded[i].image);
+          seams->Sample(uint32_t(first + i),
+                        photographs_.poses[first + i],
+                        loaded[i].image);
+        }
+        phase->Advance();
+      }
+    }
+    PaintUnseen();
+  }
+
+  TexturePage Finish(PaintedPages* counts) const {
+    cv::Mat color(map_.size(), CV_8UC3, cv::Scalar::all(0));
+    cv::Mat known(map_.size(), CV_8UC1, cv::Scalar(0));
+    for (int y = 0; y < map_.rows; ++y) {
+      for (int x = 0; x < map_.cols; ++x) {
+        const bool is_inside = map_.at<int>(y, x) > 0;
+        const bool is_known = colors_.Resolve(x, y, &color.at<cv::Vec3b>(y, x));
+        known.at<uint8_t>(y, x) = is_known ? 255 : 0;
+        counts->num_texels += is_inside;
+        counts->num_unfilled += is_inside && !is_known;
+      }
+    }
+    counts->num_filled += num_filled_;
+    FillGaps(known, &color);
+    return {color, {}};
+  }
+
+ private:
+  void AddChart(const Chart& chart) {
+    for (const uint32_t f : chart.faces) {
+      if (chart.view == kNoView) {
+        unseen_.push_back(f);
+        continue;
+      }
+      std::vector<uint32_t> views = {chart.view};
+      for (const uint32_t v : input_.mesh.triangles[f]) {
+        for (const VertexView& entry : input_.vertex_views.Of(v)) {
+          if (entry.weight > 0) {
+            views.push_back(entry.view);
+          }
+        }
+      }
+      std::sort(views.begin(), views.end());
+      views.erase(std::unique(views.begin(), views.end()), views.end());
+      for (const uint32_t view : views) {
+        faces_of_view_[view].push_back(f);
+      }
+    }
+  }
+
+  ViewOnFace Lookup(uint32_t view, uint32_t face) const {
+    const Charts& charts = input_.layout.charts;
+    ViewOnFace result;
+    result.is_own = charts.charts[charts.chart_of_face[face]].view == view;
+    result.weights.setZero();
+    result.corrections.setZero();
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    int count = 0;
+    std::array<bool, 3> has = {false, false, false};
+    for (int k = 0; k < 3; ++k) {
+      const int64_t entry = input_.vertex_views.Find(
+          input_.mesh.triangles[face][size_t(k)], view);
+      if (entry >= 0) {
+        has[size_t(k)] = true;
+        result.weights[k] = input_.vertex_views.entries[size_t(entry)].weight;
+        result.corrections.col(k) = input_.corrections[size_t(entry)];
+        sum += input_.corrections[size_t(entry)];
+        ++count;
+      }
+    }
+    // Where a view fades out, its correction goes on.
+    for (int k = 0; k < 3; ++k) {
+      if (!has[size_t(k)] && count > 0) {
+        result.corrections.col(k) = sum / float(count);
+      }
+    }
+    return result;
+  }
+
+  void PaintView(uint32_t view, const cv::Mat& image) {
+    const std::vector<uint32_t>& faces = faces_of_view_[view];
+    ParallelFor(
+        context_, faces.size(), kFacesPerChunk, [&](size_t begin, size_t end) {
+          for (size_t i = begin; i < end; ++i) {
+            PaintFace(view, faces[i], image);
+          }
+        });
+  }
+
+  void PaintFace(uint32_t view, uint32_t face, const cv::Mat& image) {
+    const auto texels = input_.layout.TexelsOf(face);
+    const ViewOnFace on_face = Lookup(view, face);
+    const PhotographPose& pose = photographs_.poses[view];
+    Eigen::Matrix3d corners;
+    for (int k = 0; k < 3; ++k) {
+      corners.col(k) =
+          pose.cam_from_world *
+          input_.mesh.positions[input_.mesh.triangles[face][size_t(k)]];
+    }
+    ForTexelsOf(map_, face, texels, [&](int x, int y) {
+      Eigen::Vector3f color = Eigen::Vector3f::Zero();
+      for (int j = 0; j < num_samples_; ++j) {
+        for (int i = 0; i < num_samples_; ++i) {
+          const Eigen::Vector3d weights = WeightsAt(
+              texels,
+              {x + (i + 0.5) / num_samples_, y + (j + 0.5) / num_samples_});
+          const Eigen::Vector2d pixel = pose.camera.Project(corners * weights);
+          color += SamplePixels(image, pixel.x(), pixel.y());
+        }
+      }
+      color /= float(num_samples_ * num_samples_);
+      const Eigen::Vector3f inside =
+          WeightsAt(texels, {x + 0.5, y + 0.5}).cast<float>().cwiseMax(0);
+      const Eigen::Vector3f weights = inside / inside.sum();
+      float weight = on_face.weights.dot(weights);
+      if (on_face.is_own) {
+        weight = std::max(weight, kLeastOwnWeight);
+      }
+      if (weight > 0) {
+        colors_.Add(x,
+                    y,
+                    color.cwiseQuotient(input_.gains[view]) +
+                        on_face.corrections * weights,
+                    weight);
+      }
+    });
+  }
+
+  // Triangles that are lines on the page have the colour of a corner.
+  static Eigen::Vector3d WeightsAt(const std::array<Eigen::Vector2d, 3>& texels,
+                                   const Eigen::Vector2d& point) {
+    const Eigen::Vector3d weights = CornerWeights(texels, point);
+    // Slivers would go on far beyond their corners.
+    constexpr double kFar = 16;
+    return weights.allFinite() && weights.cwiseAbs().maxCoeff() < kFar
+               ? weights
+               : Eigen::Vector3d(1, 0, 0);
+  }
+
+  void PaintUnseen() {
+    for (const uint32_t f : unseen_) {
+      const auto texels = input_.layout.TexelsOf(f);
+      const auto& corners = input_.mesh.triangles[f];
+      ForTexelsOf(map_, f, texels, [&](int x, int y) {
+        const Eigen::Vector3f weights =
+            WeightsAt(texels, {x + 0.5, y + 0.5}).cast<float>();
+        num_filled_ += map_.at<int>(y, x) > 0;
+        colors_.Add(x,
+                    y,
+                    weights[0] * input_.fill[corners[0]] +
+                        weights[1] * input_.fill[corners[1]] +
+                        weights[2] * input_.fill[corners[2]],
+                    1);
+      });
+    }
+  }
+
+  const PaintInput& input_;
+  const Photographs& photographs_;
+  const Context& context_;
+  const cv::Mat map_;
+  Accumulator colors_;
+  const int num_samples_;
+  std::vector<std::vector<uint32_t>> faces_of_view_;
+  std::vector<uint32_t> unseen_;
+  size_t num_filled_ = 0;
+};
+
+}  // namespace
+
+PaintedPages PaintAtlas(const PaintInput& input,
+                        const Photographs& photographs,
+                        const Context& context,
+                        SeamPoints* seams) {
+  PaintedPages result;
+  const size_t num_pages = input.layout.packed.pages.size();
+  Phase phase(context, "painting", num_pages * photographs.poses.size());
+  for (uint32_t page = 0; page < num_pages; ++page) {
+    PagePainter painter(input, photographs, context, page);
+    painter.Paint(&phase, seams);
+    result.pages.push_back(painter.Finish(&result));
+  }
+  return result;
+}
+
+}  // namespace octacut

@@ -1,0 +1,52 @@
+// Colours of the texels of an atlas.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/texture/atlas_layout.h"
+#include "core/texture/blend_weights.h"
+#include "core/texture/photographs.h"
+#include "core/texture/seam_jumps.h"
+#include "core/texture/textured_mesh.h"
+
+namespace octacut {
+
+enum class ViewBlending {
+  kBest,    // the chosen view, with cross-fades along seams
+  kMedian,  // the weighted median of the views at each texel
+};
+
+struct PaintInput {
+  const IndexedMesh& mesh;
+  const AtlasLayout& layout;
+  const VertexViews& vertex_views;
+  // What to add to a photograph's colour at each entry of `vertex_views`.
+  const std::vector<Eigen::Vector3f>& corrections;
+  // Factors by which the colours of each view are divided.
+  const std::vector<Eigen::Vector3f>& gains;
+  const std::vector<Eigen::Vector3f>& fill;  // colours of vertices
+  double texel_scale = 1;
+  ViewBlending blending = ViewBlending::kBest;
+};
+
+struct PaintedPages {
+  std::vector<TexturePage> pages;
+  size_t num_texels = 0;  // within triangles
+  size_t num_filled = 0;  // of these, in triangles that no view shows
+  // Those of them without any colour before the gaps between charts were
+  // closed.
+  size_t num_unfilled = 0;
+};
+
+// One page after another; reads the photographs that a page needs, as many at a
+// time as they allow. Takes 16 bytes a texel of a page, 36 for the median.
+// Texels outside of charts get the mean of what is around them.
+PaintedPages PaintAtlas(const PaintInput& input,
+                        const Photographs& photographs,
+                        const Context& context,
+                        SeamPoints* seams);
+
+}  // namespace octacut

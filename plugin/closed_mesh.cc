@@ -1,0 +1,37 @@
+#include "plugin/closed_mesh.h"
+
+#include <fmt/format.h>
+
+#include "colmap_io/mesh/mesh_io.h"
+#include "core/base/error.h"
+#include "core/mesh/audit.h"
+#include "core/mesh/untangle.h"
+
+namespace octacut {
+
+namespace fs = std::filesystem;
+
+IndexedMesh ReadClosedMesh(const fs::path& path, const Context& context) {
+  IndexedMesh mesh = ReadMesh(path).mesh;
+  // What is audited is what steps keep and files hold.
+  RoundToFloats(&mesh.positions);
+  const std::string failure = AuditMesh(mesh, context).DescribeFailure();
+  if (!failure.empty()) {
+    throw InputError(fmt::format("{}: {}", path.string(), failure));
+  }
+  return mesh;
+}
+
+void CheckIsAnotherFile(const char* option,
+                        const fs::path& path,
+                        const fs::path& other,
+                        const char* what) {
+  std::error_code ignored;
+  if (fs::equivalent(path, other, ignored) ||
+      path.lexically_normal() == other.lexically_normal()) {
+    throw OptionError(
+        fmt::format("{} = {}: must not be {}", option, path.string(), what));
+  }
+}
+
+}  // namespace octacut

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <memory>
+
+#include "plugin/command.h"
+
+namespace octacut {
+
+std::unique_ptr<Command> MakeMeshAuditor();
+
+}  // namespace octacut

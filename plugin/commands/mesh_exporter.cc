@@ -1,0 +1,322 @@
+#include "plugin/commands/mesh_exporter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <filesystem>
+#include <optional>
+
+#include "colmap_io/files/atomic_files.h"
+#include "colmap_io/images/workspace.h"
+#include "colmap_io/mesh/mesh_io.h"
+#include "colmap_io/model/camera_projector.h"
+#include "core/base/check_option.h"
+#include "core/mesh/audit.h"
+#include "core/mesh/normals.h"
+#include "core/mesh/self_intersections.h"
+#include "core/mesh/untangle.h"
+#include "core/print/flat_base.h"
+#include "core/print/place_on_plate.h"
+#include "core/print/stand_plane.h"
+#include "plugin/closed_mesh.h"
+#include "plugin/export_scale.h"
+#include "plugin/mesh_json.h"
+#include "plugin/print_json.h"
+#include "plugin/report.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The share of the height that is cut off unless the user says otherwise: more
+// than the unevenness of the lowest few voxels of 512, and the sole of a ball
+// gets a fifth of its width.
+constexpr double kBaseDepth = 0.01;
+constexpr const char* kStand = "stand";
+
+class MeshExporter : public Command {
+ public:
+  void DeclareOptions(OptionManager& options) override;
+  bool UsesRandomSeed() const override { return true; }
+  void Run(const CommandEnvironment& environment) override;
+
+ private:
+  void Check() const;
+  std::optional<Workspace> OpenIfNeeded(const Context& context) const;
+  // Up in the frame of the mesh; adds what was found to the report.
+  Eigen::Vector3d FindUp(const IndexedMesh& mesh,
+                         const Workspace* workspace,
+                         const Context& context,
+                         Json* json) const;
+  // The mesh as it is printed; lowers `plate_from_mesh` by what is cut off.
+  IndexedMesh MakePrint(const IndexedMesh& mesh,
+                        const Context& context,
+                        Similarity3d* plate_from_mesh,
+                        Json* json) const;
+
+  fs::path input_path_;
+  fs::path output_path_;
+  fs::path report_path_;
+  fs::path workspace_path_;
+  WorkspaceOptions workspace_;
+  ExportScaleOptions scale_;
+  std::string up_;
+  bool flat_base_ = false;
+  double base_depth_ = 0;
+};
+
+void MeshExporter::DeclareOptions(OptionManager& options) {
+  options.AddRequired("input_path",
+                      &input_path_,
+                      "Closed mesh in the frame of the sparse model (.ply, "
+                      ".obj, .off or .stl).");
+  options.AddRequired("output_path",
+                      &output_path_,
+                      "File to write (.3mf, .stl, .ply, .obj or .off). The "
+                      "mesh stands on z = 0, in millimetres.");
+  options
+      .Add("report_path",
+           &report_path_,
+           "JSON report to write, with the 4 x 4 matrix from the frame of the "
+           "mesh to that of the file. Default: the output path with the "
+           "extension .json.")
+      .ForExperts();
+  scale_.Declare(options);
+  options.Add("up",
+              &up_,
+              "Direction x,y,z in the frame of the mesh that will point up, or "
+              "stand: up from the plane of sparse points that the object "
+              "stands on. Default: 0,0,1.");
+  options.Add("flat_base",
+              &flat_base_,
+              "If 1, cut the object off at the bottom and close it with a flat "
+              "base.");
+  options.Add("base_depth",
+              &base_depth_,
+              "How far above the lowest point to cut, in millimetres. Default: "
+              "1 % of the height.");
+  options.Add("workspace_path",
+              &workspace_path_,
+              "Folder of the COLMAP project, for aruco_side and up stand.");
+  options
+      .Add("image_path",
+           &workspace_.image_path,
+           "Folder of the photographs. Default: images in the workspace.")
+      .ForExperts();
+  options
+      .Add("sparse_path",
+           &workspace_.input_path,
+           "Folder of the sparse model. Default: the model in the workspace "
+           "that has the most images.")
+      .ForExperts();
+}
+
+// An empty text is the z-axis.
+Eigen::Vector3d ParseUp(const std::string& text) {
+  if (text.empty() || text == kStand) {
+    return Eigen::Vector3d::UnitZ();
+  }
+  std::array<double, 3> numbers = {0, 0, 0};
+  try {
+    ParseOptionValue(text, &numbers);
+  } catch (const OptionError&) {
+    numbers = {0, 0, 0};
+  }
+  const Eigen::Vector3d up = ToVector(numbers);
+  CheckOption(up.allFinite() && up.norm() > 0,
+              "up",
+              text,
+              "must be a direction x,y,z that is not zero, or stand");
+  return up;
+}
+
+void MeshExporter::Check() const {
+  scale_.Check();
+  ParseUp(up_);
+  CheckOption(base_depth_ >= 0 && std::isfinite(base_depth_),
+              "base_depth",
+              base_depth_,
+              "must be positive");
+  CheckOption(base_depth_ == 0 || flat_base_,
+              "base_depth",
+              base_depth_,
+              "needs --flat_base 1");
+  if (workspace_path_.empty() && (scale_.NeedsWorkspace() || up_ == kStand)) {
+    throw OptionError(
+        "--workspace_path must be given for --aruco_side and --up stand");
+  }
+}
+
+std::optional<Workspace> MeshExporter::OpenIfNeeded(
+    const Context& context) const {
+  if (!scale_.NeedsWorkspace() && up_ != kStand) {
+    return std::nullopt;
+  }
+  WorkspaceOptions options = workspace_;
+  options.needs_images = scale_.NeedsWorkspace();
+  options.needs_masks = false;
+  return OpenWorkspace(workspace_path_, options, context);
+}
+
+// The error of the points: what their reprojection errors are at the distance
+// of the object.
+Surroundings SurroundingsOf(const IndexedMesh& mesh, const SparseModel& model) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    box.extend(position);
+  }
+  Surroundings surroundings;
+  std::vector<double> pixels;
+  for (const SparseImage& image : model.images) {
+    const Eigen::Vector3d center = image.CamFromWorld().Inverse().translation;
+    surroundings.camera_centers.push_back(center);
+    const CameraProjector projector(*model.FindCamera(image.camera_id));
+    pixels.push_back((center - box.center()).norm() /
+                     projector.Intrinsics().fx);
+  }
+  std::vector<double> errors;
+  for (const SparsePoint& point : model.points) {
+    surroundings.points.push_back(point.xyz);
+    errors.push_back(point.error >= 0 ? point.error : 1);
+  }
+  const auto median = [](std::vector<double>* values) {
+    const auto middle = values->begin() + std::ptrdiff_t(values->size() / 2);
+    std::nth_element(values->begin(), middle, values->end());
+    return *middle;
+  };
+  if (!pixels.empty() && !errors.empty()) {
+    surroundings.noise = median(&pixels) * median(&errors);
+  }
+  return surroundings;
+}
+
+Eigen::Vector3d MeshExporter::FindUp(const IndexedMesh& mesh,
+                                     const Workspace* workspace,
+                                     const Context& context,
+                                     Json* json) const {
+  Eigen::Vector3d up = ParseUp(up_);
+  if (up_ == kStand) {
+    const StandPlane stand =
+        FindStandPlane(mesh, SurroundingsOf(mesh, workspace->model), context);
+    up = stand.up;
+    context.Info(fmt::format(
+        "stand: {} of {} sparse points around the object lie in its plane, up "
+        "is {:.4f}, {:.4f}, {:.4f}",
+        stand.num_points,
+        stand.num_candidates,
+        up.x(),
+        up.y(),
+        up.z()));
+    (*json)["stand"] = {{"points", stand.num_points},
+                        {"candidates", stand.num_candidates},
+                        {"rms", stand.rms},
+                        {"gap", stand.gap},
+                        {"offset", stand.offset}};
+  }
+  up.normalize();
+  (*json)["up"] = {up.x(), up.y(), up.z()};
+  return up;
+}
+
+double HeightOf(const IndexedMesh& mesh, const Similarity3d& plate_from_mesh) {
+  double height = 0;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    height = std::max(height, (plate_from_mesh * position).z());
+  }
+  return height;
+}
+
+IndexedMesh MeshExporter::MakePrint(const IndexedMesh& mesh,
+                                    const Context& context,
+                                    Similarity3d* plate_from_mesh,
+                                    Json* json) const {
+  const double height = HeightOf(mesh, *plate_from_mesh);
+  const double depth = !flat_base_       ? 0
+                       : base_depth_ > 0 ? base_depth_
+                                         : kBaseDepth * height;
+  CheckOption(depth < height,
+              "base_depth",
+              depth,
+              fmt::format("must be less than the height of {:.6g} mm", height));
+  plate_from_mesh->translation.z() -= depth;
+  IndexedMesh print = TransformMesh(mesh, *plate_from_mesh);
+  RoundToFloats(&print.positions);
+  if (flat_base_) {
+    FlatBase base = CutFlatBase(print, context);
+    (*json)["flat_base"] = {
+        {"depth", depth}, {"area", base.area}, {"islands", base.num_islands}};
+    print = std::move(base.mesh);
+  }
+  if (!print.normals.empty() || flat_base_) {
+    print.normals = ComputeVertexNormals(print, context);
+  }
+  return print;
+}
+
+void MeshExporter::Run(const CommandEnvironment& environment) {
+  const Context& context = environment.context;
+  Check();
+  if (report_path_.empty()) {
+    report_path_ = fs::path(output_path_).replace_extension(".json");
+  }
+  CheckMeshPath(output_path_);
+  CheckFilePath(report_path_);
+  CheckIsAnotherFile(
+      "report_path", report_path_, input_path_, "the mesh to export");
+  CheckIsAnotherFile(
+      "report_path", report_path_, output_path_, "the file to write");
+  CheckIsAnotherFile(
+      "output_path", output_path_, input_path_, "the mesh to export");
+  const IndexedMesh mesh = ReadClosedMesh(input_path_, context);
+  const std::optional<Workspace> workspace = OpenIfNeeded(context);
+  const Workspace* const opened = workspace ? &*workspace : nullptr;
+  const ExportScale scale = scale_.Find(opened, context);
+  Json json;
+  json["scale"] = scale.json;
+  const Eigen::Vector3d up = FindUp(mesh, opened, context, &json);
+  Similarity3d plate_from_mesh = PlaceOnPlate(mesh, scale.factor, up);
+  const IndexedMesh print = MakePrint(mesh, context, &plate_from_mesh, &json);
+  const MeshAudit audit = AuditMesh(print, context);
+  const std::string failure = audit.DescribeFailure();
+  if (!failure.empty()) {
+    throw InputError(
+        fmt::format("{}: at this scale, rounding to what files hold leaves {}",
+                    input_path_.string(),
+                    failure));
+  }
+  const SelfIntersections intersections = FindSelfIntersections(print, context);
+  if (intersections.num_pairs > 0) {
+    context.Warn(fmt::format("{}: {} pairs of triangles intersect",
+                             output_path_.string(),
+                             intersections.num_pairs));
+  }
+  WriteMesh(output_path_, print);
+  Json report = MakeReport(environment);
+  report["mesh_path"] = output_path_.string();
+  report["unit"] = "millimetre";
+  report["file_from_mesh"] = MatrixToJson(plate_from_mesh);
+  report.update(json);
+  report["audit"] = AuditToJson(audit);
+  report["self_intersections"] = SelfIntersectionsToJson(intersections);
+  WriteReport(report_path_, report);
+  const Eigen::Vector3d size = audit.bounding_box.sizes();
+  environment.out << fmt::format(
+      "{}: {} triangles, {:.4g} x {:.4g} x {:.4g} mm, {:.4g} cm^3\n",
+      output_path_.string(),
+      audit.num_triangles,
+      size.x(),
+      size.y(),
+      size.z(),
+      audit.volume / 1000);
+}
+
+}  // namespace
+
+std::unique_ptr<Command> MakeMeshExporter() {
+  return std::make_unique<MeshExporter>();
+}
+
+}  // namespace octacut

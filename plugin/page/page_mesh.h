@@ -1,0 +1,43 @@
+// A mesh as a page shows it: simplified, quantised, with values to paint it by.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/mesh/cluster_vertices.h"
+#include "core/mesh/remarkable_places.h"
+#include "plugin/option_value.h"
+#include "plugin/page/page_blobs.h"
+
+namespace octacut {
+
+// The most triangles of all meshes of a page together: what software rendering
+// turns smoothly, and what fits into the page.
+inline constexpr size_t kPageTriangles = 300'000;
+
+// One value a vertex of the full mesh; not a number where there is none.
+struct PageValues {
+  std::string kind;   // "distance" or "support"
+  std::string label;  // "to <name of the other mesh>"
+  std::vector<float> values;
+};
+
+struct PageMesh {
+  std::string name;
+  bool is_reference = false;
+  size_t num_triangles = 0;  // of the full mesh
+  ClusteredMesh display;
+  std::vector<std::array<uint8_t, 3>> colors;  // of the display; may be empty
+  std::vector<PageValues> values;
+  // Places on the full mesh, found by its `place_kind`: "distance" or
+  // "support".
+  std::string place_kind;
+  std::vector<RemarkablePlace> places;
+};
+
+// Positions become 16 bits in the bounding box, indices 24 bits.
+Json PageMeshToJson(const PageMesh& mesh, PageBlobs* blobs);
+
+}  // namespace octacut

@@ -1,0 +1,42 @@
+#include "plugin/print_json.h"
+
+namespace octacut {
+
+Json WallThicknessToJson(const WallThickness& walls) {
+  Json json;
+  json["measured_share"] = walls.measured_share;
+  json["min"] = walls.min;
+  json["percentile_1"] = walls.percentile_1;
+  json["percentile_5"] = walls.percentile_5;
+  json["median"] = walls.median;
+  json["max"] = walls.max;
+  json["thin_share"] = walls.thin_share;
+  json["histogram"] = walls.histogram;
+  json["thinnest"] = Json::array();
+  for (const ThinPlace& place : walls.thinnest) {
+    json["thinnest"].push_back(
+        {{"point", {place.point.x(), place.point.y(), place.point.z()}},
+         {"thickness", place.thickness}});
+  }
+  return json;
+}
+
+Json OverhangsToJson(const Overhangs& overhangs) {
+  return {{"area", overhangs.area},
+          {"share", overhangs.share},
+          {"base_area", overhangs.base_area}};
+}
+
+Json MatrixToJson(const Similarity3d& transform) {
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row) {
+    const Eigen::RowVector3d scaled =
+        transform.scale * transform.rotation.row(row);
+    rows.push_back(
+        {scaled.x(), scaled.y(), scaled.z(), transform.translation[row]});
+  }
+  rows.push_back({0.0, 0.0, 0.0, 1.0});
+  return rows;
+}
+
+}  // namespace octacut

@@ -1,0 +1,240 @@
+#include "plugin/texturing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <opencv2/core.hpp>
+
+#include "colmap_io/files/atomic_files.h"
+#include "colmap_io/images/write_image.h"
+#include "colmap_io/mesh/mesh_io.h"
+#include "core/base/check_option.h"
+#include "core/base/error.h"
+#include "core/raycast/ray_scene.h"
+#include "core/texture/held_out_scores.h"
+#include "core/texture/render_unlit.h"
+
+namespace octacut {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The photographs that numbers divisible by `step` have, and the others.
+Photographs Subset(const Photographs& all, size_t step, bool divisible) {
+  Photographs subset;
+  std::vector<size_t> numbers;
+  for (size_t i = 0; i < all.poses.size(); ++i) {
+    if ((i % step == 0) == divisible) {
+      numbers.push_back(i);
+      subset.poses.push_back(all.poses[i]);
+    }
+  }
+  subset.max_held = all.max_held;
+  subset.load = [load = all.load, numbers](size_t i) {
+    return load(numbers[i]);
+  };
+  return subset;
+}
+
+Eigen::AlignedBox3d BoxOf(const IndexedMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& triangle : mesh.triangles) {
+    for (const uint32_t corner : triangle) {
+      box.extend(mesh.positions[corner]);
+    }
+  }
+  return box;
+}
+
+Json SummaryToJson(const TextureSummary& summary,
+                   const PhotographSummary& files,
+                   const Photographs& photographs) {
+  Json views = Json::array();
+  for (size_t v = 0; v < photographs.poses.size(); ++v) {
+    const Eigen::Vector3f& gain = summary.gains[v];
+    views.push_back({{"name", photographs.poses[v].name},
+                     {"triangles", summary.triangles_of_view[v]},
+                     {"exposure", {gain[2], gain[1], gain[0]}}});
+  }
+  return {{"photographs",
+           {{"image_path", files.image_path.string()},
+            {"model_path", files.model_path.string()},
+            {"mask_path", files.mask_path.string()},
+            {"registered_images", files.num_images},
+            {"missing", files.num_missing},
+            {"without_mask", files.num_without_mask},
+            {"elsewhere", files.num_elsewhere},
+            {"used", photographs.poses.size()}}},
+          {"triangles", summary.num_triangles},
+          {"unseen_triangles", summary.num_unseen},
+          {"unseen_area_fraction", summary.unseen_area},
+          {"unsure_triangles", summary.num_unsure},
+          {"charts", summary.num_charts},
+          {"pages", summary.num_pages},
+          {"page_texels", summary.page_texels},
+          {"texels", summary.num_texels},
+          {"unfilled_texels", summary.num_unfilled_texels},
+          {"labelling_energy", summary.energy},
+          {"seams",
+           {{"points", summary.seams.num_points},
+            {"mean_jump_before", summary.seams.before},
+            {"mean_jump_after", summary.seams.after}}},
+          {"views", views}};
+}
+
+Json ScoreMeshes(const TexturedMesh& textured,
+                 const TexturingArguments& arguments,
+                 const Photographs& held_out,
+                 const Context& context) {
+  std::vector<IndexedMesh> colored;
+  std::vector<std::string> names = {"texture"};
+  if (!textured.mesh.colors.empty()) {
+    colored.push_back(textured.mesh);
+    names.emplace_back("vertex colours of the same mesh");
+  }
+  for (const fs::path& path : arguments.compare_paths) {
+    colored.push_back(ReadMesh(path).mesh);
+    if (colored.back().colors.empty()) {
+      throw InputError(
+          fmt::format("{}: the mesh has no vertex colours", path.string()));
+    }
+    names.push_back(path.string());
+  }
+  const std::vector<ImageScores> scores =
+      ScoreHeldOut(textured, colored, held_out, context);
+  Json meshes = Json::array();
+  for (size_t i = 0; i < scores.size(); ++i) {
+    context.Info(
+        fmt::format("Photographs left out, {}: PSNR {:.2f} dB, SSIM "
+                    "{:.4f}",
+                    names[i],
+                    scores[i].Psnr(),
+                    scores[i].Ssim()));
+    meshes.push_back({{"name", names[i]},
+                      {"psnr", scores[i].Psnr()},
+                      {"ssim", scores[i].Ssim()},
+                      {"pixels", scores[i].num_pixels}});
+  }
+  return {{"views", held_out.poses.size()}, {"meshes", meshes}};
+}
+
+// The photograph whose middle shows most of the mesh's surface is as good as
+// any; the first one of most triangles shows the mesh from a good side.
+void WritePicture(const fs::path& path,
+                  const TexturingResult& result,
+                  const Photographs& photographs,
+                  const Context& context) {
+  const auto& counts = result.summary.triangles_of_view;
+  const auto view =
+      size_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
+  const PhotographPose& pose = photographs.poses[view];
+  const RayScene rays(result.textured.mesh);
+  const UnlitPicture unlit =
+      RenderTexture(result.textured, rays, pose, context);
+  cv::Mat textured(unlit.color.size(), CV_8UC3, cv::Scalar::all(255));
+  unlit.color.copyTo(textured, unlit.covered);
+  cv::Mat picture;
+  cv::hconcat(
+      std::vector<cv::Mat>{photographs.load(view).image,
+                           textured,
+                           RenderRelit(result.textured, rays, pose, context)},
+      picture);
+  WriteImage(path, picture);
+}
+
+}  // namespace
+
+void TexturingArguments::Declare(OptionManager& options) {
+  options.AddEnum(
+      "view_blending",
+      &texture.view_blending,
+      {{"best", ViewBlending::kBest}, {"median", ViewBlending::kMedian}},
+      "Whether a texel is from the best photograph, cross-faded "
+      "along seams, or the median of the photographs that show it, "
+      "which removes highlights and loses some sharpness.");
+  options.Add("texture_size",
+              &texture.texture_size,
+              "Texels along the side of a page, at most.");
+  options.Add("max_pages", &texture.max_pages, "Number of pages, at most.");
+  options.Add("texel_scale",
+              &texture.texel_scale,
+              "Texels per pixel of the photographs along a side; less than 1 "
+              "makes a smaller texture.");
+  options.AddEnum(
+      "image_format",
+      &files.image_format,
+      {{"png", TextureImageFormat::kPng}, {"jpeg", TextureImageFormat::kJpeg}},
+      "Format of the texture's images.");
+  options.Add("picture_path",
+              &picture_path,
+              "Picture to write (.png or .jpg): a photograph, the textured "
+              "mesh, and the mesh under another light. Default: none.");
+  options
+      .Add("hold_out",
+           &hold_out,
+           "If N is not 0, leave each N-th photograph out and report how well "
+           "pictures of the textured mesh agree with it.")
+      .ForExperts();
+  options
+      .AddRepeatable("compare_path",
+                     &compare_paths,
+                     "Mesh whose vertex colours are compared with the "
+                     "photographs that hold_out leaves out.")
+      .ForExperts();
+}
+
+void TexturingArguments::Check() const {
+  texture.Check();
+  CheckOption(hold_out == 0 || hold_out >= 2,
+              "hold_out",
+              hold_out,
+              "must be 0, or at least 2");
+  CheckOption(compare_paths.empty() || hold_out > 0,
+              "compare_path",
+              compare_paths.empty() ? "" : compare_paths[0].string(),
+              "needs hold_out");
+  CheckTexturedMeshPath(output_path);
+  if (!picture_path.empty()) {
+    CheckFilePath(picture_path);
+  }
+}
+
+Json TextureAndWrite(const IndexedMesh& mesh,
+                     const std::string& mesh_name,
+                     const fs::path& workspace_path,
+                     PhotographOptions options,
+                     const TexturingArguments& arguments,
+                     const Context& context) {
+  if (mesh.triangles.empty()) {
+    throw InputError(fmt::format("{}: the mesh has no faces", mesh_name));
+  }
+  options.box = BoxOf(mesh);
+  const PhotographFiles files =
+      OpenPhotographs(workspace_path, options, context);
+  const Photographs photographs =
+      arguments.hold_out > 0
+          ? Subset(files.photographs, size_t(arguments.hold_out), false)
+          : files.photographs;
+  const TexturingResult result =
+      TextureMesh(mesh, photographs, arguments.texture, context);
+  Json json = SummaryToJson(result.summary, files.summary, photographs);
+  if (arguments.hold_out > 0) {
+    json["held_out"] =
+        ScoreMeshes(result.textured,
+                    arguments,
+                    Subset(files.photographs, size_t(arguments.hold_out), true),
+                    context);
+  }
+  Json written = Json::array();
+  for (const fs::path& path : WriteTexturedMesh(
+           arguments.output_path, result.textured, arguments.files)) {
+    written.push_back(path.string());
+  }
+  json["files"] = written;
+  if (!arguments.picture_path.empty()) {
+    WritePicture(arguments.picture_path, result, photographs, context);
+  }
+  return json;
+}
+
+}  // namespace octacut

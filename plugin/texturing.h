@@ -1,0 +1,43 @@
+// Texturing as commands run it: options, files and report.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "colmap_io/images/photograph_files.h"
+#include "colmap_io/mesh/textured_mesh_io.h"
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/texture/texture_mesh.h"
+#include "plugin/option_manager.h"
+
+namespace octacut {
+
+struct TexturingArguments {
+  TexturingOptions texture;
+  TexturedMeshOptions files;
+  std::filesystem::path output_path;
+  std::filesystem::path normal_map_from;  // empty: no normal map
+  std::filesystem::path picture_path;     // empty: no picture
+  // Each such photograph is left out and compared with the result; 0: none.
+  int hold_out = 0;
+  // Meshes whose vertex colours are compared with these photographs, too.
+  std::vector<std::filesystem::path> compare_paths;
+
+  void Declare(OptionManager& options);
+  // To be asked before any long work.
+  void Check() const;
+};
+
+// Textures `mesh`, whose name for messages is `mesh_name`, from the workspace's
+// photographs and writes all files. Returns the section of the report;
+// `photographs.box` need not be set.
+Json TextureAndWrite(const IndexedMesh& mesh,
+                     const std::string& mesh_name,
+                     const std::filesystem::path& workspace_path,
+                     PhotographOptions photographs,
+                     const TexturingArguments& arguments,
+                     const Context& context);
+
+}  // namespace octacut

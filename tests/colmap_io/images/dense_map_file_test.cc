@@ -1,0 +1,60 @@
+#include "colmap_io/images/dense_map_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "core/base/error.h"
+#include "tests/colmap_io/files/temporary_folder.h"
+
+namespace octacut {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
+
+TEST(DenseMapFile, LaidOutAsColmapHasIt) {
+  const TemporaryFolder folder;
+  cv::Mat map(2, 3, CV_32FC3);
+  for (int y = 0; y < 2; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      map.at<cv::Vec3f>(y, x) =
+          cv::Vec3f(float(10 * y + x), float(100 + 10 * y + x), -1);
+    }
+  }
+  WriteDenseMap(folder / "n.bin", map);
+  const std::string bytes = ReadFile(folder / "n.bin");
+  ASSERT_EQ(bytes.substr(0, 6), "3&2&3&");
+  ASSERT_EQ(bytes.size(), 6 + 18 * sizeof(float));
+  // x runs fastest, then y, then the channel.
+  const auto value = [&](size_t i) {
+    float v;
+    std::memcpy(&v, bytes.data() + 6 + i * sizeof(float), sizeof(v));
+    return v;
+  };
+  EXPECT_EQ(value(1), 1);
+  EXPECT_EQ(value(3), 10);
+  EXPECT_EQ(value(6), 100);
+  EXPECT_EQ(value(17), -1);
+  const cv::Mat back = ReadDenseMap(folder / "n.bin");
+  EXPECT_EQ(cv::norm(back, map, cv::NORM_INF), 0);
+}
+
+TEST(DenseMapFile, DamagedFilesAreNamed) {
+  const TemporaryFolder folder;
+  folder.Write("header.bin", "3x2&1&");
+  folder.Write("short.bin", "3&2&1&abcd");
+  folder.Write("large.bin", "300000&2&1&");
+  for (const auto& [name, message] : {std::pair("header.bin", "header"),
+                                      std::pair("short.bin", "ends early"),
+                                      std::pair("large.bin", "300000 x 2"),
+                                      std::pair("gone.bin", "header")}) {
+    EXPECT_THAT([&, file = name] { ReadDenseMap(folder / file); },
+                ThrowsMessage<InputError>(
+                    ::testing::AllOf(HasSubstr(name), HasSubstr(message))));
+  }
+}
+
+}  // namespace
+}  // namespace octacut

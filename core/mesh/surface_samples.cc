@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:core/benchmark/compare/surface_samples.cc
 #include "core/mesh/surface_samples.h"
-========
-#include "core/mesh/surface_samples.h"
->>>>>>>> wt-print:core/mesh/surface_samples.cc
 
 #include <fmt/format.h>
 

@@ -1,8 +1,4 @@
-<<<<<<<< HEAD:tests/core/benchmark/compare/surface_samples_test.cc
 #include "core/mesh/surface_samples.h"
-========
-#include "core/mesh/surface_samples.h"
->>>>>>>> wt-print:tests/core/mesh/surface_samples_test.cc
 
 #include <gtest/gtest.h>
 

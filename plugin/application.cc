@@ -13,6 +13,7 @@
 #include "plugin/common_options.h"
 #include "plugin/help_text.h"
 #include "plugin/log.h"
+#include "plugin/option_naming.h"
 #include "plugin/progress.h"
 #include "plugin/suggestion.h"
 
@@ -47,7 +48,7 @@ Failure DescribeCurrentException(const OptionManager& options) {
         "out of memory; use a lower --OctahedralMeshing.target_level or fewer "
         "images"};
   } catch (const std::exception& error) {
-    return {OneLine(error.what())};
+    return {options.NameOptionsIn(OneLine(error.what()))};
   } catch (...) {
     return {"unknown error"};
   }
@@ -69,36 +70,41 @@ const RegistryEntry& FindCommand(std::span<const RegistryEntry> commands,
       nearest.empty() ? "" : fmt::format("did you mean `{}`? ", nearest)));
 }
 
+// What a run has besides its command.
+struct RunSettings {
+  const OptionManager& options;
+  const CommonOptions& common;
+  std::ostream& out;
+  const std::atomic<bool>* cancelled;
+};
+
 void RunWithProgress(const RegistryEntry& entry,
+                     const RunSettings& settings,
                      Command& command,
-                     const OptionManager& options,
-                     const CommonOptions& common,
-                     Log& log,
-                     std::ostream& out,
-                     const std::atomic<bool>* cancelled) {
+                     Log& log) {
+  const auto& [options, common, out, cancelled] = settings;
   ProgressReporter progress(log);
   PhaseTimer timer(&progress);
+  OptionNaming naming(options, &timer);
   const Context context(
-      common.num_threads, &timer, cancelled, common.random_seed);
-  WithThreads(context.NumThreads(), [&] {
-    command.Run({entry.name, options, context, timer, out});
-  });
+      common.num_threads, &naming, cancelled, common.random_seed);
+  const CommandEnvironment environment{
+      entry.name, options, context, timer, out};
+  WithThreads(context.NumThreads(), [&] { command.Run(environment); });
 }
 
 // The part of a run that has a log; errors go to its file, too.
 void RunLogged(const RegistryEntry& entry,
-               Command& command,
-               const OptionManager& options,
-               const CommonOptions& common,
-               std::ostream& out,
-               const std::atomic<bool>* cancelled) {
-  Log log(common.log, entry.name);
+               const RunSettings& settings,
+               Command& command) {
+  const OptionManager& options = settings.options;
+  Log log(settings.common.log, entry.name);
   log.Debug(fmt::format(
       "{} with options {}",
       entry.name,
       options.ToJson().dump(-1, ' ', false, Json::error_handler_t::replace)));
   try {
-    RunWithProgress(entry, command, options, common, log, out, cancelled);
+    RunWithProgress(entry, settings, command, log);
   } catch (...) {
     log.ErrorToFile(DescribeCurrentException(options).message);
     throw;
@@ -123,7 +129,7 @@ int RunCommand(const RegistryEntry& entry,
                          parsed == OptionManager::ParseResult::kHelpForExperts);
     } else {
       common.Check();
-      RunLogged(entry, *command, options, common, out, cancelled);
+      RunLogged(entry, {options, common, out, cancelled}, *command);
     }
     out.flush();
     if (!out) {

@@ -246,37 +246,71 @@ Json OptionManager::ToJson() const {
   return json;
 }
 
-std::string OptionManager::NameOption(const std::string& message) const {
-  const size_t field_size = message.find(" = ");
-  if (field_size == std::string::npos) {
-    return message;
-  }
+const Option* OptionManager::FindByField(std::string_view wanted) const {
   // Groups are named DepthSweep, structs depth_sweep.
   const auto plain = [](std::string name) {
     std::erase(name, '_');
     return ToLower(name);
   };
-  const std::string field = plain(message.substr(0, field_size));
   const auto last_part = [](const std::string& name) {
     return name.substr(name.rfind('.') + 1);
   };
+  const std::string field = plain(std::string(wanted));
   const Option* named = nullptr;
   for (const Option& option : options_) {
     const std::string name = plain(option.name);
     if (name == field) {
-      named = &option;
-      break;
+      return &option;
     }
     if (named == nullptr && last_part(name) == last_part(field)) {
       named = &option;
     }
   }
-  if (named != nullptr) {
-    const bool is_key = named->audience == OptionAudience::kProjectFiles;
-    return fmt::format(
-        "{}{}{}", is_key ? "" : "--", named->name, message.substr(field_size));
+  return named;
+}
+
+namespace {
+
+std::string FullName(const Option& option) {
+  return option.audience == OptionAudience::kProjectFiles ? option.name
+                                                          : "--" + option.name;
+}
+
+}  // namespace
+
+std::string OptionManager::NameOption(const std::string& message) const {
+  const size_t field_size = message.find(" = ");
+  if (field_size == std::string::npos) {
+    return message;
   }
-  return message;
+  const Option* const named = FindByField(message.substr(0, field_size));
+  return named == nullptr ? message
+                          : FullName(*named) + message.substr(field_size);
+}
+
+std::string OptionManager::NameOptionsIn(std::string_view message) const {
+  std::string result;
+  size_t next = 0;
+  while (next < message.size()) {
+    const size_t begin = message.find('`', next);
+    const size_t end =
+        begin == std::string_view::npos ? begin : message.find('`', begin + 1);
+    if (end == std::string_view::npos) {
+      break;
+    }
+    const Option* const named =
+        FindByField(message.substr(begin + 1, end - begin - 1));
+    if (named == nullptr) {
+      // The second backtick may begin a name.
+      result += message.substr(next, end - next);
+      next = end;
+      continue;
+    }
+    result += message.substr(next, begin - next);
+    result += FullName(*named);
+    next = end + 1;
+  }
+  return result.append(message.substr(next));
 }
 
 }  // namespace octacut

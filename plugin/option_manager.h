@@ -98,6 +98,9 @@ class OptionManager {
   // one; an option of that full name goes before one that shares the last part
   // only. Messages about other fields are returned as they are.
   std::string NameOption(const std::string& message) const;
+  // `message` with the full names of the options for `field`s in backticks, as
+  // core names them: "--Group.field". Others are left as they are.
+  std::string NameOptionsIn(std::string_view message) const;
 
  private:
   struct Given {
@@ -108,8 +111,11 @@ class OptionManager {
 
   Option& AddOption(std::string name, std::string description);
   const Option* Find(std::string_view name) const;
-  // Of a name that is not declared: what became of it, or a similar name.
-  // `noun` is what names are called where it was found, `dashes` precede them.
+  // As NameOption finds it; null where no option is bound to such a field.
+  const Option* FindByField(std::string_view field) const;
+  // The error for a name that is not declared: what became of it, or a similar
+  // name. `noun` is what names are called where it was found, `dashes` precede
+  // them.
   OptionError UnknownName(std::string_view name,
                           std::string_view noun,
                           std::string_view dashes) const;

@@ -10,7 +10,7 @@ class TextTable {
  public:
   explicit TextTable(std::vector<std::string> heading);
 
-  // Of as many cells as the heading; missing ones are empty.
+  // Adds as many cells as the heading has; missing ones are empty.
   void AddRow(std::vector<std::string> cells);
 
   // Lines with an end each. The first column is aligned to the left, the

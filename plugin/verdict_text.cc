@@ -12,20 +12,20 @@
 namespace octacut {
 namespace {
 
-// Of the pixels that are surely object: as many as smoothing takes from the
-// tips of a good mesh.
+// The share of the pixels that are certainly object that may be missed: as many
+// as smoothing takes from the tips of a good mesh.
 constexpr double kMaxMissed = 0.001;
-// Of those, for the sake of components that were removed.
+// The share of them that may be missed because components were removed.
 constexpr double kMaxRemoved = 0.001;
-// Of the object's pixels: a ring of one pixel around an object that is 400
-// across.
+// The share of the object's pixels that may be uncertain: a ring of one pixel
+// around an object that is 400 pixels across.
 constexpr double kMaxUnsure = 0.01;
 constexpr double kMaxExceeded = 0.01;
 // Pixels by which masks are too large or too small: less is how they are cut.
 constexpr double kLargeShift = 1;
-// Of missed pixels: from here on it is their usual cause.
+// The share of the missed pixels from which on this is their usual cause.
 constexpr double kMost = 0.5;
-// Of the surface.
+// Shares of the surface.
 constexpr double kMaxBlind = 0.05;
 constexpr double kMaxUndecided = 0.1;
 constexpr double kFewDecided = 0.5;

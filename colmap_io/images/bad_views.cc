@@ -9,7 +9,7 @@
 namespace octacut {
 namespace {
 
-// Of all views at most one in so many is left out.
+// At most one in so many of all views is left out.
 constexpr size_t kMaxLeftOutDivisor = 10;
 
 std::string Figures(const ViewFit& fit) {

@@ -36,7 +36,7 @@ class BilinearSampler {
     const int y0 = int(v);
     const int right = x0 + 1 < source_.cols ? kChannels : 0;
     const size_t down = y0 + 1 < source_.rows ? step_ : 0;
-    Blend(x0, y0, right, down, u - float(x0), v - float(y0), sum);
+    Blend(TopLeft(x0, y0), right, down, u - float(x0), v - float(y0), sum);
   }
 
   // The same where IsInside() holds.
@@ -45,18 +45,19 @@ class BilinearSampler {
     const float v = y - 0.5f;
     const int x0 = int(u);
     const int y0 = int(v);
-    Blend(x0, y0, kChannels, step_, u - float(x0), v - float(y0), sum);
+    Blend(TopLeft(x0, y0), kChannels, step_, u - float(x0), v - float(y0), sum);
   }
 
  private:
-  void Blend(int x0,
-             int y0,
-             int right,
-             size_t down,
-             float a,
-             float b,
-             float* sum) const {
-    const uint8_t* top = source_.data + size_t(y0) * step_ + x0 * kChannels;
+  const uint8_t* TopLeft(int x, int y) const {
+    return source_.data + size_t(y) * step_ + x * kChannels;
+  }
+  static void Blend(const uint8_t* top,
+                    int right,
+                    size_t down,
+                    float a,
+                    float b,
+                    float* sum) {
     const uint8_t* bottom = top + down;
     for (int c = 0; c < kChannels; ++c) {
       const float above = top[c] + a * float(top[c + right] - top[c]);

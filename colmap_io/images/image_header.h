@@ -16,8 +16,8 @@ struct ImageSize {
   bool operator==(const ImageSize&) const = default;
 };
 
-// Of a PNG or JPEG file; empty for other formats and for damaged headers. Reads
-// no pixels.
+// The size of a PNG or JPEG image; empty for other formats and for damaged
+// headers. Reads no pixels.
 std::optional<ImageSize> ReadImageSize(std::istream& stream);
 
 // True for a JPEG file whose data stops before its end marker: decoders fill

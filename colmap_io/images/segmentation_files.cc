@@ -118,7 +118,7 @@ void RequireSize(const fs::path& path,
       path, {uint64_t(pixels.cols), uint64_t(pixels.rows)}, camera);
 }
 
-// Of a mask of all that turns: what is clearly outside of it is background.
+// What is clearly outside of a mask of all that turns is background.
 cv::Mat OutsideOf(const cv::Mat& turning,
                   const SparseCamera& camera,
                   const PinholeCamera& reduced) {

@@ -102,9 +102,10 @@ void AverageRows(const BilinearSampler<kChannels>& sampler,
                  const CameraProjector& projector,
                  const PinholeCamera& target,
                  int n,
-                 size_t begin,
-                 size_t end,
+                 const cv::Range& rows,
                  cv::Mat* result) {
+  const size_t begin = size_t(rows.start);
+  const size_t end = size_t(rows.end);
   RowMap above(target.width + 1);
   RowMap below(target.width + 1);
   below.Fill(projector, target, 0, double(begin));
@@ -164,8 +165,12 @@ void Resample(const cv::Mat& source,
                 if (samples == 1) {
                   SampleRows(sampler, projector, target, begin, end, result);
                 } else {
-                  AverageRows(
-                      sampler, projector, target, samples, begin, end, result);
+                  AverageRows(sampler,
+                              projector,
+                              target,
+                              samples,
+                              cv::Range(int(begin), int(end)),
+                              result);
                 }
               });
 }

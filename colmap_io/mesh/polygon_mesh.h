@@ -15,7 +15,7 @@ namespace octacut {
 
 struct PolygonMesh {
   std::vector<Eigen::Vector3d> positions;
-  // Of vertices; both empty or of the size of `positions`.
+  // Values of the vertices; both empty or as many as `positions`.
   std::vector<Eigen::Vector3f> normals;
   std::vector<std::array<uint8_t, 3>> colors;
   std::vector<float> confidence;  // likewise

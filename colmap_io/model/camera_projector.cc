@@ -81,17 +81,22 @@ void ProjectRow(const CameraIntrinsics& intrinsics,
   }
 }
 
+// Points first + i * step.
+struct PointRow {
+  const Eigen::Vector3d& first;
+  const Eigen::Vector3d& step;
+  size_t count;
+};
+
 // flatten: everything below is compiled for the instruction set at hand.
 // Without fused operations, wider vectors give the same bits.
 __attribute__((flatten)) void ProjectRowOfModel(int model_id,
                                                 const CameraIntrinsics& in,
-                                                const Eigen::Vector3d& first,
-                                                const Eigen::Vector3d& step,
-                                                size_t count,
+                                                const PointRow& row,
                                                 float* x,
                                                 float* y) {
   WithModel(model_id, [&]<typename Model>() {
-    ProjectRow<Model>(in, first, step, count, x, y);
+    ProjectRow<Model>(in, row.first, row.step, row.count, x, y);
   });
 }
 
@@ -99,13 +104,11 @@ __attribute__((flatten)) void ProjectRowOfModel(int model_id,
 __attribute__((target("avx2"), flatten)) void ProjectRowOfModelAvx2(
     int model_id,
     const CameraIntrinsics& in,
-    const Eigen::Vector3d& first,
-    const Eigen::Vector3d& step,
-    size_t count,
+    const PointRow& row,
     float* x,
     float* y) {
   WithModel(model_id, [&]<typename Model>() {
-    ProjectRow<Model>(in, first, step, count, x, y);
+    ProjectRow<Model>(in, row.first, row.step, row.count, x, y);
   });
 }
 #endif
@@ -156,11 +159,11 @@ void CameraProjector::ImgFromCamRow(const Eigen::Vector3d& first,
                                     float* y) const {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2")) {
-    ProjectRowOfModelAvx2(model_id_, intrinsics_, first, step, count, x, y);
+    ProjectRowOfModelAvx2(model_id_, intrinsics_, {first, step, count}, x, y);
     return;
   }
 #endif
-  ProjectRowOfModel(model_id_, intrinsics_, first, step, count, x, y);
+  ProjectRowOfModel(model_id_, intrinsics_, {first, step, count}, x, y);
 }
 
 }  // namespace octacut

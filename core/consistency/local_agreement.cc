@@ -11,7 +11,8 @@ namespace {
 
 constexpr size_t kBrickGrain = 256;
 // Averagings of phi over the six neighbours, and steps to them within which
-// the least mean counts: the thickness of a crust. (docs/design.md)
+// the least mean counts: the thickness of a crust.
+// (docs/experiments/undecided_surface.md)
 constexpr int kMeanSteps = 2;
 constexpr int kReach = 4;
 // Means of phi: up to the first the views agree, from the second on they do

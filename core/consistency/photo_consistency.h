@@ -23,21 +23,22 @@ struct ConsistencyOptions {
   ConsistencyMeasure measure = ConsistencyMeasure::kNormalizedVariance;
   // Samples are (2 r + 1)^2 points on the surface through the voxel's centre, a
   // voxel apart or, where that is more, a pixel; r in 1 .. 4. 3 is worse where
-  // voxels have two pixels: docs/design.md, "Scale".
+  // voxels have two pixels: docs/experiments/photo_consistency.md.
   int patch_radius = 2;
   // Where voxels are as small as pixels, r grows (up to 4) until the patch
   // spans this many pixels of the average view: fewer hold too little texture.
-  // Igea at 512^3 has 0.074 instead of 0.089 %: docs/design.md, "Scale".
+  // Igea at 512^3 has 0.074 instead of 0.089 %:
+  // docs/experiments/photo_consistency.md.
   double min_patch_pixels = 5;
   // Value of voxels that fewer than two views see, and of plain patches, so
   // that the surface closes there by minimal area; 0 .. 1. Half-way, because
-  // they say neither: docs/design.md, "The range of phi".
+  // they say neither: docs/experiments/photo_consistency.md.
   double neutral = 0.5;
   // Standard deviation of pixel noise, in grey levels of 255: contrast below
   // it counts as plain. Not varied alone.
   double pixel_noise = 3;
-  // Of differences of chroma against those of grey, to which gloss adds;
-  // 0 .. 8.
+  // Weight of differences in chroma relative to differences in brightness,
+  // which highlights change most; 0 .. 8.
   double chroma_weight = 2;
   void Check() const;
 };

@@ -166,4 +166,14 @@ void AdoptCut(const std::vector<FaceLabels>& labels,
       TieMedialVoxels(crust->voxels, crust->prior, context, &crust->ties);
 }
 
+size_t EstimateSurfaceVoxels(int level, double layers) {
+  constexpr double kSurfaceShare = 2.5;
+  const double resolution = double(1u << level);
+  return size_t(kSurfaceShare * resolution * resolution * layers);
+}
+
+size_t EstimateCrustVoxels(int level, const CrustOptions& options) {
+  return EstimateSurfaceVoxels(level, 2 + 2 * options.crust_dilation);
+}
+
 }  // namespace octacut

@@ -14,7 +14,7 @@ namespace octacut {
 
 struct CrustOptions {
   // Times that the proxy surface is dilated (d of the paper); 1 .. 8.
-  // Wider crusts gain nothing: docs/design.md, "Thin crusts".
+  // Wider crusts gain nothing: docs/experiments/crusts.md.
   int crust_dilation = 2;
   void Check() const;
 };
@@ -69,5 +69,11 @@ Crust WidenCrust(const LabelHierarchy& hierarchy,
 void AdoptCut(const std::vector<FaceLabels>& labels,
               const Context& context,
               Crust* crust);
+
+// Roughly, the voxels of a level that the surface passes through, and those of
+// the crust around them: the surface in a tight cube has some 2.5 times the
+// area of one of its sides.
+size_t EstimateSurfaceVoxels(int level, double layers = 1);
+size_t EstimateCrustVoxels(int level, const CrustOptions& options);
 
 }  // namespace octacut

@@ -15,7 +15,7 @@ inline constexpr double kCutScale = double(1 << kCutFractionBits);
 inline constexpr int32_t kMaxFixedCapacity = (1 << 30) - 1;
 // The same in units of the weights, rounded down.
 inline constexpr float kMaxCutWeight = 1023.0f;
-// Of a voxel, in magnitude.
+// The largest evidence of a voxel, in magnitude.
 inline constexpr float kMaxEvidence = 6 * kMaxCutWeight;
 
 // `weight` in (0, kMaxCutWeight].
@@ -31,8 +31,8 @@ inline int32_t FixedFaceEvidence(float evidence) {
   return int32_t(share + (share < 0 ? -0.5 : 0.5));
 }
 
-// Of lean cuts: weights in units of 2^-14, and the largest that flows of 16
-// bits can hold.
+// For lean cuts: weights are in units of 2^-14, and the largest one is what
+// flows of 16 bits can hold.
 inline constexpr int kLeanFractionBits = 14;
 inline constexpr int32_t kMaxLeanWeight = (1 << 15) - 1;
 

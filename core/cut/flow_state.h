@@ -33,7 +33,7 @@
 
 namespace octacut {
 
-// Of `Flow`, int32_t or int16_t, are weights and flows.
+// Weights and flows are of type `Flow`, int32_t or int16_t.
 template <typename Flow>
 class FlowState {
  public:

@@ -107,19 +107,26 @@ void SearchOn(const OctahedralCutProblem& problem,
   forest.RunByNeighborhood();
 }
 
+// What a search goes on from, and where its own flows are left; null: neither.
+template <typename Flow>
+struct KeptSearch {
+  std::span<const VoxelGrid::Brick> bricks;
+  KeptFlows<Flow>* flows;
+};
+
 template <typename Flow>
 OctahedralCut Solve(const OctahedralCutProblem& problem,
                     const VoxelWalk& walk,
                     std::vector<FaceTies>& merged_ties,
                     const SearchPlan& plan,
                     const Context& context,
-                    std::span<const VoxelGrid::Brick> before,
-                    KeptFlows<Flow>* kept) {
+                    const KeptSearch<Flow>& search) {
+  KeptFlows<Flow>* const kept = search.flows;
   KeptFlows<Flow> flows;
   if (kept != nullptr && *kept != nullptr &&
       (*kept)->GoesOnWith(problem, plan.scale)) {
     flows = std::move(*kept);
-    SearchOn(problem, walk, merged_ties, before, context, *flows);
+    SearchOn(problem, walk, merged_ties, search.bricks, context, *flows);
   } else {
     if (kept != nullptr) {
       kept->reset();
@@ -181,14 +188,11 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
     throw InputError("cut problem: more bricks than the solver can number");
   }
   const auto solve = [&]<typename Flow>(KeptFlows<Flow>* kept) {
-    return Solve(
-        problem,
-        walk,
-        merged_ties,
-        plan,
-        context,
-        state == nullptr ? std::span<const VoxelGrid::Brick>() : state->bricks,
-        kept);
+    KeptSearch<Flow> search{{}, kept};
+    if (state != nullptr) {
+      search.bricks = state->bricks;
+    }
+    return Solve(problem, walk, merged_ties, plan, context, search);
   };
   OctahedralCut cut =
       plan.scale.shift == 0

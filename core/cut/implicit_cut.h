@@ -45,7 +45,7 @@ struct ImplicitCutState {
   std::unique_ptr<FlowState<int16_t>> narrow_flows;
 };
 
-// The plan that measurements speak for (docs/cut_engine.md).
+// The plan that measurements speak for (docs/experiments/cut_engine.md).
 SearchPlan PlanSearch(std::span<const FaceTies> merged_ties,
                       const Context& context);
 

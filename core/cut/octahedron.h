@@ -96,7 +96,7 @@ MakeNodeArcs() {
 inline constexpr std::array<std::array<NodeArc, kNumNodeArcs>, 3> kNodeArcs =
     MakeNodeArcs();
 
-// Of the arcs of a node, the codes that they have at its neighbours.
+// The codes that the arcs of a node have at its neighbours.
 inline constexpr std::array<std::array<int32_t, kNumNodeArcs>, 3>
 MakeBackCodes() {
   std::array<std::array<int32_t, kNumNodeArcs>, 3> codes = {};
@@ -117,7 +117,7 @@ inline constexpr std::array<std::array<int32_t, kNumNodeArcs>, 3> kBackCodes =
 inline constexpr uint8_t kNodeArcHolder[kNumNodeArcs] = {
     0, 2, 0, 3, 1, 4, 1, 5};
 
-// Of a voxel's residual arcs, the four that leave a face; bit j is the arc to
+// The four of a voxel's residual arcs that leave a face; bit j is the arc to
 // its j-th face.
 inline constexpr uint32_t ArcsOut(uint32_t residual, int face) {
   return (residual >> (4 * face)) & 15;

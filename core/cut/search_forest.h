@@ -13,7 +13,8 @@
 // cannot take makes its node a source node again.
 //
 // The source side does not grow while searching: its nodes are those with an
-// excess, nothing else. Growing it as well was measured (docs/cut_engine.md).
+// excess, nothing else. Growing it as well was measured
+// (docs/experiments/cut_engine.md).
 //
 // Invariants between passes, with the depth the greatest label:
 //  - a residual arc into a node of the forest that is not active comes from a
@@ -102,7 +103,7 @@ class SearchForest {
   static int32_t LabelOfRank(uint32_t rank) {
     return int32_t(rank >> kLabelShift) + 1;
   }
-  // Of the words around a node, those whose rank is lower.
+  // The words around a node whose rank is lower.
   static uint32_t LowerThan(const WordsAround& words, uint32_t rank) {
     return words.Below(kRankOffset, rank);
   }

@@ -8,7 +8,7 @@
 namespace octacut {
 namespace {
 
-// Of the eight samples around a depth, those that share it.
+// The number of the eight samples around a depth that share it.
 int CountLike(
     const SweptDepthMap& map, int x, int y, float depth, float tolerance) {
   int count = 0;

@@ -57,7 +57,7 @@ std::vector<SweptDepthMap> KeepAgreeing(
     const std::vector<std::vector<uint8_t>>& counts,
     int min_agreeing);
 
-// Of depths that too few views confirm, but one does, keeps those
+// Keeps those of the depths that too few views confirm, but one does,
 // - that at least `min_like` of the eight samples around share, to
 //   kDepthAgreement: wrong matches are scattered;
 // - before which, on their rays, no voxel of the hull is `solid` (one a voxel):

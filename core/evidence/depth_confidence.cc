@@ -29,9 +29,9 @@ constexpr float kRegionRadius = 8;
 // that a quarter and three fifths of the depths are wrong.
 constexpr float kSureShare = 1.0f / 6;
 constexpr float kDoubtfulShare = 0.4f;
-// Of all depths: where as many are contradicted, depths must be dense to be
-// relied upon. Few views have few depths, but those do not contradict each
-// other.
+// The share of all depths from which on they must be dense to be relied upon if
+// they are contradicted. Few views have few depths, but those do not contradict
+// each other.
 constexpr float kManyShare = 0.25f;
 // Shares of the object's samples, over all views, that have a depth: up to the
 // first, which chance alone reaches on metal and porcelain, such depths are not

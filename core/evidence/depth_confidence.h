@@ -6,7 +6,7 @@
 // views agree about that depth, and a burnt-out highlight matches anything.
 // Such a depth claims free space where other views have found surfaces. Of
 // depths that are right a tenth does so, because some of those surfaces are
-// wrong; of polished metal half (docs/design.md).
+// wrong; of polished metal half (docs/experiments/contradicting_depths.md).
 #pragma once
 
 #include <vector>
@@ -29,7 +29,7 @@ struct ReliableDepths {
   // and few samples of the object have any.
   std::vector<std::vector<float>> confidence;
   double contradicted_share = 0;  // of all depths
-  // Of the samples within the silhouettes, those with a depth.
+  // The share of the samples within the silhouettes that have a depth.
   double found_share = 0;
 };
 

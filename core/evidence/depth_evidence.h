@@ -21,14 +21,18 @@ std::vector<float> EvidenceOf(const ViewSet& views,
                               const InsideEvidenceOptions& options,
                               const Context& context);
 
-// Adds to `maps` the plausible ones of those depths of `paired` that they lack.
-// `values` is the evidence of `maps`.
-void AddPlausible(const ViewSet& views,
-                  const VoxelGrid& voxels,
-                  std::vector<SweptDepthMap> paired,
-                  const std::vector<float>& values,
-                  const InsideEvidenceOptions& options,
-                  const Context& context,
-                  std::vector<SweptDepthMap>* maps);
+// The plausible ones of the depths of `paired`, where `values` is the evidence
+// of better confirmed ones.
+std::vector<SweptDepthMap> FindPlausible(
+    const ViewSet& views,
+    const VoxelGrid& voxels,
+    const std::vector<SweptDepthMap>& paired,
+    const std::vector<float>& values,
+    const InsideEvidenceOptions& options,
+    const Context& context);
+
+// Adds to `maps` those depths of `others` that they lack.
+void AddMissing(const std::vector<SweptDepthMap>& others,
+                std::vector<SweptDepthMap>* maps);
 
 }  // namespace octacut

@@ -17,7 +17,7 @@
 namespace octacut {
 
 // Larger sweeps do not pay (six neighbours, windows of 7 x 7, a least score of
-// 0.4): docs/design.md, "The interior at l0".
+// 0.4): docs/experiments/interior.md.
 struct DepthSweepOptions {
   int num_neighbors = 4;         // views compared with each view; 2 .. 8
   double min_angle = 4;          // degrees between the viewing directions
@@ -78,5 +78,12 @@ std::vector<SweptDepthMap> SweepDepths(
     const DepthSweepOptions& options,
     const Context& context,
     std::vector<std::vector<int>>* neighbors);
+
+// Bytes that SweepDepths will need for a hull of (2^hull_level)^3 voxels,
+// roughly.
+size_t EstimateSweepBytes(size_t num_views,
+                          int hull_level,
+                          const DepthSweepOptions& options,
+                          const Context& context);
 
 }  // namespace octacut

@@ -236,13 +236,14 @@ FinerEvidence FindFinerDepths(const ViewSet& views,
   finer.values =
       EvidenceOf(views, finer.voxels, depths, without_ballooning, context);
   if (options.min_agreeing_views > 1 && options.min_like_samples <= 8) {
-    AddPlausible(views,
-                 finer.voxels,
-                 KeepAgreeing(std::move(maps.swept), maps.counts, 1),
-                 finer.values,
-                 without_ballooning,
-                 context,
-                 &depths.maps);
+    AddMissing(
+        FindPlausible(views,
+                      finer.voxels,
+                      KeepAgreeing(std::move(maps.swept), maps.counts, 1),
+                      finer.values,
+                      without_ballooning,
+                      context),
+        &depths.maps);
     finer.values =
         EvidenceOf(views, finer.voxels, depths, without_ballooning, context);
   }

@@ -96,25 +96,29 @@ std::vector<float> EvidenceOf(const ViewSet& views,
   return values;
 }
 
-void AddPlausible(const ViewSet& views,
-                  const VoxelGrid& hull,
-                  std::vector<SweptDepthMap> paired,
-                  const std::vector<float>& values,
-                  const InsideEvidenceOptions& options,
-                  const Context& context,
-                  std::vector<SweptDepthMap>* maps) {
+std::vector<SweptDepthMap> FindPlausible(
+    const ViewSet& views,
+    const VoxelGrid& voxels,
+    const std::vector<SweptDepthMap>& paired,
+    const std::vector<float>& values,
+    const InsideEvidenceOptions& options,
+    const Context& context) {
   const float least =
       float(options.ballooning + kSolidViews * options.matter_weight);
   std::vector<bool> solid(values.size());
   std::transform(values.begin(), values.end(), solid.begin(), [&](float value) {
     return value > least;
   });
-  paired = KeepPlausible(
-      views, hull, paired, solid, options.min_like_samples, context);
+  return KeepPlausible(
+      views, voxels, paired, solid, options.min_like_samples, context);
+}
+
+void AddMissing(const std::vector<SweptDepthMap>& others,
+                std::vector<SweptDepthMap>* maps) {
   for (size_t i = 0; i < maps->size(); ++i) {
     std::vector<float>& depths = (*maps)[i].depths;
     for (size_t k = 0; k < depths.size(); ++k) {
-      depths[k] = depths[k] > 0 ? depths[k] : paired[i].depths[k];
+      depths[k] = depths[k] > 0 ? depths[k] : others[i].depths[k];
     }
   }
 }
@@ -232,13 +236,13 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   WarnOfContradictions(depths.contradicted_share, context);
   const size_t num_kept = CountDepths(depths.maps);
   if (options.min_agreeing_views > 1 && options.min_like_samples <= 8) {
-    AddPlausible(views,
-                 hull,
-                 KeepAgreeing(swept, counts, 1),
-                 evidence.values,
-                 options,
-                 context,
-                 &depths.maps);
+    AddMissing(FindPlausible(views,
+                             hull,
+                             KeepAgreeing(swept, counts, 1),
+                             evidence.values,
+                             options,
+                             context),
+               &depths.maps);
     evidence.values = EvidenceOf(views, hull, depths, options, context);
   }
   evidence.depth_confidence =

@@ -15,7 +15,7 @@
 
 namespace octacut {
 
-// Of all weights of evidence, which graphs hold to some thousands.
+// The largest weight of any evidence; graphs hold some thousands.
 inline constexpr double kMaxEvidenceWeight = 100;
 
 // Throws OptionError unless `weight` is in 0 .. kMaxEvidenceWeight.
@@ -53,10 +53,11 @@ struct InsideEvidenceSummary {
   size_t num_agreeing = 0;     // of them, confirmed by other views
   size_t num_plausible = 0;    // confirmed by too few, yet taken
   size_t num_free_voxels = 0;  // with evidence for outside
-  // Of the confirmed depths: those with surfaces before them that other views
-  // have found.
+  // The share of the confirmed depths with surfaces in front of them that other
+  // views have found.
   double contradicted_share = 0;
-  // Of the samples within the silhouettes, those with a confirmed depth.
+  // The share of the samples within the silhouettes that have a confirmed
+  // depth.
   double found_share = 0;
 };
 

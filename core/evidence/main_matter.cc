@@ -6,7 +6,7 @@
 namespace octacut {
 namespace {
 
-// Of the largest part: a part that is smaller is a crumb.
+// A part with less than this fraction of the largest part is a crumb.
 constexpr size_t kCrumb = 10;
 
 }  // namespace

@@ -39,7 +39,7 @@ SampleMap MapSamples(const PreparedView& view,
                      const VoxelGrid& voxels,
                      const std::vector<FaceLabels>& labels);
 
-// Of all views.
+// The samples of all views.
 std::vector<SampleMap> MapSamples(const ViewSet& views,
                                   const VoxelGrid& voxels,
                                   const std::vector<FaceLabels>& labels,

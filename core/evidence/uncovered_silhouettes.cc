@@ -9,7 +9,7 @@
 namespace octacut {
 namespace {
 
-// Of a view: voxels of the hull on each sample's ray.
+// The number of voxels of the hull on the ray of each sample of a view.
 std::vector<uint16_t> CountVoxels(const ViewProjection& projection,
                                   const VoxelGrid& hull,
                                   const SampleMap& map) {

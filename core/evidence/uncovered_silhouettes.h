@@ -3,6 +3,7 @@
 // has relied upon wrong depths (compare Sinha & Pollefeys, ICCV 2005).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct UncoveredSilhouettes {
   // voxel one over the number of hull voxels on that ray. What is thin
   // collects much of it, what is thick little a voxel.
   std::vector<float> shares;
+
+  // The share of the samples that is uncovered.
+  double Share() const {
+    return double(num_uncovered) / double(std::max<size_t>(num_samples, 1));
+  }
 };
 
 // `labels` has one element a voxel of `hull`, as SolveOctahedralCut gives

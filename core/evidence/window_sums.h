@@ -7,9 +7,9 @@
 
 namespace octacut {
 
-// Of two images at once: the sums of the first one's values and squares, and
-// of the products of both. Beyond the left and right border counts as 0;
-// windows hold fewer samples near the first row.
+// Sums over windows of two images at once: of the first one's values and
+// squares, and of the products of both. What is beyond the left and right
+// border counts as 0; windows hold fewer samples near the first row.
 class WindowSums {
  public:
   WindowSums(int width, int radius);

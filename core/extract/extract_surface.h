@@ -32,8 +32,7 @@ struct ExtractedSurface {
   // not intersect; no normals, no colours.
   // PositionVertices moves them to where they belong.
   IndexedMesh mesh;
-  // Of every vertex: the octants around it that the voxels of its polygons
-  // fill.
+  // The octants around each vertex that the voxels of its polygons fill.
   std::vector<OctantMask> octants;
   double voxel_size = 0;  // in world units
   ExtractSurfaceSummary summary;

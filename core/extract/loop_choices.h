@@ -15,10 +15,10 @@
 namespace octacut {
 
 struct LoopChoices {
-  // Of every cut voxel: number of the triangulation; of two loops the second
-  // one's counts in units of 2.
+  // The number of each cut voxel's triangulation; if it has two loops, the
+  // second one's counts in units of 2.
   std::vector<uint8_t> codes;
-  // Of every cut voxel: the chords it draws, as bits of ChordNumber.
+  // The chords that each cut voxel draws, as bits of ChordNumber.
   std::vector<uint32_t> chords;
 
   int OfLoop(CutVoxels::Index number, const SplitLoops& loops, int i) const {

@@ -23,8 +23,8 @@ struct EdgeVertex {
 };
 
 struct SharedEdges {
-  // Of every cut voxel, bit i: loop i has to be a fan around the centre of
-  // the voxel, which has no chord and lies in no face.
+  // For each cut voxel, bit i: loop i has to be a fan around the centre of the
+  // voxel, which has no chord and lies in no face.
   std::vector<uint8_t> fans;
   // Two of each id, sorted by voxel and corner.
   std::vector<EdgeVertex> edge_vertices;
@@ -34,7 +34,7 @@ struct SharedEdges {
   size_t num_fans = 0;  // loops that are fans for their chords
 };
 
-// Of the polygons that draw a chord between the same two vertices, or in the
+// If several polygons draw a chord between the same two vertices, or in the
 // same face, the first one keeps it; none keeps one that is an edge of another
 // polygon.
 SharedEdges FindSharedEdges(const CutVoxels& cut,

@@ -23,8 +23,8 @@ inline constexpr size_t kBricksPerChunk = 256;
 // another, by ascending corner.
 struct UmbrellaVertices {
   std::vector<uint32_t> first_slot;  // of every cut voxel
-  // Of every cut voxel: four polygons meet in a grid edge at one of its loops'
-  // corners.
+  // For each cut voxel, whether four polygons meet in a grid edge at one of its
+  // loops' corners.
   std::vector<uint8_t> near_four_polygon_edge;
   std::vector<OctantMask> umbrellas;       // of every slot
   std::vector<uint32_t> vertices;          // of every slot

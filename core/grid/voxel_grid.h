@@ -4,7 +4,7 @@
 // plain vectors with neither gaps nor keys. A brick holds a 64-bit occupancy
 // mask whose bits are in Morton order, and the number of voxels before it.
 // Bricks are found through an open-addressing hash table: some 1.5 bytes a
-// voxel in all for crusts (see docs/design.md).
+// voxel in all for crusts (see docs/method.md).
 #pragma once
 
 #include <bit>

@@ -30,7 +30,7 @@ Vertices VerticesOf(const HalfEdges& half_edges, const HandleLoop& loop) {
   return vertices;
 }
 
-// Of loops, ascending by length, those that no triangle touches two of.
+// Those loops, ascending by length, of which no triangle touches two.
 std::vector<HandleLoop> ChooseDisjoint(const std::vector<HandleLoop>& loops,
                                        const HalfEdges& half_edges,
                                        const std::set<Vertices>& refused) {
@@ -78,15 +78,18 @@ void KeepConnected(const HalfEdges& half_edges,
   }
 }
 
-// Cuts those of `loops` that can be; the others are refused. Returns how many
-// were cut; `cut` is set if there are any.
-size_t CutLoops(const IndexedMesh& mesh,
-                const HalfEdges& half_edges,
-                std::vector<HandleLoop> loops,
-                double min_height,
-                const Context& context,
-                std::set<Vertices>* refused,
-                IndexedMesh* cut) {
+struct CutMesh {
+  IndexedMesh mesh;
+  size_t num_loops = 0;  // 0: there is no mesh
+};
+
+// Cuts those of `loops` that can be; the others are refused.
+CutMesh CutLoops(const IndexedMesh& mesh,
+                 const HalfEdges& half_edges,
+                 std::vector<HandleLoop> loops,
+                 double min_height,
+                 const Context& context,
+                 std::set<Vertices>* refused) {
   while (!loops.empty()) {
     HandleCutter cutter(mesh, half_edges);
     for (const HandleLoop& loop : loops) {
@@ -94,15 +97,14 @@ size_t CutLoops(const IndexedMesh& mesh,
     }
     const std::set<size_t> failed = cutter.FindFailed(min_height, context);
     if (failed.empty()) {
-      *cut = cutter.TakeMesh();
-      break;
+      return {cutter.TakeMesh(), loops.size()};
     }
     for (auto i = failed.rbegin(); i != failed.rend(); ++i) {
       refused->insert(VerticesOf(half_edges, loops[*i]));
       loops.erase(loops.begin() + ptrdiff_t(*i));
     }
   }
-  return loops.size();
+  return {};
 }
 
 // One round: what can be told from the handles as they are.
@@ -125,17 +127,11 @@ size_t RemoveSome(double max_length,
       break;
     }
     KeepConnected(half_edges, chosen);
-    IndexedMesh cut;
-    const size_t num_cut = CutLoops(*mesh,
-                                    half_edges,
-                                    std::move(chosen),
-                                    min_height,
-                                    context,
-                                    refused,
-                                    &cut);
-    if (num_cut > 0) {
-      *mesh = std::move(cut);
-      return num_cut;
+    CutMesh cut = CutLoops(
+        *mesh, half_edges, std::move(chosen), min_height, context, refused);
+    if (cut.num_loops > 0) {
+      *mesh = std::move(cut.mesh);
+      return cut.num_loops;
     }
   }
   return 0;

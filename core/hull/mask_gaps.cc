@@ -9,11 +9,12 @@
 namespace octacut {
 namespace {
 
-// Of the object. Larger gaps are hardly ever mistakes.
+// The largest gap in units of the object's area. Larger gaps are hardly ever
+// mistakes.
 constexpr double kMaxGapShare = 0.05;
-// Of the side of a square as large as the object: the disc that rolls around
-// it, and the depth of bays. Objects have shallow ones of their own that one
-// view alone sees.
+// The radius of the disc that rolls around the object, and the depth of bays,
+// in units of the side of a square as large as the object. Objects have shallow
+// bays of their own that one view alone sees.
 constexpr double kDiscRadius = 0.06;
 constexpr double kMinBayDepth = 0.02;
 constexpr float kRingBegin = 2;

@@ -16,8 +16,8 @@ namespace {
 constexpr uint32_t kUnused = std::numeric_limits<uint32_t>::max();
 // Keys of cells hold 21 bits for each axis.
 constexpr double kMaxCells = (1 << 21) - 2;
-// Of the largest eigenvalue: below it the planes of a cell leave a direction
-// open (Lindstrom 2000).
+// Eigenvalues below this share of the largest one mean that the planes of a
+// cell leave a direction open (Lindstrom 2000).
 constexpr double kLeastEigenvalue = 1e-3;
 
 using Triangle = std::array<uint32_t, 3>;
@@ -88,7 +88,7 @@ CellGrid ChooseGrid(const IndexedMesh& mesh,
   return {origin, coarse};
 }
 
-// Of the squared distances to planes, relative to a point near them.
+// The sum of squared distances to planes, relative to a point near them.
 struct Quadric {
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
@@ -152,8 +152,7 @@ class Clustering {
         const uint32_t cluster = cluster_of_[corner];
         Quadric& quadric = quadrics_[cluster];
         quadric.a += normal * normal.transpose();
-        quadric.b +=
-            normal * normal.dot(mesh_.positions[a] - means_[cluster]);
+        quadric.b += normal * normal.dot(mesh_.positions[a] - means_[cluster]);
       }
     }
   }
@@ -174,9 +173,9 @@ class Clustering {
       }
     }
     const Eigen::Vector3d place = mean + step;
-    const bool is_inside = (grid_.Coordinates(place).array() ==
-                            grid_.Coordinates(mean).array())
-                               .all();
+    const bool is_inside =
+        (grid_.Coordinates(place).array() == grid_.Coordinates(mean).array())
+            .all();
     return is_inside ? place : mean;
   }
 

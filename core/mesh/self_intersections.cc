@@ -117,7 +117,7 @@ void AddPairsInTree(const IndexedMesh& mesh,
   AddFound(tree.NumLeaves(), find, context, pairs);
 }
 
-// Of triangles in the tree with others, which are not `marked`.
+// Adds the pairs of triangles in the tree with others that are not `marked`.
 void AddPairsWithUnmarked(const IndexedMesh& mesh,
                           const BoxTree& tree,
                           const std::vector<uint8_t>& marked,

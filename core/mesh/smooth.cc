@@ -17,11 +17,16 @@ constexpr size_t kGrain = 1 << 14;
 
 using Positions = std::vector<Eigen::Vector3d>;
 
+// How far vertices may come from where they began.
+struct Bound {
+  const Positions& anchors;
+  double distance;
+};
+
 // One step of HK06 step 9, V <- V + weight * Laplacian(V), within the bound.
 void Step(const VertexCorners& neighbors,
-          const Positions& anchors,
+          const Bound& bound,
           double weight,
-          double bound,
           const Context& context,
           const Positions& from,
           Positions& to) {
@@ -34,12 +39,13 @@ void Step(const VertexCorners& neighbors,
       }
       const Eigen::Vector3d laplacian = MeanPosition(around, from) - from[v];
       const Eigen::Vector3d moved = from[v] + weight * laplacian;
-      const Eigen::Vector3d displacement = moved - anchors[v];
+      const Eigen::Vector3d& anchor = bound.anchors[v];
+      const Eigen::Vector3d displacement = moved - anchor;
       const double squared_length = displacement.squaredNorm();
-      to[v] =
-          squared_length > bound * bound
-              ? anchors[v] + bound / std::sqrt(squared_length) * displacement
-              : moved;
+      to[v] = squared_length > bound.distance * bound.distance
+                  ? anchor + bound.distance / std::sqrt(squared_length) *
+                                 displacement
+                  : moved;
     }
   });
 }
@@ -97,7 +103,7 @@ SmoothedSurface SmoothSurface(IndexedMesh mesh,
         FindVertexNeighbors(positions.size(), result.mesh.triangles);
     Positions buffer(positions.size());
     const auto step = [&](double weight) {
-      Step(neighbors, anchors, weight, bound, context, positions, buffer);
+      Step(neighbors, {anchors, bound}, weight, context, positions, buffer);
       positions.swap(buffer);
     };
     for (int i = 0; i < options.iterations; ++i) {

@@ -18,7 +18,7 @@ struct SmoothOptions {
   // SIGGRAPH 1995) but smooths less per iteration. 0: none.
   double taubin_mu = 0;
   // How far a vertex may come from where it began, in voxels: the cut is known
-  // to one. docs/design.md, "Where vertices begin".
+  // to one. docs/experiments/smoothing.md.
   double max_displacement = 1;
   // Least height of a triangle over its longest edge, in voxels: vertices of
   // triangles that end up thinner, or intersect others, are moved back towards

@@ -69,8 +69,8 @@ size_t WithdrawFromIntersections(const std::vector<Eigen::Vector3d>& start,
   }
 }
 
-// Of vertices that have been moved back since `before`. Returns whether any is
-// elsewhere now.
+// Rounds the vertices that have been moved back since `before`. Returns whether
+// any is elsewhere now.
 bool RoundWithdrawn(const std::vector<Eigen::Vector3d>& start,
                     const std::vector<Eigen::Vector3d>& before,
                     std::vector<Eigen::Vector3d>* positions) {

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
-#include "core/base/stopwatch.h"
 #include "core/crust/crust.h"
 #include "core/evidence/finer_depths.h"
-#include "core/pipeline/cut_crust.h"
-#include "core/pipeline/undecided_surface.h"
-#include "core/pipeline/voxel_terms.h"
-#include "core/visibility/visibility.h"
 
 namespace octacut {
 namespace {
@@ -25,119 +22,85 @@ constexpr float kFreeSpaceShare = 0.3f;
 
 // The first cut of `crust` is by evidence alone, as that of l0; where there is
 // none the present surface, which crust.prior holds, is the best guess.
-std::vector<FaceLabels> CutByFinerDepths(
-    const ViewSet& views,
-    const std::vector<float>& mask_confidence,
-    const Crust& crust,
-    const std::vector<float>& finer,
-    const ReconstructionOptions& options,
-    const Context& context,
-    LevelSummary* summary) {
-  const std::vector<float> weights =
-      EdgeWeights(std::vector<float>(crust.voxels.Size(),
-                                     float(options.consistency.neutral)),
-                  options.energy);
-  std::vector<float> held = finer;
-  for (size_t i = 0; i < held.size(); ++i) {
-    if (held[i] == 0) {
-      held[i] = kPresentWeight * (2 * crust.prior[i] - 1);
+std::vector<FaceLabels> CutByFinerDepths(const LevelInputs& inputs,
+                                         const Crust& crust,
+                                         const std::vector<float>& finer,
+                                         LevelSteps* steps) {
+  CutTerms terms{NeutralWeights(crust.voxels.Size(), inputs.options), finer};
+  for (size_t i = 0; i < terms.evidence.size(); ++i) {
+    if (terms.evidence[i] == 0) {
+      terms.evidence[i] = kPresentWeight * (2 * crust.prior[i] - 1);
     }
   }
-  Stopwatch stopwatch;
-  const SilhouetteTerms silhouettes = EstimateSilhouetteTerms(
-      views, mask_confidence, crust.voxels, options, context);
-  summary->crust_seconds += stopwatch.Lap();
+  const SilhouetteTerms silhouettes = steps->OnCrust([&] {
+    return EstimateSilhouetteTerms(inputs.views,
+                                   inputs.evidence.mask_confidence,
+                                   crust.voxels,
+                                   inputs.options,
+                                   inputs.context);
+  });
   OctahedralCutState state;
-  OctahedralCut cut =
-      CutCrust(crust, weights, held, options, context, summary, &state);
-  CoverSilhouettes(views,
-                   crust,
-                   weights,
-                   {{}, silhouettes.hull_depth},
-                   options,
-                   context,
-                   &state,
-                   &held,
-                   &cut,
-                   summary);
+  OctahedralCut cut = steps->Cut(crust, terms, &state);
+  steps->CoverSilhouettes(
+      crust, {{}, silhouettes.hull_depth}, &terms, &state, &cut);
   return std::move(cut.labels);
+}
+
+// The second cut: photo-consistency, and the free space of finer depths.
+LabeledVoxels CutByPhotographs(const LevelInputs& inputs,
+                               Crust crust,
+                               const std::vector<FaceLabels>& first,
+                               const std::vector<float>& finer,
+                               LevelSteps* steps) {
+  VoxelTerms terms;
+  steps->ExtendTerms(
+      steps->EstimateVisibility(crust.voxels, first), crust, &terms);
+  const Decision decision = DecideByPhotographs(
+      crust, terms.phi, inputs.evidence.depth_confidence, inputs.context);
+  CutTerms energy{DecidedWeights(decision, terms.phi, inputs.options),
+                  terms.evidence};
+  HoldUndecidedSurface(
+      crust, decision, terms.hull_depth, inputs.context, &energy.evidence);
+  for (size_t i = 0; i < energy.evidence.size(); ++i) {
+    energy.evidence[i] += kFreeSpaceShare * std::min(finer[i], 0.0f);
+  }
+  OctahedralCutState state;
+  OctahedralCut cut = steps->Cut(crust, energy, &state);
+  steps->CoverSilhouettes(crust, {{}, terms.hull_depth}, &energy, &state, &cut);
+  return steps->Finish(decision, std::move(crust), std::move(cut));
 }
 
 }  // namespace
 
-LabeledVoxels DeepenLevel(const ViewSet& views,
-                          const InsideEvidence& evidence,
+LabeledVoxels DeepenLevel(const LevelInputs& inputs,
                           const LabelHierarchy& hierarchy,
                           LabeledVoxels solved,
-                          const ReconstructionOptions& options,
-                          const Context& context,
                           LevelSummary* summary) {
-  Stopwatch stopwatch;
-  const FinerEvidence finer = FindFinerDepths(
-      views, solved, evidence.depth_confidence, options.evidence, context);
-  summary->crust_seconds += stopwatch.Lap();
+  LevelSteps steps(inputs, solved.voxels.Level(), summary);
+  const FinerEvidence finer = steps.OnCrust([&] {
+    return FindFinerDepths(inputs.views,
+                           solved,
+                           inputs.evidence.depth_confidence,
+                           inputs.options.evidence,
+                           inputs.context);
+  });
   if (finer.voxels.Empty()) {
     return solved;
   }
-  context.Info(
-      fmt::format("Level {}: finer depths lead into the surface; its crust "
-                  "grows from {} to "
-                  "{} voxels.",
+  inputs.context.Info(
+      fmt::format("Level {}: depths measured near the surface lead into it; "
+                  "its crust grows from {} to {} voxels.",
                   solved.voxels.Level(),
                   solved.voxels.Size(),
                   finer.voxels.Size()));
-  Crust crust = WidenCrust(hierarchy, solved, finer.voxels, context);
-  const std::vector<FaceLabels> deepened =
-      CutByFinerDepths(views,
-                       evidence.mask_confidence,
-                       crust,
-                       finer.values,
-                       options,
-                       context,
-                       summary);
-  stopwatch.Lap();
-  AdoptCut(deepened, context, &crust);
-  summary->crust_seconds += stopwatch.Lap();
-  const Visibility visibility = Visibility::Estimate(views,
-                                                     crust.voxels,
-                                                     deepened,
-                                                     crust.voxels.Level(),
-                                                     options.visibility,
-                                                     context);
-  summary->visibility_seconds += stopwatch.Lap();
-  VoxelTerms terms;
-  ExtendTerms(views,
-              evidence.mask_confidence,
-              visibility,
-              crust,
-              options,
-              context,
-              &terms,
-              summary);
-  const Decision decision =
-      DecideByPhotographs(crust, terms.phi, evidence.depth_confidence, context);
-  std::vector<float> weights = EdgeWeights(terms.phi, options.energy);
-  FlattenUndecidedWeights(decision, options, &weights);
-  std::vector<float> held = terms.evidence;
-  HoldUndecidedSurface(crust, decision, terms.hull_depth, context, &held);
-  for (size_t i = 0; i < held.size(); ++i) {
-    held[i] += kFreeSpaceShare * std::min(finer.values[i], 0.0f);
-  }
-  OctahedralCutState state;
-  OctahedralCut cut =
-      CutCrust(crust, weights, held, options, context, summary, &state);
-  CoverSilhouettes(views,
-                   crust,
-                   weights,
-                   {{}, terms.hull_depth},
-                   options,
-                   context,
-                   &state,
-                   &held,
-                   &cut,
-                   summary);
-  summary->decided_share = DecidedShare(cut.labels, decision);
-  return {std::move(crust.voxels), std::move(cut.labels)};
+  Crust crust = steps.OnCrust([&] {
+    return WidenCrust(hierarchy, solved, finer.voxels, inputs.context);
+  });
+  const std::vector<FaceLabels> first =
+      CutByFinerDepths(inputs, crust, finer.values, &steps);
+  steps.OnCrust([&] { AdoptCut(first, inputs.context, &crust); });
+  return CutByPhotographs(
+      inputs, std::move(crust), first, finer.values, &steps);
 }
 
 }  // namespace octacut

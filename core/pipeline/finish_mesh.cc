@@ -75,8 +75,7 @@ FinishedMesh FinalMesh(const ViewSet& views,
   if (extracted.mesh.triangles.empty()) {
     throw InputError(fmt::format(
         "the surface vanished: with ballooning = {} and neutral^smoothness = "
-        "{:.3g}, no part of the visual hull is inside; raise "
-        "--OctahedralMeshing.ballooning",
+        "{:.3g}, no part of the visual hull is inside; raise `ballooning`",
         options.evidence.ballooning,
         std::pow(options.consistency.neutral, options.energy.smoothness)));
   }
@@ -90,8 +89,8 @@ FinishedMesh FinalMesh(const ViewSet& views,
       RestoreNeededComponents(views, cube, context, &kept);
   if (num_needed > 0) {
     context.Info(fmt::format(
-        "{} components smaller than --OctahedralMeshing.min_component are "
-        "kept: the silhouettes are not covered without them.",
+        "{} components smaller than `min_component` are kept: the silhouettes "
+        "are not covered without them.",
         num_needed));
   }
   summary->num_removed_components = kept.summary.num_removed;
@@ -118,13 +117,14 @@ FinishedMesh FinalMesh(const ViewSet& views,
   return {std::move(smoothed.mesh), std::move(kept.removed)};
 }
 
-void ColorMesh(const ViewSet& views,
-               const LabeledVoxels& surface,
-               const BoundingCube& cube,
-               const VisibilityOptions& options,
-               const Context& context,
-               SurfaceMesh* mesh) {
-  Phase phase(context, "vertex colours", mesh->n_vertices());
+SurfaceMesh ColoredMesh(const IndexedMesh& mesh,
+                        const ViewSet& views,
+                        const LabeledVoxels& surface,
+                        const BoundingCube& cube,
+                        const VisibilityOptions& options,
+                        const Context& context) {
+  SurfaceMesh colored = ToSurfaceMesh(mesh);
+  Phase phase(context, "vertex colours", colored.n_vertices());
   const Visibility visibility = Visibility::Estimate(views,
                                                      surface.voxels,
                                                      surface.labels,
@@ -132,24 +132,28 @@ void ColorMesh(const ViewSet& views,
                                                      options,
                                                      context);
   const float spacing = 1.0f / float(surface.voxels.Resolution());
-  if (!mesh->has_vertex_colors()) {
-    mesh->request_vertex_colors();
+  if (!colored.has_vertex_colors()) {
+    colored.request_vertex_colors();
   }
   ParallelFor(
-      context, mesh->n_vertices(), kVertexGrain, [&](size_t begin, size_t end) {
+      context,
+      colored.n_vertices(),
+      kVertexGrain,
+      [&](size_t begin, size_t end) {
         for (size_t v = begin; v < end; ++v) {
           const SurfaceMesh::VertexHandle vertex{int(v)};
           const Eigen::Vector3f point =
-              ((mesh->point(vertex) - cube.min_corner) / cube.edge)
+              ((colored.point(vertex) - cube.min_corner) / cube.edge)
                   .cast<float>();
-          const Eigen::Vector3f normal = mesh->normal(vertex).cast<float>();
-          mesh->set_color(
+          const Eigen::Vector3f normal = colored.normal(vertex).cast<float>();
+          colored.set_color(
               vertex,
               BlendColor(
                   views, visibility.Select(point, normal), point, spacing));
         }
         phase.Advance(end - begin);
       });
+  return colored;
 }
 
 }  // namespace octacut

@@ -6,7 +6,7 @@
 #include "core/mesh/indexed_mesh.h"
 #include "core/mesh/surface_mesh.h"
 #include "core/pipeline/options.h"
-#include "core/pipeline/reconstruct.h"
+#include "core/pipeline/summary.h"
 #include "core/scene/scene.h"
 #include "core/views/view_set.h"
 
@@ -33,14 +33,14 @@ FinishedMesh FinalMesh(const ViewSet& views,
                        const Context& context,
                        ReconstructionSummary* summary);
 
-// Vertex colours: the mean over the views that see the vertex, weighted as
-// Visibility does; grey where none does. `surface` is
-// the labelling that the mesh came from; `mesh` has normals.
-void ColorMesh(const ViewSet& views,
-               const LabeledVoxels& surface,
-               const BoundingCube& cube,
-               const VisibilityOptions& options,
-               const Context& context,
-               SurfaceMesh* mesh);
+// `mesh`, which has normals, with vertex colours: the mean over the views that
+// see the vertex, weighted as Visibility does; grey where none does. `surface`
+// is the labelling that the mesh came from.
+SurfaceMesh ColoredMesh(const IndexedMesh& mesh,
+                        const ViewSet& views,
+                        const LabeledVoxels& surface,
+                        const BoundingCube& cube,
+                        const VisibilityOptions& options,
+                        const Context& context);
 
 }  // namespace octacut

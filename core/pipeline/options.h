@@ -21,12 +21,12 @@ struct EnergyOptions {
   // the weights; and at l0 of one that is no farther from the object than
   // mask_tolerance, as far as the mask is reliable. Finer levels are held at
   // the masks' borders where photographs do not decide. Both weights: tables of
-  // docs/design.md, "Masks that are wrong by pixels".
+  // docs/experiments/wrong_masks.md.
   double silhouette_weight = 1;
   double mask_border_weight = 0.3;
   // Evidence for inside of a voxel of a finer level that fewer than two views
   // see, in units of the weights at l0; halved with every level. 0.15, 0.1 and
-  // 0.01 are worse: docs/design.md, "Inside and outside of the crust".
+  // 0.01 are worse: docs/experiments/crusts.md.
   double unseen_weight = 0.05;
   void Check() const;
 };

@@ -25,7 +25,7 @@ void CheckScene(const Scene& scene, bool needs_images) {
     throw InputError(fmt::format("{} views are too few: at least 3 are needed",
                                  scene.views.size()));
   }
-  // Lists of views that see a place hold numbers of 16 bits.
+  // Lists of views that see a point hold numbers of 16 bits.
   if (scene.views.size() > std::numeric_limits<uint16_t>::max()) {
     throw InputError(
         fmt::format("{} views are too many: at most {} can be used",
@@ -60,11 +60,114 @@ void ReportLevel(const LevelSummary& level, const Context& context) {
     context.Warn(fmt::format(
         "Level {}: {} voxels of the cut still touch the border of the crust "
         "after it was enlarged {} times. The surface may be inaccurate there; "
-        "a higher --OctahedralMeshing.max_grow_rounds may help.",
+        "a higher `max_grow_rounds` may help.",
         level.level,
         level.num_border_voxels,
         level.num_grow_rounds));
   }
+}
+
+// The scene with its masks repaired, and what the steps take from it.
+struct PreparedScene {
+  RepairedScene repaired;
+  ViewSet views;
+  Eigen::AlignedBox3f box;  // of the region, unit coordinates
+};
+
+PreparedScene Prepare(const Scene& scene,
+                      const Region& region,
+                      const ReconstructionOptions& options,
+                      const Context& context,
+                      ReconstructionSummary* summary) {
+  return Timed(&summary->prepare_seconds, [&] {
+    PreparedScene prepared;
+    prepared.repaired = RepairMasks(scene,
+                                    region.cube,
+                                    options.mask_tolerance,
+                                    options.fill_false_gaps,
+                                    context);
+    prepared.views = PrepareViews(
+        prepared.repaired.scene, region.cube, context, options.mask_tolerance);
+    prepared.box = BoxInUnitCoordinates(region);
+    summary->num_false_gaps = prepared.repaired.gaps.size();
+    summary->border_edges = ShiftBordersToEdges(context, &prepared.views);
+    return prepared;
+  });
+}
+
+VoxelGrid CarveHull(const PreparedScene& scene,
+                    const ReconstructionOptions& options,
+                    const Context& context,
+                    ReconstructionSummary* summary) {
+  VisualHull hull = Timed(&summary->hull_seconds, [&] {
+    return ComputeVisualHull(scene.views, scene.box, options.hull, context);
+  });
+  summary->hull = std::move(hull.summary);
+  return std::move(hull.voxels);
+}
+
+// Trims the hull by the masks that can be relied upon, too.
+InsideEvidence EstimateEvidence(const ViewSet& views,
+                                const ReconstructionOptions& options,
+                                const Context& context,
+                                VoxelGrid* hull,
+                                ReconstructionSummary* summary) {
+  InsideEvidence evidence = Timed(&summary->evidence_seconds, [&] {
+    InsideEvidence found =
+        EstimateInsideEvidence(views, *hull, options.evidence, context);
+    *hull = TrimHull(views, *hull, context, &found);
+    return found;
+  });
+  summary->hull.num_voxels = hull->Size();
+  summary->evidence = evidence.summary;
+  return evidence;
+}
+
+// Crust, visibility, photo-consistency and cut of the level after those in
+// `hierarchy`; the first one begins with the hull.
+void AddLevel(const LevelInputs& inputs,
+              const VoxelGrid& hull,
+              LabelHierarchy* hierarchy,
+              ReconstructionSummary* summary) {
+  LevelSummary& level = summary->levels.emplace_back();
+  LabeledVoxels solved = hierarchy->Empty()
+                             ? SolveInitialLevel(inputs, hull, &level)
+                             : SolveFinerLevel(inputs, *hierarchy, &level);
+  if (solved.voxels.Level() == hull.Level() + 1) {
+    solved = DeepenLevel(inputs, *hierarchy, std::move(solved), &level);
+  }
+  hierarchy->Add(std::move(solved));
+  ReportLevel(level, inputs.context);
+}
+
+IndexedMesh Refine(IndexedMesh mesh,
+                   const BoundingCube& cube,
+                   const ReconstructionOptions& options,
+                   const Context& context,
+                   ViewSet* views,
+                   ReconstructionSummary* summary) {
+  RefinedSurface refined =
+      RefineSurface(std::move(mesh), cube, options.refinement, context, views);
+  summary->refinement = std::move(refined.summary);
+  return std::move(refined.mesh);
+}
+
+MeshVerdict Judge(const FinishedMesh& finished,
+                  const JudgedScene& scene,
+                  const ReconstructionOptions& options,
+                  const Context& context,
+                  const ReconstructionSummary& summary) {
+  return JudgeMesh(
+      finished.mesh,
+      finished.removed,
+      scene,
+      {.mask_tolerance = options.mask_tolerance,
+       .border_shift = summary.refinement ? summary.refinement->border_shift
+                                          : scene.views.front().border_shift,
+       .hull_level = options.hull.hull_level,
+       .refinement = options.refinement,
+       .confidence = options.confidence},
+      context);
 }
 
 }  // namespace
@@ -79,96 +182,58 @@ Reconstruction Reconstruct(const Scene& scene,
   CheckFloatsResolve(region.cube, options.target_level);
   Reconstruction result;
   ReconstructionSummary& summary = result.summary;
-  Stopwatch stopwatch;
-  const RepairedScene repaired = RepairMasks(scene,
-                                             region.cube,
-                                             options.mask_tolerance,
-                                             options.fill_false_gaps,
-                                             context);
-  summary.num_false_gaps = repaired.gaps.size();
-  ViewSet views = PrepareViews(
-      repaired.scene, region.cube, context, options.mask_tolerance);
-  summary.border_edges = ShiftBordersToEdges(context, &views);
-  const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);
-  summary.prepare_seconds = stopwatch.Lap();
 
-  VisualHull hull = ComputeVisualHull(views, box, options.hull, context);
-  summary.hull = hull.summary;
-  summary.hull_seconds = stopwatch.Lap();
+  PreparedScene prepared = Prepare(scene, region, options, context, &summary);
+  ViewSet& views = prepared.views;
+  VoxelGrid hull = CarveHull(prepared, options, context, &summary);
   if (observer) {
-    observer(
-        -1,
-        PositionedMesh(ComputeHullSurface(views, box, options.hull, context),
-                       region.cube,
-                       context));
-    stopwatch.Lap();
+    observer(-1,
+             PositionedMesh(
+                 ComputeHullSurface(views, prepared.box, options.hull, context),
+                 region.cube,
+                 context));
   }
-
-  InsideEvidence evidence =
-      EstimateInsideEvidence(views, hull.voxels, options.evidence, context);
-  hull.voxels = TrimHull(views, hull.voxels, context, &evidence);
-  summary.hull.num_voxels = hull.voxels.Size();
-  summary.evidence = evidence.summary;
-  summary.evidence_seconds = stopwatch.Lap();
+  const InsideEvidence evidence =
+      EstimateEvidence(views, options, context, &hull, &summary);
 
   LabelHierarchy hierarchy;
-  for (int level = options.hull.hull_level; level <= options.target_level;
-       ++level) {
-    LevelSummary& step = summary.levels.emplace_back();
-    LabeledVoxels solved =
-        hierarchy.Empty()
-            ? SolveInitialLevel(
-                  views, hull.voxels, evidence, options, context, &step)
-            : SolveFinerLevel(
-                  views, evidence, hierarchy, options, context, &step);
-    if (level == options.hull.hull_level + 1) {
-      solved = DeepenLevel(views,
-                           evidence,
-                           hierarchy,
-                           std::move(solved),
-                           options,
-                           context,
-                           &step);
-    }
-    hierarchy.Add(std::move(solved));
-    ReportLevel(step, context);
+  for (int level = hull.Level(); level <= options.target_level; ++level) {
+    AddLevel({views, evidence, options, context}, hull, &hierarchy, &summary);
     if (observer) {
       observer(level, PositionedMesh(hierarchy.Finest(), region.cube, context));
     }
   }
 
-  stopwatch.Lap();
-  auto [mesh, removed] = FinalMesh(
-      views, hierarchy.Finest(), region.cube, options, context, &summary);
-  summary.meshing_seconds = stopwatch.Lap();
+  FinishedMesh finished = Timed(&summary.meshing_seconds, [&] {
+    return FinalMesh(
+        views, hierarchy.Finest(), region.cube, options, context, &summary);
+  });
   if (options.refine) {
-    RefinedSurface refined = RefineSurface(
-        std::move(mesh), region.cube, options.refinement, context, &views);
-    mesh = std::move(refined.mesh);
-    summary.refinement = std::move(refined.summary);
-    stopwatch.Lap();
+    finished.mesh = Refine(std::move(finished.mesh),
+                           region.cube,
+                           options,
+                           context,
+                           &views,
+                           &summary);
   }
-  result.mesh = ToSurfaceMesh(mesh);
-  ColorMesh(views,
-            hierarchy.Finest(),
-            region.cube,
-            options.visibility,
-            context,
-            &result.mesh);
-  summary.coloring_seconds = stopwatch.Lap();
-  result.audit = AuditMesh(ToIndexedMesh(result.mesh), context);
+  result.mesh = Timed(&summary.coloring_seconds, [&] {
+    return ColoredMesh(finished.mesh,
+                       views,
+                       hierarchy.Finest(),
+                       region.cube,
+                       options.visibility,
+                       context);
+  });
+
+  finished.mesh = ToIndexedMesh(result.mesh);
+  result.audit = AuditMesh(finished.mesh, context);
   CheckAudit(result.audit);
-  result.verdict = JudgeMesh(
-      ToIndexedMesh(result.mesh),
-      removed,
-      {scene.views, repaired.scene.views, views, region.cube},
-      {.mask_tolerance = options.mask_tolerance,
-       .border_shift = summary.refinement ? summary.refinement->border_shift
-                                          : views.front().border_shift,
-       .hull_level = options.hull.hull_level,
-       .refinement = options.refinement,
-       .confidence = options.confidence},
-      context);
+  result.verdict =
+      Judge(finished,
+            {scene.views, prepared.repaired.scene.views, views, region.cube},
+            options,
+            context,
+            summary);
   return result;
 }
 
@@ -202,55 +267,20 @@ HullReconstruction ReconstructHull(const Scene& scene,
   return result;
 }
 
-namespace {
-
-// Of the depth sweep: a reduced view and its depths, 20 bytes a sample, and
-// scores of all planes for each of the threads.
-size_t EstimateSweepBytes(size_t num_views,
-                          const ReconstructionOptions& options,
-                          const Context& context) {
-  const double resolution = double(1u << options.hull.hull_level);
-  const DepthSweepOptions& sweep = options.evidence.sweep;
-  const double side = resolution * sweep.samples_per_voxel;
-  const double num_planes = resolution * sweep.planes_per_voxel;
-  return size_t(side * side *
-                (20 * double(num_views) +
-                 num_planes * sizeof(float) * context.NumThreads()));
-}
-
-}  // namespace
-
 size_t EstimateReconstructionBytes(const Scene& scene,
                                    const ReconstructionOptions& options,
                                    const Context& context) {
-  // A crust is a band around a surface that in a tight cube has some 2.5
-  // times the area of one of its sides.
-  constexpr double kSurfaceShare = 2.5;
-  const double resolution = double(1u << options.target_level);
-  const double thickness = 2 + 2 * options.crust.crust_dilation;
-  const size_t num_voxels =
-      size_t(kSurfaceShare * resolution * resolution * thickness);
-  // Grid, ties, prior, phi, weights, evidence, normals and depth maps. The
-  // state of a cut is there beside them while its crust may grow.
-  constexpr size_t kStepBytesPerVoxel = 48;
-  const size_t level_bytes =
-      num_voxels * kStepBytesPerVoxel +
-      EstimateOctahedralCutBytes(num_voxels, true, options.cut.lean);
-  // Mesh, boxes, rays, places and their equations, as measured.
-  constexpr size_t kRefinementBytesPerVertex = 700;
   const size_t refinement_bytes =
-      options.refine ? size_t(kSurfaceShare * resolution * resolution) *
-                           kRefinementBytesPerVertex
-                     : 0;
-  size_t view_bytes = 0;
-  for (const View& view : scene.views) {
-    // Pyramid (4 bytes a pixel and a third), summed areas and distances.
-    view_bytes += view.mask.total() * 12;
-  }
-  return view_bytes +
-         std::max({level_bytes,
+      options.refine
+          ? EstimateRefinementBytes(EstimateSurfaceVoxels(options.target_level))
+          : 0;
+  return EstimateViewBytes(scene) +
+         std::max({EstimateLevelBytes(options.target_level, options),
                    refinement_bytes,
-                   EstimateSweepBytes(scene.views.size(), options, context)});
+                   EstimateSweepBytes(scene.views.size(),
+                                      options.hull.hull_level,
+                                      options.evidence.sweep,
+                                      context)});
 }
 
 }  // namespace octacut

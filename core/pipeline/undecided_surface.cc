@@ -28,7 +28,7 @@ constexpr float kNearHull = 2.5f;
 constexpr float kUndecidedAround = 0.5f;
 constexpr float kDecidedAround = 0.9f;
 
-// Of the weights at the hull's border. 0.3 and 0.7 are about as good
+// The share by which weights at the border of the hull are reduced
 // (docs/experiments/convex_surfaces.md).
 constexpr float kHullDiscount = 0.5f;
 
@@ -88,6 +88,14 @@ void FlattenUndecidedWeights(const Decision& decision,
     float& weight = (*weights)[i];
     weight = unseen + decision.here[i] * (weight - unseen);
   }
+}
+
+std::vector<float> DecidedWeights(const Decision& decision,
+                                  const std::vector<float>& phi,
+                                  const ReconstructionOptions& options) {
+  std::vector<float> weights = EdgeWeights(phi, options.energy);
+  FlattenUndecidedWeights(decision, options, &weights);
+  return weights;
 }
 
 void FavorHullBorder(const Decision& decision,

@@ -33,7 +33,7 @@ Decision DecideByPhotographs(const Crust& crust,
                              const VoxelValues& depth_confidence,
                              const Context& context);
 
-// Of the cut voxels, how much of them the photographs decide.
+// The share of the cut voxels that the photographs decide.
 double DecidedShare(const std::vector<FaceLabels>& labels,
                     const Decision& decision);
 
@@ -42,6 +42,11 @@ double DecidedShare(const std::vector<FaceLabels>& labels,
 void FlattenUndecidedWeights(const Decision& decision,
                              const ReconstructionOptions& options,
                              std::vector<float>* weights);
+
+// The weights of `phi` with which the level is cut.
+std::vector<float> DecidedWeights(const Decision& decision,
+                                  const std::vector<float>& phi,
+                                  const ReconstructionOptions& options);
 
 // Halves `weights` on the border of the visual hull where the photographs
 // decide, less within a voxel of it. Every line of sight along a border touches

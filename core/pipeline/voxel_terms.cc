@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "core/base/parallel.h"
-#include "core/base/stopwatch.h"
 #include "core/grid/morphology.h"
-#include "core/visibility/surface_shape.h"
 
 namespace octacut {
 namespace {
@@ -19,70 +16,56 @@ float AtLevel(double weight, int level, const ReconstructionOptions& options) {
 }
 
 constexpr size_t kBrickGrain = 64;
-// Of a voxel, in voxels: all of one whose centre is that far outside is.
+// Half the diagonal of a voxel, in voxels: if its centre is that far outside,
+// all of it is.
 constexpr float kHalfDiagonal = 0.87f;
 // Masks that are half in doubt do not bound the hull.
 constexpr float kReliable = 0.5f;
 
 }  // namespace
 
-void ExtendTerms(const ViewSet& views,
-                 const std::vector<float>& mask_confidence,
-                 const Visibility& visibility,
-                 const Crust& crust,
-                 const ReconstructionOptions& options,
-                 const Context& context,
-                 VoxelTerms* terms,
-                 LevelSummary* summary) {
-  Stopwatch stopwatch;
-  VoxelTerms extended{crust.voxels,
-                      std::vector<float>(crust.voxels.Size()),
-                      std::vector<float>(crust.voxels.Size()),
-                      std::vector<float>(crust.voxels.Size())};
-  std::vector<uint8_t> is_new(crust.voxels.Size());
-  bool all_new = true;
+AddedVoxels FindAddedVoxels(const Crust& crust, const VoxelTerms& terms) {
+  AddedVoxels added;
+  added.is_added.resize(crust.voxels.Size());
   crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    const VoxelGrid::Index before = terms->voxels.Find(code);
-    is_new[index] = before == VoxelGrid::kNone;
-    if (!is_new[index]) {
-      all_new = false;
-      extended.phi[index] = terms->phi[before];
-      extended.evidence[index] = terms->evidence[before];
-      extended.hull_depth[index] = terms->hull_depth[before];
+    added.is_added[index] = terms.voxels.Find(code) == VoxelGrid::kNone;
+  });
+  added.voxels = Subset(crust.voxels, added.is_added);
+  return added;
+}
+
+float UnseenEvidence(int level, const ReconstructionOptions& options) {
+  return AtLevel(options.energy.unseen_weight, level, options);
+}
+
+VoxelTerms MergeTerms(const VoxelGrid& crust,
+                      const VoxelTerms& terms,
+                      const AddedVoxels& added,
+                      const PhotoConsistency& consistency,
+                      const SilhouetteTerms& silhouettes,
+                      float unseen_evidence) {
+  VoxelTerms merged{crust,
+                    std::vector<float>(crust.Size()),
+                    std::vector<float>(crust.Size()),
+                    std::vector<float>(crust.Size())};
+  size_t next = 0;
+  crust.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    if (added.is_added[index]) {
+      const float outside = silhouettes.evidence[next];
+      merged.phi[index] = consistency.phi[next];
+      merged.evidence[index] = outside < 0                 ? outside
+                               : consistency.is_seen[next] ? 0.0f
+                                                           : unseen_evidence;
+      merged.hull_depth[index] = silhouettes.hull_depth[next];
+      ++next;
+    } else {
+      const VoxelGrid::Index before = terms.voxels.Find(code);
+      merged.phi[index] = terms.phi[before];
+      merged.evidence[index] = terms.evidence[before];
+      merged.hull_depth[index] = terms.hull_depth[before];
     }
   });
-  summary->crust_seconds += stopwatch.Lap();
-  const std::vector<SurfaceShape> shapes =
-      EstimateSurfaceShape(crust.voxels,
-                           crust.ties,
-                           crust.prior,
-                           options.normal_blur,
-                           context,
-                           all_new ? std::span<const uint8_t>() : is_new);
-  summary->visibility_seconds += stopwatch.Lap();
-  const VoxelGrid added = Subset(crust.voxels, is_new);
-  const PhotoConsistency consistency = EstimateConsistency(
-      views, added, shapes, visibility, options.consistency, context);
-  summary->consistency_seconds += stopwatch.Lap();
-  summary->consistency.Add(consistency.summary);
-  const SilhouetteTerms silhouettes =
-      EstimateSilhouetteTerms(views, mask_confidence, added, options, context);
-  const float unseen =
-      AtLevel(options.energy.unseen_weight, crust.voxels.Level(), options);
-  size_t next = 0;
-  for (size_t i = 0; i < is_new.size(); ++i) {
-    if (is_new[i]) {
-      extended.phi[i] = consistency.phi[next];
-      const float outside = silhouettes.evidence[next];
-      extended.evidence[i] = outside < 0                 ? outside
-                             : consistency.is_seen[next] ? 0.0f
-                                                         : unseen;
-      extended.hull_depth[i] = silhouettes.hull_depth[next];
-      ++next;
-    }
-  }
-  *terms = std::move(extended);
-  summary->crust_seconds += stopwatch.Lap();
+  return merged;
 }
 
 std::vector<float> EdgeWeights(const std::vector<float>& phi,
@@ -93,6 +76,13 @@ std::vector<float> EdgeWeights(const std::vector<float>& phi,
                        options.area_weight);  // HK06 eq. (3)
   }
   return weights;
+}
+
+std::vector<float> NeutralWeights(size_t num_voxels,
+                                  const ReconstructionOptions& options) {
+  return EdgeWeights(
+      std::vector<float>(num_voxels, float(options.consistency.neutral)),
+      options.energy);
 }
 
 namespace {

@@ -2,12 +2,13 @@
 // silhouettes' evidence.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/base/context.h"
+#include "core/consistency/photo_consistency.h"
 #include "core/crust/crust.h"
 #include "core/pipeline/options.h"
-#include "core/pipeline/reconstruct.h"
 #include "core/views/view_set.h"
 #include "core/visibility/visibility.h"
 
@@ -22,21 +23,12 @@ struct VoxelTerms {
   std::vector<float> hull_depth;  // as SilhouetteTerms has it
 };
 
-// Brings `terms` up to `crust`, which is at least as large: voxels that have
-// their terms keep them, so growing a crust costs what it adds.
-// `mask_confidence` is that of InsideEvidence.
-void ExtendTerms(const ViewSet& views,
-                 const std::vector<float>& mask_confidence,
-                 const Visibility& visibility,
-                 const Crust& crust,
-                 const ReconstructionOptions& options,
-                 const Context& context,
-                 VoxelTerms* terms,
-                 LevelSummary* summary);
-
 // psi(phi) + a of every voxel, HK06 eq. (3).
 std::vector<float> EdgeWeights(const std::vector<float>& phi,
                                const EnergyOptions& options);
+// The same of voxels that nobody sees.
+std::vector<float> NeutralWeights(size_t num_voxels,
+                                  const ReconstructionOptions& options);
 
 struct SilhouetteTerms {
   // Evidence for outside (< 0) of voxels outside the border of some view's
@@ -57,5 +49,27 @@ SilhouetteTerms EstimateSilhouetteTerms(
     const VoxelGrid& voxels,
     const ReconstructionOptions& options,
     const Context& context);
+
+// The voxels of a crust that have no terms yet.
+struct AddedVoxels {
+  std::vector<uint8_t> is_added;  // one a voxel of the crust
+  VoxelGrid voxels;
+
+  bool AreAll() const { return voxels.Size() == is_added.size(); }
+};
+
+AddedVoxels FindAddedVoxels(const Crust& crust, const VoxelTerms& terms);
+
+// Evidence for inside of a voxel of `level` that fewer than two views see.
+float UnseenEvidence(int level, const ReconstructionOptions& options);
+
+// The terms of `crust`: those of `terms` and, of the voxels that were added,
+// what `consistency` and `silhouettes` have for them.
+VoxelTerms MergeTerms(const VoxelGrid& crust,
+                      const VoxelTerms& terms,
+                      const AddedVoxels& added,
+                      const PhotoConsistency& consistency,
+                      const SilhouetteTerms& silhouettes,
+                      float unseen_evidence);
 
 }  // namespace octacut

@@ -26,8 +26,9 @@ struct DetectedMarker {
   std::array<Eigen::Vector2d, 4> corners;
 };
 
-// Of an image of 8 bits, grey or BGR; corners to a fraction of a pixel. An id
-// that is seen more than once is left out: it cannot be told which is which.
+// The markers in an image of 8 bits, grey or BGR; corners to a fraction of a
+// pixel. An id that is seen more than once is left out, since the two cannot be
+// told apart.
 std::vector<DetectedMarker> DetectMarkers(const cv::Mat& image,
                                           MarkerDictionary dictionary);
 

@@ -31,16 +31,17 @@ struct MarkerScale {
   double factor = 0;  // from world units to those of the side
   std::vector<MeasuredMarker> markers;
   double reprojection_rms = 0;  // pixels
-  // Of the sides of all markers from what they should be, as fractions of it.
+  // The deviation of the sides of all markers from what they should be, as a
+  // fraction of it.
   double side_rms = 0;
   double side_max = 0;
 };
 
 // Triangulates the corners of each marker from the views that see it. A view
-// whose corners are more than 3 pixels off is left out, the worst first. Markers
-// count that at least two views see from directions that differ by at least two
-// degrees. `side` is what the sides measure in the world. Throws InputError
-// where no marker counts.
+// whose corners are more than 3 pixels off is left out, the worst first.
+// Markers count that at least two views see from directions that differ by at
+// least two degrees. `side` is what the sides measure in the world. Throws
+// InputError where no marker counts.
 MarkerScale MeasureMarkerScale(const std::vector<MarkerSighting>& sightings,
                                double side);
 

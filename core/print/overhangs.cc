@@ -9,7 +9,8 @@
 namespace octacut {
 namespace {
 
-// Of the height: less than a layer of what prints have hundreds of.
+// The share of the height that counts as the base: less than a layer of a print
+// of hundreds of layers.
 constexpr double kBaseThickness = 1e-3;
 
 }  // namespace

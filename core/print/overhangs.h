@@ -13,10 +13,10 @@ struct Overhangs {
   double share = 0;      // `area` as a fraction of the whole surface
 };
 
-// Of the triangles that look down: those inclined from the vertical by more
-// than `max_angle` degrees (0 to 90). Triangles whose corners are all within a
-// thousandth of the height of the lowest point rest on the plate, which needs
-// no support. `up` is not zero.
+// Measures the triangles that look down: those inclined from the vertical by
+// more than `max_angle` degrees (0 to 90). Triangles whose corners are all
+// within a thousandth of the height of the lowest point rest on the plate,
+// which needs no support. `up` is not zero.
 Overhangs MeasureOverhangs(const IndexedMesh& mesh,
                            const Eigen::Vector3d& up,
                            double max_angle);

@@ -33,7 +33,7 @@ constexpr size_t kMinShare = 10;  // one of so many candidates
 constexpr uint64_t kTrials = 4000;
 // The plane is fitted anew to the points that are on it.
 constexpr int kFits = 5;
-// Of the mesh; they bound its lowest point well enough for kMaxGap.
+// So many vertices of the mesh bound its lowest point well enough for kMaxGap.
 constexpr size_t kMaxVertices = 2000;
 
 struct Plane {
@@ -63,8 +63,8 @@ class StandSearch {
       vertices_.push_back(mesh.positions[v]);
     }
     const RayScene scene(mesh);
-    const double own = std::max(3 * surroundings.noise,
-                                kOwnDistance * diagonal_);
+    const double own =
+        std::max(3 * surroundings.noise, kOwnDistance * diagonal_);
     for (const Eigen::Vector3d& point : surroundings.points) {
       if ((point - center_).norm() <= kReach * diagonal_ &&
           scene.ClosestPoint(point).distance > own) {
@@ -87,12 +87,11 @@ class StandSearch {
 
   std::vector<Eigen::Vector3d> PointsOn(const Plane& plane) const {
     std::vector<Eigen::Vector3d> points;
-    std::copy_if(candidates_.begin(),
-                 candidates_.end(),
-                 std::back_inserter(points),
-                 [&](const Eigen::Vector3d& point) {
-                   return IsOn(plane, point);
-                 });
+    std::copy_if(
+        candidates_.begin(),
+        candidates_.end(),
+        std::back_inserter(points),
+        [&](const Eigen::Vector3d& point) { return IsOn(plane, point); });
     return points;
   }
 
@@ -184,7 +183,7 @@ StandPlane FindStandPlane(const IndexedMesh& mesh,
     throw InputError(fmt::format(
         "no plane that the object stands on was found: of {} sparse points "
         "around it, no {} lie in a plane at its lowest point; give the "
-        "direction with --up x,y,z",
+        "direction as `up` x,y,z",
         search.NumCandidates(),
         search.LeastPoints()));
   }

@@ -10,9 +10,9 @@
 
 namespace octacut {
 
-// Of one size: depth CV_32FC1, along the optical axis, 0 for none; normals
-// CV_32FC3, unit vectors in the camera's frame that face the camera, 0 where
-// there is no depth.
+// Two images of the same size: depth CV_32FC1, along the optical axis, 0 for
+// none; normals CV_32FC3, unit vectors in the camera's frame that face the
+// camera, 0 where there is no depth.
 struct DepthAndNormals {
   cv::Mat depth;
   cv::Mat normals;

@@ -11,16 +11,16 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 256;
-// Of so many points a pose is known well enough.
+// With so many points, a pose is known well enough.
 constexpr size_t kMaxPoints = 8000;
 constexpr size_t kMinPatches = 50;
 constexpr int kMinViews = 3;
 constexpr float kMinAgreement = 0.5f;
-// Of a patch that agrees perfectly.
+// The residual of a patch that agrees perfectly.
 constexpr float kResidualSlack = 0.05f;
 // Share of the mean information on shifts by which motion is held back.
 constexpr double kDamping = 0.02;
-// Of one step, pixels.
+// The largest motion in one step, pixels.
 constexpr double kMaxMotion = 2;
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
@@ -51,7 +51,7 @@ struct PoseEquations {
   }
 };
 
-// Of the root cube.
+// The middle of the root cube.
 const Eigen::Vector3f kMiddle = Eigen::Vector3f::Constant(0.5f);
 
 // Pixels by which the image of a point moves when the point turns about a

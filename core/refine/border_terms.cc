@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "core/refine/border_shift.h"
-#include "core/refine/contour_targets.h"
 
 namespace octacut {
 namespace {
@@ -15,12 +14,13 @@ constexpr double kMaxBorderScale = 2;
 // Neither can structures as thin as patches. Radius of the surface, pixels of
 // the round.
 constexpr double kMinBorderRadius = 6;
-// Of the occluding contours from their median, pixels: those that agree better
-// tell a shift that much better than to the border's noise.
+// The usual deviation of the occluding contours from their median, pixels:
+// contours that agree better determine a shift that much better than to the
+// border's noise.
 constexpr double kUsualDeviation = 0.15;
 // Where there is nothing else: by how much their offsets are measured too far
 // inside, pixels of the round times pixels of radius, and what that leaves
-// open, in units of the noise (docs/refinement.md).
+// open, in units of the noise (docs/experiments/refinement_silhouettes.md).
 constexpr double kThinStructureBias = 1.5;
 constexpr double kThinStructureNoise = 2;
 // By how much vertices may leave a mask, pixels: the border of a mask of whole
@@ -37,8 +37,8 @@ double NoiseOf(const BorderExcess& excess, double border_noise) {
   return std::max(share * border_noise, excess.deviation);
 }
 
-// Of the masks' borders, pixels, in all: the plan's and what the occluding
-// contours tell of the rest.
+// The shift of the masks' borders, pixels, in all: the plan's, and what the
+// occluding contours say of the rest.
 double FindBorderShift(const std::vector<ContourTarget>& contours,
                        const std::vector<LocalSurface>& surfaces,
                        const std::vector<OffsetMeasurement>& measurements,
@@ -80,33 +80,28 @@ double HullTolerance(const std::vector<ContourTarget>& contours, double scale) {
 
 }  // namespace
 
-void AddBorderTerms(const ViewSet& views,
-                    const SeenSurface& seen,
-                    const std::vector<OffsetMeasurement>& measurements,
-                    double pixel,
-                    const RoundPlan& plan,
-                    const RefineOptions& options,
-                    const Context& context,
-                    OffsetProblem* problem,
-                    RoundSummary* summary) {
-  const std::vector<ContourTarget> contours =
-      FindContourTargets(views,
-                         seen.rays,
-                         seen.surfaces,
-                         seen.points.neighbors,
-                         summary->range,
-                         plan.border_shift,
-                         context);
+void JudgeBorders(const std::vector<ContourTarget>& contours,
+                  const std::vector<LocalSurface>& surfaces,
+                  const std::vector<OffsetMeasurement>& measurements,
+                  const RoundPlan& plan,
+                  double border_noise,
+                  RoundSummary* summary) {
   summary->num_contour_targets = contours.size();
   summary->hull_tolerance = HullTolerance(contours, plan.scale);
   if (summary->KnowsMost()) {
-    summary->border_shift = FindBorderShift(
-        contours, seen.surfaces, measurements, plan, options.border_noise);
+    summary->border_shift =
+        FindBorderShift(contours, surfaces, measurements, plan, border_noise);
   }
+}
+
+void AddContourTargets(const std::vector<ContourTarget>& contours,
+                       double pixel,
+                       double weight,
+                       OffsetProblem* problem) {
   for (const ContourTarget& contour : contours) {
     EdgeTarget& target = problem->edge_targets.emplace_back(contour.edge);
     target.target = float(target.target / pixel);
-    target.weight = float(options.silhouette_weight);
+    target.weight = float(weight);
   }
 }
 

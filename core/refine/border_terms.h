@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "core/base/context.h"
+#include "core/refine/contour_targets.h"
+#include "core/refine/local_surface.h"
 #include "core/refine/offset_search.h"
 #include "core/refine/refine_round.h"
-#include "core/refine/seen_surface.h"
 #include "core/refine/solve_offsets.h"
 
 namespace octacut {
@@ -17,17 +18,20 @@ namespace octacut {
 // border.
 inline constexpr double kLargestHullTolerance = 1.5;
 
-// Adds the edge targets to `problem`, whose lengths are in pixels, and sets
-// num_rim_targets, border_shift and hull_tolerance of `summary`. The shift is
-// judged only where `summary` knows the offsets of most points.
-void AddBorderTerms(const ViewSet& views,
-                    const SeenSurface& seen,
-                    const std::vector<OffsetMeasurement>& measurements,
-                    double pixel,
-                    const RoundPlan& plan,
-                    const RefineOptions& options,
-                    const Context& context,
-                    OffsetProblem* problem,
-                    RoundSummary* summary);
+// Sets num_contour_targets, border_shift and hull_tolerance of `summary`. The
+// shift is judged only where `summary` knows the offsets of most points, of
+// which `surfaces` and `measurements` have one each.
+void JudgeBorders(const std::vector<ContourTarget>& contours,
+                  const std::vector<LocalSurface>& surfaces,
+                  const std::vector<OffsetMeasurement>& measurements,
+                  const RoundPlan& plan,
+                  double border_noise,
+                  RoundSummary* summary);
+
+// Adds the edge targets to `problem`, whose lengths are in pixels.
+void AddContourTargets(const std::vector<ContourTarget>& contours,
+                       double pixel,
+                       double weight,
+                       OffsetProblem* problem);
 
 }  // namespace octacut

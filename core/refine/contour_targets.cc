@@ -65,7 +65,7 @@ class ContourFinder {
                                         surfaces_[vertex].center);
   }
 
-  // Of an edge between two vertices that face to different sides.
+  // The target on an edge between two vertices that face to different sides.
   std::optional<ContourTarget> Find(uint32_t a, uint32_t b) const {
     const float facing_a = Facing(a);
     const float fraction = facing_a / (facing_a - Facing(b));
@@ -123,14 +123,16 @@ std::vector<ContourTarget> FindContourTargets(
     const RayScene& rays,
     const std::vector<LocalSurface>& surfaces,
     const VertexCorners& neighbors,
-    double range,
-    double border_shift,
+    const ContourSearch& search,
     const Context& context) {
   std::vector<std::vector<ContourTarget>> of_views(views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const ContourFinder finder(
-          views[i], rays, surfaces, float(range), float(border_shift));
+      const ContourFinder finder(views[i],
+                                 rays,
+                                 surfaces,
+                                 float(search.range),
+                                 float(search.border_shift));
       for (uint32_t a = 0; a < surfaces.size(); ++a) {
         const bool is_front = finder.Facing(a) > 0;
         for (const uint32_t b : neighbors.Of(a)) {

@@ -16,24 +16,28 @@ namespace octacut {
 
 struct ContourTarget {
   EdgeTarget edge;  // unit coordinates; its weight is 1
-  // Of the view, by which a unit of offset moves the occluding contour.
+  // Pixels of the view by which a unit of offset moves the occluding contour.
   float pixels_per_unit;
 };
 
+// Pixels of each view.
+struct ContourSearch {
+  double range = 0;         // of the border from the contour
+  double border_shift = 0;  // by which borders lie too far outside
+};
+
 // One for each edge and view along which the fitted surface turns away from the
-// view within `range` pixels of where the border of its mask, which lies
-// `border_shift` pixels too far outside, should be. Targets are offsets of the
-// fitted surface. Pixels are those of each view.
-// Only where the mesh of `rays` ends in the view, and where the border is a
-// plain step from object to background. `surfaces` are those of points,
-// `neighbors` those of SurfacePoints.
+// view within the range of where the border of its mask should be. Targets are
+// offsets of the fitted surface. Pixels are those of each view. Only where the
+// mesh of `rays` ends in the view, and where the border is a plain step from
+// object to background. `surfaces` are those of points, `neighbors` those of
+// SurfacePoints.
 std::vector<ContourTarget> FindContourTargets(
     const ViewSet& views,
     const RayScene& rays,
     const std::vector<LocalSurface>& surfaces,
     const VertexCorners& neighbors,
-    double range,
-    double border_shift,
+    const ContourSearch& search,
     const Context& context);
 
 // The median distance of the surface's occluding contours from where the

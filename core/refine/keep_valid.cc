@@ -11,7 +11,7 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 4096;
-// Of triangles, in pixels.
+// The least height of a triangle, pixels.
 constexpr double kMinHeight = 0.01;
 // Averagings with the neighbours.
 constexpr int kRelaxations = 5;
@@ -116,12 +116,10 @@ void RelaxMoved(const std::vector<Eigen::Vector3d>& before,
 
 size_t KeepValid(const ViewSet& views,
                  const VertexCorners& neighbors,
-                 const std::vector<Eigen::Vector3d>& start,
-                 const std::vector<Eigen::Vector3d>& before,
-                 double tolerance,
-                 double pixel,
+                 const ValidMoves& moves,
                  const Context& context,
                  IndexedMesh* mesh) {
+  const auto& [start, before, tolerance, pixel] = moves;
   const Phase phase(context, "refinement: validity check");
   const size_t num_withdrawn =
       WithdrawIntoHull(views, start, before, tolerance, context, mesh);

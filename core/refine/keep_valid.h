@@ -13,11 +13,18 @@
 
 namespace octacut {
 
+// Unit coordinates.
+struct ValidMoves {
+  const std::vector<Eigen::Vector3d>& start;   // before the first of the moves
+  const std::vector<Eigen::Vector3d>& before;  // before the last one
+  double tolerance;                            // to masks, pixels
+  double pixel;                                // size of one at the surface
+};
+
 // Moves vertices of `mesh` back towards `before`, in steps up to the whole way,
 // - that are more than `tolerance` pixels out of a mask and farther than they
 //   were at `start` and `before`, where an earlier move with a larger tolerance
-//   may have left them; with several moves one after the other `start` is that
-//   before the first;
+//   may have left them;
 // - of triangles that are thinner than a hundredth of `pixel`; those of
 //   triangles that were at `before` stay there;
 // - of triangles that intersect others, until none do but those that did at
@@ -27,10 +34,7 @@ namespace octacut {
 // coordinates. Returns how many vertices were moved back.
 size_t KeepValid(const ViewSet& views,
                  const VertexCorners& neighbors,
-                 const std::vector<Eigen::Vector3d>& start,
-                 const std::vector<Eigen::Vector3d>& before,
-                 double tolerance,
-                 double pixel,
+                 const ValidMoves& moves,
                  const Context& context,
                  IndexedMesh* mesh);
 

@@ -12,7 +12,7 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 4096;
-// Of a mesh much finer than the radius.
+// Samples per radius where a mesh is much finer than the radius.
 constexpr double kSamplesPerRadius = 12;
 constexpr size_t kMinNeighbors = 8;
 // Least cosine between the normals of a vertex and of what counts as the same
@@ -93,7 +93,7 @@ void Weigh(const ThinnedSurface& samples,
   }
 }
 
-// Of what is near a vertex with this normal.
+// The mean normal of what is near a vertex with this normal.
 Eigen::Vector3d MeanNormal(const ThinnedSurface& samples,
                            const std::vector<uint32_t>& near,
                            const std::vector<double>& weights,

@@ -23,7 +23,7 @@ struct LocalSurface {
   float uu = 0;
   float uv = 0;
   float vv = 0;
-  // Of the center above the vertex, along the normal.
+  // The height of the center above the vertex, along the normal.
   float height = 0;
 
   Eigen::Vector3f TangentV() const { return normal.cross(tangent_u); }

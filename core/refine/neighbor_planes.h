@@ -12,14 +12,14 @@
 namespace octacut {
 
 struct NeighborPlanes {
-  // Of each neighbour's value, in the order of neighbors.corners, in the
-  // plane's value at the point (they sum to 1) and in its slope there.
+  // The share of each neighbour's value, in the order of neighbors.corners, in
+  // the plane's value at the point (they sum to 1) and in its slope there.
   std::vector<float> shares;
   std::vector<Eigen::Vector3f> slopes;
-  // Of every point: root mean square of the distances to its neighbours.
+  // For each point, the root mean square of the distances to its neighbours.
   std::vector<float> spacings;
 
-  // Of the planes through `values`, one a point.
+  // The slopes of the planes through `values`, one per point.
   std::vector<Eigen::Vector3f> Slopes(const std::vector<double>& values,
                                       const VertexCorners& neighbors) const;
 };

@@ -15,10 +15,10 @@ constexpr float kMaxSecondPeak = 0.93f;
 constexpr float kScoreSlack = 0.05f;
 // Standard deviation of an offset at the views' own scale: what shape and gloss
 // leave even where all views agree, and the part of their noise; as measured
-// on three scenes with a truth (docs/refinement.md).
+// on three scenes with a truth (docs/experiments/refinement_weights.md).
 constexpr float kLeastDeviation = 0.1f;  // pixels
 constexpr float kNoise = 0.4f;
-// Of weights in coarser rounds.
+// The largest weight in coarser rounds.
 constexpr float kMaxCoarseWeight = 12;
 constexpr float kCoarsePrecision = 19;
 
@@ -78,8 +78,8 @@ OffsetMeasurement FindPeak(const std::vector<float>& scores,
   return measurement;
 }
 
-// Of the patch, at steps -half .. half; between two steps that are not beside
-// the best one, every other is but the mean of those.
+// Scores of the patch at steps -half .. half. Between two steps that are not
+// beside the best one, every other score is only the mean of those two.
 void ScoreOffsets(int half,
                   float step,
                   SurfacePatch* patch,

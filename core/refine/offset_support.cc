@@ -17,7 +17,7 @@ constexpr size_t kGrain = 8192;
 constexpr int kFirstRing = 4;
 constexpr int kLastRing = 5;
 // Shares of supporting points: up to the first, offsets are chance, from the
-// second on they all count (docs/refinement.md).
+// second on they all count (docs/experiments/refinement_weights.md).
 constexpr float kChance = 0.3f;
 constexpr float kSupported = 0.6f;
 

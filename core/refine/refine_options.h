@@ -8,30 +8,31 @@
 
 namespace octacut {
 
-// What other values gave is in the tables of docs/refinement.md, section by
-// section; the sections are named below.
+// What other values gave is in the tables of docs/experiments, in the pages
+// that begin with refinement_; the sections are named below.
 struct RefineOptions {
   ViewChoiceOptions views;
   PatchOptions patch;  // samples are a pixel of the round apart
   // Rounds at the scale of the views, the first within `range`, each later one
   // within half of the one before, but at least two steps; 1 .. 8. A third
-  // one makes no difference ("What made it good").
+  // one makes no difference ("What made refinement good").
   int fine_rounds = 2;
   // Rounds before, each at half the resolution of the next; 0 .. 4. A third
-  // one gains on rocker and loses on the example ("What made it good").
+  // one gains on rocker and loses on the example ("What made refinement good").
   int coarse_rounds = 2;
   // How often these are run: what is off by much is carried farther each time;
   // 1 .. 4.
   int coarse_passes = 2;
-  double range = 3;   // 2 and 1.5 are worse ("What made it good")
+  double range = 3;   // 2 and 1.5 are worse ("What made refinement good")
   double step = 0.5;  // between tried offsets; not varied alone
   // Between the points where offsets are measured. 1.5 costs a third more time
   // for F 0.949 instead of 0.948 ("Patches of 7 x 7").
   double measure_spacing = 2;
-  // Of the pieces of the surface that are taken for smooth; 5 and 6 are worse
-  // ("Patches lie on fitted quadrics", "Patches of 7 x 7").
+  // The radius of the pieces of the surface that are assumed smooth; 5 and 6
+  // are worse ("Patches lie on fitted quadrics", "Patches of 7 x 7").
   double fit_radius = 9;
-  // Of an accepted offset; 0.3 is worse ("What made it good").
+  // The least score of an accepted offset; 0.3 is worse ("What made refinement
+  // good").
   double min_score = 0.2;
   // Steps of photometric alignment of the views in the last round of each
   // coarse pass but the first, and each one at their scale; 0: their poses are
@@ -44,7 +45,7 @@ struct RefineOptions {
   // like outliers.
   double outlier_scale = 2;
   // Weight of the masks' borders, like that of an offset; 0: none. Twice as
-  // much makes no difference ("What made it good").
+  // much makes no difference ("What made refinement good").
   double silhouette_weight = 1;
   // Pixels to which the photographs tell how far the masks' borders are shifted
   // as a whole, less where all occluding contours say the same: much smaller

@@ -96,15 +96,15 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
   return problem;
 }
 
-// Solves, and moves the vertices along.
-void MovePlaces(SeenSurface seen,
-                OffsetProblem problem,
-                bool smooths,
-                double pixel,
-                const RefineOptions& options,
-                const Context& context,
-                IndexedMesh* mesh,
-                RoundSummary* summary) {
+// Solves, and moves the vertices along. Returns the mean way of those that may
+// move, pixels.
+double MovePoints(SeenSurface seen,
+                  OffsetProblem problem,
+                  bool smooths,
+                  const RoundInputs& inputs,
+                  const Context& context,
+                  IndexedMesh* mesh) {
+  const double pixel = inputs.pixel;
   const VertexCorners& neighbors = seen.points.neighbors;
   const NeighborPlanes planes = FitNeighborPlanes(seen.surfaces, neighbors);
   problem.shares = planes.shares;
@@ -113,8 +113,9 @@ void MovePlaces(SeenSurface seen,
   }
   const double mean_spacing =
       std::max(MeanSpacing(*mesh, seen.points), seen.edge);
-  const SolveOffsetsOptions solving{.smoothness = options.smoothness,
-                                    .outlier_scale = options.outlier_scale};
+  const SolveOffsetsOptions solving{
+      .smoothness = inputs.options.smoothness,
+      .outlier_scale = inputs.options.outlier_scale};
   MovedPoints moved;
   moved.offsets = SolveOffsets(problem, neighbors, solving, context);
   for (double& offset : moved.offsets) {
@@ -127,28 +128,27 @@ void MovePlaces(SeenSurface seen,
   if (!smooths) {
     moved.is_smooth.assign(moved.is_smooth.size(), 0);
   }
-  summary->mean_displacement =
-      MoveVertices(seen.points, moved, kReach * mean_spacing, context, mesh) /
-      pixel;
+  return MoveVertices(
+             seen.points, moved, kReach * mean_spacing, context, mesh) /
+         pixel;
 }
 
 }  // namespace
 
-RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
-                        const VertexCorners& neighbors,
-                        double pixel,
+RoundSummary RefineOnce(const RoundInputs& inputs,
                         const RoundPlan& plan,
-                        const RefineOptions& options,
                         const Context& context,
                         ViewSet* views,
                         IndexedMesh* mesh) {
+  const RefineOptions& options = inputs.options;
+  const double pixel = inputs.pixel;
   RoundSummary summary;
   summary.scale = plan.scale;
   summary.range = plan.range * plan.scale;
   const std::vector<Eigen::Vector3d> before = mesh->positions;
   SeenSurface seen =
       LookAtSurface(*views,
-                    neighbors,
+                    inputs.neighbors,
                     {.pixel = pixel,
                      .scale = plan.scale,
                      .spacing = options.measure_spacing * plan.scale * pixel},
@@ -182,32 +182,34 @@ RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
   summary.border_shift = plan.border_shift;
   summary.hull_tolerance = kLargestHullTolerance;
   if (options.silhouette_weight > 0) {
-    AddBorderTerms(*views,
-                   seen,
-                   measurements,
-                   pixel,
-                   plan,
-                   options,
-                   context,
-                   &problem,
-                   &summary);
+    const std::vector<ContourTarget> contours = FindContourTargets(
+        *views,
+        seen.rays,
+        seen.surfaces,
+        seen.points.neighbors,
+        {.range = summary.range, .border_shift = plan.border_shift},
+        context);
+    JudgeBorders(contours,
+                 seen.surfaces,
+                 measurements,
+                 plan,
+                 options.border_noise,
+                 &summary);
+    AddContourTargets(contours, pixel, options.silhouette_weight, &problem);
   }
   summary.silhouette_seconds = stopwatch.Lap();
-  MovePlaces(std::move(seen),
-             std::move(problem),
-             plan.smooths,
-             pixel,
-             options,
-             context,
-             mesh,
-             &summary);
+  summary.mean_displacement = MovePoints(
+      std::move(seen), std::move(problem), plan.smooths, inputs, context, mesh);
   summary.solve_seconds = stopwatch.Lap();
   // In each round: what is moved back would stay a pit, and the next round
   // makes it smooth.
   const double tolerance =
       summary.hull_tolerance + std::max(0.0, -summary.border_shift);
-  summary.num_withdrawn = KeepValid(
-      *views, neighbors, start, before, tolerance, pixel, context, mesh);
+  summary.num_withdrawn = KeepValid(*views,
+                                    inputs.neighbors,
+                                    {inputs.start, before, tolerance, pixel},
+                                    context,
+                                    mesh);
   summary.validity_seconds = stopwatch.Lap();
   return summary;
 }

@@ -49,22 +49,27 @@ struct RoundPlan {
   // distances from it.
   bool smooths = true;
   bool aligns = false;  // the views, first
-  // Of the masks' borders, pixels of the views: as found by the round before.
+  // The shift of the masks' borders as found by the round before, pixels of the
+  // views.
   double border_shift = 0;
-  // Of the borders from the edges of the photographs, pixels.
+  // The shift of the borders from the edges of the photographs, pixels.
   double edge_shift = 0;
+};
+
+// What all rounds of a refinement share; unit coordinates.
+struct RoundInputs {
+  // Positions of the vertices before the first round.
+  const std::vector<Eigen::Vector3d>& start;
+  const VertexCorners& neighbors;  // as FindVertexNeighbors has them
+  double pixel;                    // size of one of the views at the surface
+  const RefineOptions& options;
 };
 
 // Aligns `views` if it is to, moves the vertices of `mesh` (unit
 // coordinates) as far as it stays valid, and leaves the normals that belong to
-// the positions before. `pixel` is the size of a pixel of the views at the
-// surface; `start` is where the vertices were before the first round and
-// `neighbors` are those of FindVertexNeighbors.
-RoundSummary RefineOnce(const std::vector<Eigen::Vector3d>& start,
-                        const VertexCorners& neighbors,
-                        double pixel,
+// the positions before.
+RoundSummary RefineOnce(const RoundInputs& inputs,
                         const RoundPlan& plan,
-                        const RefineOptions& options,
                         const Context& context,
                         ViewSet* views,
                         IndexedMesh* mesh);

@@ -52,7 +52,7 @@ void CheckInput(const IndexedMesh& mesh, const ViewSet& views) {
   }
 }
 
-// Of a pixel at the mesh's centre, unit coordinates.
+// The size of a pixel at the mesh's centre, unit coordinates.
 double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& position : mesh.positions) {
@@ -158,7 +158,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
     plan.edge_shift = edge_shift;
     plan.border_shift = summary.border_shift;
     RoundSummary round = RefineOnce(
-        start, neighbors, pixel, plan, options, context, views, &unit);
+        {start, neighbors, pixel, options}, plan, context, views, &unit);
     summary.num_withdrawn += round.num_withdrawn;
     summary.border_shift = round.border_shift;
     summary.rounds.push_back(std::move(round));
@@ -177,6 +177,12 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   result.mesh = std::move(mesh);
   summary.seconds = whole.Lap();
   return result;
+}
+
+size_t EstimateRefinementBytes(size_t num_vertices) {
+  // Mesh, boxes, rays, points and their equations, as measured.
+  constexpr size_t kBytesPerVertex = 700;
+  return num_vertices * kBytesPerVertex;
 }
 
 }  // namespace octacut

@@ -27,7 +27,7 @@ struct RefineSummary {
   // Mean agreement of the views where at least two see the surface.
   double agreement_before = 0;
   double agreement_after = 0;
-  // Of all rounds.
+  // The sum over all rounds.
   size_t num_withdrawn = 0;
   ViewMotion view_motion;  // of the alignment, at the surface
   std::vector<RoundSummary> rounds;
@@ -50,5 +50,8 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
                              const RefineOptions& options,
                              const Context& context,
                              ViewSet* views);
+
+// Bytes that RefineSurface will need at its peak, roughly.
+size_t EstimateRefinementBytes(size_t num_vertices);
 
 }  // namespace octacut

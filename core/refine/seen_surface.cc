@@ -27,6 +27,7 @@ LinesOfSight MakeLines(double edge,
                        const Look& look,
                        const RefineOptions& options) {
   LinesOfSight lines;
+  lines.pixel = look.pixel * look.scale;
   lines.clearance = kClearance * edge;
   lines.patch_radius = options.patch.radius * look.scale * look.pixel;
   if (look.scale == 1) {
@@ -67,7 +68,6 @@ SeenSurface LookAtSurface(const ViewSet& views,
                              seen.rays,
                              seen.surfaces,
                              MakeLines(edge, look, options),
-                             look.pixel * look.scale,
                              options.views,
                              context);
   for (const ChosenViews& chosen : seen.choices) {

@@ -18,7 +18,7 @@
 
 namespace octacut {
 
-// Of a round; lengths in unit coordinates.
+// What a round looks at; lengths in unit coordinates.
 struct Look {
   double pixel;    // of the views, at the surface
   double scale;    // pixels between the samples of a patch

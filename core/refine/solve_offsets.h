@@ -35,14 +35,14 @@ struct OffsetProblem {
   std::vector<float> spacings;
 };
 
-// Of RefineOptions, which has the defaults and limits.
+// RefineOptions has the defaults and limits.
 struct SolveOffsetsOptions {
   // Weight of the bending energy that the offsets add to the surface: the
   // square of the height of the plane through a point's neighbours above the
   // point, relative to their spacing. Because of that ratio a weight has the
   // same effect for any spacing.
   double smoothness;
-  // Of an offset that nothing is known of.
+  // The weight of an offset of which nothing is known.
   double anchor = 0.02;
   // Residuals beyond this weigh like outliers (Cauchy's loss).
   double outlier_scale;

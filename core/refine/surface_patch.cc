@@ -7,10 +7,11 @@
 namespace octacut {
 namespace {
 
-// Of the samples' weights, in radii of the patch.
+// The width of the samples' weights, in radii of the patch.
 constexpr float kSigma = 0.7f;
-// Of a patch's gradient that is taken out; all of it costs two of three
-// measured scenes more than it gains the third (docs/refinement.md).
+// The share of a patch's gradient that is removed; removing all of it costs two
+// of three measured scenes more than it gains the third
+// (docs/experiments/refinement_gloss.md).
 constexpr float kGradientShare = 0.5f;
 
 // Over the first `count` samples and all colours.

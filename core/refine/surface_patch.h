@@ -26,13 +26,13 @@ struct ImageShift {
 // How views are compared on a patch.
 struct PatchOptions {
   // (2 r + 1)^2 samples in a square, which weigh less towards its border;
-  // 1 .. 4. 2 and 4 are worse: docs/refinement.md, "Patches of 7 x 7".
+  // 1 .. 4. 2 and 4 are worse: docs/experiments/refinement_patches.md.
   int radius = 3;
   // Standard deviation of the images' noise, grey levels: contrast below it
-  // counts as plain. 1 is worse: docs/refinement.md, "What made it good".
+  // counts as plain. 1 is worse: docs/experiments/refinement_rounds.md.
   double pixel_noise = 0.5;
-  // Of differences of chroma against those of grey, to which gloss adds (see
-  // WeightChroma); 0 .. 8.
+  // Weight of differences in chroma relative to differences in brightness,
+  // which highlights change most (see WeightChroma); 0 .. 8.
   double chroma_weight = 2;
   void Check() const;
 };
@@ -52,7 +52,7 @@ class SurfacePatch {
               const ChosenViews& chosen,
               float spacing);
   int NumViews() const { return num_views_; }
-  // Of the views.
+  // The sum of the views' weights.
   float SumOfWeights() const;
 
   // Agreement of the views about the patch moved by `offset` along the normal:
@@ -95,8 +95,8 @@ class SurfacePatch {
   float noise_;
   float chroma_weight_;
   std::array<float, kMaxSamples> weights_;  // sum to 1
-  // Of the samples, in spacings from the middle; and what a sample adds to the
-  // slope that is taken out.
+  // Positions of the samples, in spacings from the middle, and what a sample
+  // adds to the slope that is removed.
   std::array<float, kMaxSamples> columns_, rows_;
   std::array<float, kMaxSamples> slopes_u_, slopes_v_;
   std::array<float, kMaxSamples> root_weights_;

@@ -13,9 +13,9 @@ namespace octacut {
 
 struct SurfacePoints {
   std::vector<uint32_t> vertices;  // of the mesh, ascending; one a point
-  // Of every vertex of the mesh the closest point that reaches it.
+  // For each vertex of the mesh, the closest point that reaches it.
   std::vector<uint32_t> point_of;
-  // Of every point those whose vertices are joined with its own by an edge,
+  // For each point, those whose vertices are joined with its own by an edge,
   // ascending.
   VertexCorners neighbors;
 };

@@ -20,7 +20,7 @@ float CosineOfDegrees(double degrees) {
   return float(std::cos(degrees * std::numbers::pi / 180));
 }
 
-// Of the angle at which views see all of a patch.
+// The cosine of the angle at which views see all of a patch.
 float CosineOfPatch(const LocalSurface& surface,
                     double radius,
                     double max_angle) {
@@ -117,9 +117,10 @@ ChosenViews Choose(const RayScene& rays,
                    const LocalSurface& surface,
                    const std::vector<Candidate>& candidates,
                    const LinesOfSight& lines,
-                   float patch_cosine,
-                   int max_views,
-                   float max_similarity) {
+                   const ViewChoiceOptions& options) {
+  const float patch_cosine =
+      CosineOfPatch(surface, lines.patch_radius, options.max_angle);
+  const float max_similarity = CosineOfDegrees(options.min_separation);
   ChosenViews chosen;
   float sum = 0;
   std::array<Eigen::Vector3f, ChosenViews::kMaxViews> directions;
@@ -141,7 +142,7 @@ ChosenViews Choose(const RayScene& rays,
     chosen.views[chosen.count++] = candidate.view;
     chosen.pixel += candidate.weight * candidate.pixel;
     sum += candidate.weight;
-    if (chosen.count == max_views) {
+    if (chosen.count == options.max_views) {
       break;
     }
   }
@@ -172,24 +173,16 @@ std::vector<ChosenViews> ChooseViews(const ViewSet& views,
                                      const RayScene& rays,
                                      const std::vector<LocalSurface>& surfaces,
                                      const LinesOfSight& lines,
-                                     double pixel,
                                      const ViewChoiceOptions& options,
                                      const Context& context) {
   const float min_cosine = CosineOfDegrees(options.max_angle);
-  const float max_similarity = CosineOfDegrees(options.min_separation);
   std::vector<ChosenViews> choices(surfaces.size());
   ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
     std::vector<Candidate> candidates;
     for (size_t v = begin; v < end; ++v) {
-      FindCandidates(views, surfaces[v], min_cosine, float(pixel), &candidates);
-      choices[v] = Choose(
-          rays,
-          surfaces[v],
-          candidates,
-          lines,
-          CosineOfPatch(surfaces[v], lines.patch_radius, options.max_angle),
-          options.max_views,
-          max_similarity);
+      FindCandidates(
+          views, surfaces[v], min_cosine, float(lines.pixel), &candidates);
+      choices[v] = Choose(rays, surfaces[v], candidates, lines, options);
     }
   });
   return choices;

@@ -14,10 +14,10 @@ namespace octacut {
 
 struct ViewChoiceOptions {
   // Views at more than this angle (degrees) to the normal do not count. 72 is
-  // worse, 85 loses thin rods: docs/refinement.md, "Furrows".
+  // worse, 85 loses thin rods: docs/experiments/refinement_concavities.md.
   double max_angle = 80;
   // At most this many views a point, those of most weight; 2 .. 24. With 24
-  // errors hardly fall: docs/refinement.md, "Many views".
+  // errors hardly fall: docs/experiments/refinement_patches.md.
   int max_views = 16;
   // Between the directions of any two of them, degrees: nearly equal views
   // tell nothing about depth. Not varied alone; the depth sweep has the same.
@@ -38,6 +38,8 @@ struct ChosenViews {
 
 // The rays that have to reach a camera; lengths in unit coordinates.
 struct LinesOfSight {
+  // Pixels of views that are larger than that are too large.
+  double pixel = 1;
   // They begin this far before the surface.
   double clearance = 0;
   // As must those from a ring around the point, of so many pixels of the view,
@@ -45,22 +47,21 @@ struct LinesOfSight {
   // towards what hides it, out of every concavity. 0: no ring.
   double ring_radius = 0;
   double ring_clearance = 0;
-  // Of patches, unit coordinates. Views to which not all of the patch is turned
-  // as ViewChoiceOptions::max_angle says, because the surface bends away, only
-  // count where others are few: they draw convex surfaces inward, by 3 pixels^2
-  // over the radius of curvature on plain objects (docs/refinement.md).
+  // The radius of patches, unit coordinates. Views to which not all of the
+  // patch is turned as ViewChoiceOptions::max_angle says, because the surface
+  // curves away, only count where others are few: they draw convex surfaces
+  // inward, by 3 pixels^2 over the radius of curvature on plain objects
+  // (docs/experiments/refinement_patches.md).
   double patch_radius = 0;
 };
 
 // One choice a point. A view counts when the point is within its frame, on
-// its silhouette's object and not hidden: none of `lines` meets `rays`. Pixels
-// larger than `pixel` are too large.
+// its silhouette's object and not hidden: none of `lines` meets `rays`.
 // Coordinates are unit coordinates throughout, those of `rays` too.
 std::vector<ChosenViews> ChooseViews(const ViewSet& views,
                                      const RayScene& rays,
                                      const std::vector<LocalSurface>& surfaces,
                                      const LinesOfSight& lines,
-                                     double pixel,
                                      const ViewChoiceOptions& options,
                                      const Context& context);
 

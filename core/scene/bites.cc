@@ -25,7 +25,8 @@ constexpr double kSlack = 1;
 // Views that a bite leaves pixels unexplained in, and their share of all.
 constexpr size_t kMinWitnesses = 3;
 constexpr size_t kWitnessDivisor = 4;
-// Of the object.
+// The largest bite in units of the object's area, and the pixels by which a
+// bite is widened over the object.
 constexpr double kMaxShare = 0.05;
 constexpr int kMargin = 3;
 // Radii of cells that a bite may go on in depth where it meets the mask.
@@ -85,7 +86,7 @@ class BiteFinder {
                           : Eigen::Vector2d::Constant(-1);
   }
 
-  // Of pixels of the view, marks those that the cells may take.
+  // Marks those pixels of the view that the cells may take.
   template <typename Centers>
   cv::Mat ProjectedCells(size_t view, const Centers& centers) const {
     cv::Mat marked = cv::Mat::zeros(views_[view].mask.size(), CV_8UC1);

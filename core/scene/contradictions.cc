@@ -11,10 +11,11 @@
 namespace octacut {
 namespace {
 
-// Of the views at most so many may be wrong, for the others to tell.
+// At most one in so many of the views may be wrong, so that the others can
+// tell.
 constexpr size_t kMaxWrongDivisor = 3;
-// Of the other views, those that lose most to a view are no witnesses: one, and
-// this share.
+// The other views that lose most to a view do not count: one, and one in so
+// many.
 constexpr size_t kIgnoredDivisor = 20;
 constexpr size_t kManyViews = 100;
 
@@ -232,7 +233,7 @@ std::vector<ViewFit> FitOfViews(const SightLines& lines,
 Contradictions FindContradictions(const std::vector<View>& views,
                                   const ContradictionOptions& options,
                                   const Context& context) {
-  // Of three views any could be the wrong one.
+  // With three views, any of them could be the wrong one.
   if (views.size() <= 3) {
     return {};
   }

@@ -27,13 +27,13 @@ struct ContradictionOptions {
 // view's or another object's shows object where none can be, and denies it
 // where the others show it.
 struct ViewFit {
-  // Of the object in this view: the share of pixels that no point explains,
-  // since on all of the line of sight the object is denied by more of the other
-  // views than may be wrong.
+  // The share of the object's pixels in this view that no point explains:
+  // everywhere on the line of sight, more of the other views than may be wrong
+  // deny the object.
   double unexplained = 0;
-  // Of the object in the other views: the share of pixels that nothing explains
-  // because of this view. Mean over the other views but for those that lose
-  // most: one view alone is no witness.
+  // The share of the object's pixels in the other views that nothing explains
+  // because of this view. It is a mean over the other views without those that
+  // lose most, since one view alone is not enough evidence.
   double taken = 0;
 };
 

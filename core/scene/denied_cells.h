@@ -21,7 +21,8 @@ struct DeniedCells {
   // Centres of the cells that no view denies, without those deep inside the
   // object in all views.
   std::vector<Eigen::Vector3d> shown;
-  // Of those that one or two views deny, and of no more than max_denials.
+  // The cells that one or two views deny, and those that no more than
+  // max_denials deny.
   std::vector<Eigen::Vector3d> denied;
   std::vector<Deniers> deniers;
 };

@@ -87,18 +87,17 @@ Region FallBack(const std::vector<View>& views,
   const Eigen::AlignedBox3d point_box = PointBox(views, points);
   if (point_box.isEmpty()) {
     if (hull.box.isEmpty()) {
-      throw InputError(
-          fmt::format("the bounding box of the object cannot be estimated: the "
-                      "views do not bound the object ({}), and there are too "
-                      "few sparse points inside the masks. Use "
-                      "--OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1",
-                      hull.doubt));
+      throw InputError(fmt::format(
+          "the bounding box of the object cannot be estimated: the "
+          "views do not bound the object ({}), and there are too "
+          "few sparse points inside the masks. Set `bounding_box` to "
+          "x0,y0,z0,x1,y1,z1",
+          hull.doubt));
     }
     context.Warn(fmt::format(
         "The estimated bounding box may be far too large: the views hardly "
         "bound the object ({}), and there are no sparse points inside the "
-        "masks. Use --OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1 to set "
-        "it.",
+        "masks. Set `bounding_box` to x0,y0,z0,x1,y1,z1.",
         hull.doubt));
     return MakeTolerantRegion(views, hull.box, options);
   }
@@ -111,8 +110,9 @@ Region FallBack(const std::vector<View>& views,
   }
   context.Warn(fmt::format(
       "The views do not bound the object ({}), so its bounding box is "
-      "estimated from the sparse points inside the masks. Use "
-      "--OctahedralMeshing.bounding_box x0,y0,z0,x1,y1,z1 to set it.",
+      "estimated from the sparse points inside the masks. Set `bounding_box` "
+      "to "
+      "x0,y0,z0,x1,y1,z1 to choose another one.",
       hull.doubt));
   const Eigen::AlignedBox3d carved =
       ShrinkToHull(views, true, box, options.hull_level, context);

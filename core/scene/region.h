@@ -38,8 +38,9 @@ struct RegionOptions {
   double mask_tolerance = 0;
   // The coarse hull whose bounding box the region is has (2^level)^3 voxels.
   int hull_level = 6;
-  // Of the longest side of the box of the sparse points, added on each side
-  // where the views do not bound the object: points seldom cover all of it.
+  // The margin in units of the longest side of the box of the sparse points,
+  // added on each side where the views do not bound the object: points seldom
+  // cover all of it.
   double point_margin = 0.2;
 
   void Check() const;

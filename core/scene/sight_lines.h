@@ -20,8 +20,8 @@ using ViewBits = std::vector<uint64_t>;
 // deny the point. Points that are denied by all those that deny another one
 // tell nothing and are left out.
 struct SightLine {
-  // Of each point the views that show background there, `num_words` words a
-  // point. None: the line does not meet the box.
+  // For each point the views that show background there, `num_words` words per
+  // point. Empty if the line does not meet the box.
   std::vector<uint64_t> denials;
 };
 
@@ -40,9 +40,9 @@ struct SightLinesOptions {
   double mask_slack = 0.015;
 };
 
-// Of `views`, whose masks may be of low resolution, within `box` (world
-// coordinates), which is to hold the object. A view in which the object touches
-// the frame denies nothing beyond its frame.
+// The lines of sight of `views`, whose masks may be of low resolution, within
+// `box` (world coordinates), which is to contain the object. A view in which
+// the object touches the frame denies nothing beyond its frame.
 SightLines TraceSightLines(const std::vector<View>& views,
                            const Eigen::AlignedBox3d& box,
                            const SightLinesOptions& options,

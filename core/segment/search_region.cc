@@ -23,7 +23,8 @@ Eigen::Vector3d CenterOf(const Pose& pose) {
   return pose.cam_from_world.Inverse().translation;
 }
 
-// Of the picture's middle, which for a cropped photograph is not the axis.
+// The axis through the picture's middle, which for a cropped photograph is not
+// the optical axis.
 Eigen::Vector3d AxisOf(const Pose& pose) {
   const Eigen::Vector3d ray = pose.camera.Unproject(
       {pose.camera.width / 2.0, pose.camera.height / 2.0});
@@ -53,7 +54,7 @@ Eigen::Vector3d FindFixation(std::span<const Pose> poses) {
       throw InputError(
           "the photographs: all cameras look in the same direction, so where "
           "the object is cannot be told; at least three views from different "
-          "sides are needed (or --OctahedralMeshing.bounding_box)");
+          "sides are needed (or `bounding_box`)");
     }
     point = normal.ldlt().solve(right);
     for (size_t i = 0; i < poses.size(); ++i) {
@@ -121,12 +122,12 @@ SearchRegion FindSearchRegion(std::span<const Pose> poses,
     reach = std::max(reach, std::min(longest * pixel_size, in_cam.norm()) / 2);
   }
   if (num_showing * 2 < poses.size()) {
-    throw InputError(fmt::format(
-        "{}: only {} of {} views show it; --OctahedralMeshing.bounding_box "
-        "says where the object is",
-        box ? "bounding_box" : "the point that the cameras look at",
-        num_showing,
-        poses.size()));
+    throw InputError(
+        fmt::format("{}: only {} of {} views show it; `bounding_box` "
+                    "says where the object is",
+                    box ? "bounding_box" : "the point that the cameras look at",
+                    num_showing,
+                    poses.size()));
   }
   if (box) {
     region.radius = box->sizes().mean() / 2;

@@ -37,8 +37,8 @@ constexpr double kFewDoubts = 0.1;
 constexpr double kMargin = 0.15;
 // Log odds beyond which a pixel is taken for sure and learned from.
 constexpr float kSure = 1;
-// Of the cut in each view: a border of one pixel's length costs what one view
-// says for sure.
+// The smoothness of the cut in each view: a border of one pixel's length costs
+// as much as the certain evidence of one view.
 constexpr float kSmoothness = kOneViewsWord;
 // What the others hold for object need not be: they leave more than there is.
 // So their word for it counts by this much less than that against it.
@@ -119,7 +119,9 @@ void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
   for (const Eigen::Vector2d& pixel : input_.views[view].surroundings) {
     const cv::Point corner(int(std::floor(pixel.x())) - kPointRadius,
                            int(std::floor(pixel.y())) - kPointRadius);
-    (*labels)(cv::Rect(corner, cv::Size(2 * kPointRadius + 1, 2 * kPointRadius + 1)) & frame)
+    (*labels)(
+        cv::Rect(corner, cv::Size(2 * kPointRadius + 1, 2 * kPointRadius + 1)) &
+        frame)
         .setTo(kSurroundings);
   }
   const cv::Mat& said = input_.views[view].labels;
@@ -156,12 +158,8 @@ void Segmenter::Relabel(size_t view) {
 }
 
 bool Segmenter::Round(const BoundingCube& cube, int resolution) {
-  OccupancyGrid grid(cube,
-                     resolution,
-                     {input_.box, input_.floor},
-                     poses_,
-                     colours_,
-                     context_);
+  OccupancyGrid grid(
+      cube, resolution, {input_.box, input_.floor}, poses_, colours_, context_);
   if (!grid.KeepThingAt(result_.region.center, result_.region.radius)) {
     return false;
   }
@@ -279,8 +277,7 @@ Segmentation Segmenter::Run() {
   if (!best) {
     throw InputError(
         "the photographs: nothing that the cameras look at differs from its "
-        "surroundings in all of them; --OctahedralMeshing.bounding_box or "
-        "--strokes_path can help");
+        "surroundings in all of them; `bounding_box` or strokes can help");
   }
   return *std::move(best);
 }

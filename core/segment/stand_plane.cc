@@ -17,7 +17,8 @@ namespace {
 using Plane = Eigen::Hyperplane<double, 3>;
 
 constexpr size_t kMinPoints = 30;
-// Of which a tenth on the plane are found with more than 99 % certainty.
+// With so many tries, a plane with a tenth of the points is found with more
+// than 99 % certainty.
 constexpr int kTries = 5000;
 constexpr double kLeastShare = 0.1;
 constexpr double kReach = 2;  // radii of the region
@@ -73,8 +74,7 @@ class PlaneFinder {
       throw InputError(fmt::format(
           "on_stand = 1: none of the planes through the {} sparse points near "
           "the object has the object above it and nothing below; without "
-          "on_stand, --OctahedralMeshing.bounding_box or --strokes_path can "
-          "leave the stand out",
+          "on_stand, `bounding_box` or strokes can leave the stand out",
           points_.size()));
     }
     for (int i = 0; i < kRefinements; ++i) {
@@ -112,8 +112,8 @@ class PlaneFinder {
         }));
   }
   bool IsBelowAll(const Plane& plane) const {
-    const auto num_above = double(
-        std::count_if(cameras_.begin(), cameras_.end(), [&](const auto& camera) {
+    const auto num_above = double(std::count_if(
+        cameras_.begin(), cameras_.end(), [&](const auto& camera) {
           return plane.signedDistance(camera) > 0;
         }));
     const auto num_below = double(
@@ -139,8 +139,7 @@ class PlaneFinder {
     const Eigen::Vector3d mean = sum / count;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
         products / count - mean * mean.transpose());
-    return Oriented(
-        Plane(eigen.eigenvectors().col(0), region_.center + mean));
+    return Oriented(Plane(eigen.eigenvectors().col(0), region_.center + mean));
   }
 
   const SearchRegion& region_;

@@ -10,7 +10,7 @@
 namespace octacut {
 
 struct StandPlane {
-  // Of unit normal; object and cameras are on the positive side.
+  // The normal has unit length; object and cameras are on the positive side.
   Eigen::Hyperplane<double, 3> plane;
   // Distance up to which points lie on it: a pixel of the views at the centre
   // of the region.

@@ -85,7 +85,7 @@ cv::Vec3f MostFrequent(std::span<const cv::Mat> labs,
   return best;
 }
 
-// Of the masks, those that are set, for each pixel.
+// The share of the masks that are set, for each pixel.
 cv::Mat PartOf(const std::vector<cv::Mat>& masks) {
   cv::Mat sum = cv::Mat::zeros(masks.front().size(), CV_32F);
   for (const cv::Mat& mask : masks) {

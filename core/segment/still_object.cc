@@ -27,7 +27,7 @@ constexpr double kLeastContrast = 0.6;
 // Part of the frame's width at its sides that is background.
 constexpr double kSide = 0.02;
 
-// Of each row, what lies between the outermost points that turn.
+// What lies between the outermost points that turn, in each row.
 cv::Mat BetweenTurning(const cv::Mat& turning) {
   cv::Mat between = cv::Mat::zeros(turning.size(), CV_8U);
   for (int y = 0; y < turning.rows; ++y) {
@@ -117,7 +117,8 @@ StillObject FindStillObject(const StillBackground& background,
   if (cv::countNonZero(solid) == 0) {
     return result;
   }
-  cv::Mat seeds = BetweenTurning(solid) & ~turning & (background.support > 0.9f);
+  cv::Mat seeds =
+      BetweenTurning(solid) & ~turning & (background.support > 0.9f);
   cv::erode(seeds, seeds, cv::Mat::ones(kStillWindow, kStillWindow, CV_8U));
   const double frame = double(turning.total());
   if (cv::countNonZero(seeds) < kLeastPart * frame) {

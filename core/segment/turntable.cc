@@ -23,7 +23,7 @@ constexpr float kLeastSupport = 0.15f;
 // Part of the frame that must turn, and that must stand still.
 constexpr double kLeastTurning = 0.002;
 constexpr double kLeastStill = 0.1;
-// Of the cut in each photograph.
+// Constants of the cut in each photograph.
 constexpr float kMostOdds = 4;
 constexpr float kSmoothness = 4;
 constexpr float kUnreliable = 0.25f;
@@ -51,8 +51,9 @@ class TurntableSegmenter {
       const int wide = WideWindow(always_.size());
       unreliable_ = background_.wide_support < kLeastSupport;
       cv::Mat core;
-      cv::erode(
-          unreliable_, core, cv::Mat::ones(2 * (wide / 5) + 1, 2 * (wide / 5) + 1, CV_8U));
+      cv::erode(unreliable_,
+                core,
+                cv::Mat::ones(2 * (wide / 5) + 1, 2 * (wide / 5) + 1, CV_8U));
       cv::bitwise_or(always_, core, always_);
       const StillObject still = FindStillObject(of_all, always_);
       doubt_ = still.doubt;
@@ -125,7 +126,8 @@ void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
   CutLabels(input_.images[i], log_odds, kSmoothness, &view.mask);
   // Specks are smaller than the window.
   cv::Mat opened;
-  cv::morphologyEx(view.mask, opened, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8U));
+  cv::morphologyEx(
+      view.mask, opened, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8U));
   view.mask = opened;
   view.confidence = BorderContrast(view.mask, log_odds);
   if (cv::countNonZero(view.mask) == 0) {

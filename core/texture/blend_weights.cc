@@ -273,8 +273,7 @@ VertexViews AllViews(const IndexedMesh& mesh,
             }
             const float weight = std::max(0.0f, least - kMinMedianShare);
             if (weight > 0 || is_own) {
-              chunks[chunk].push_back(
-                  {uint32_t(v), view, weight * weight});
+              chunks[chunk].push_back({uint32_t(v), view, weight * weight});
             }
           }
         }

@@ -35,10 +35,8 @@ class Accumulator {
 
   void Add(int x, int y, const Eigen::Vector3f& color, float weight) {
     if (blending_ == ViewBlending::kBest) {
-      sums_.at<cv::Vec4f>(y, x) += cv::Vec4f(weight * color[0],
-                                             weight * color[1],
-                                             weight * color[2],
-                                             weight);
+      sums_.at<cv::Vec4f>(y, x) += cv::Vec4f(
+          weight * color[0], weight * color[1], weight * color[2], weight);
       return;
     }
     Samples& samples = samples_[size_t(y) * size_t(width_) + size_t(x)];
@@ -47,8 +45,7 @@ class Accumulator {
       sample.color[c] = ToByte(color[c]);
     }
     // At least one, so that a sample counts at all.
-    sample.weight =
-        uint8_t(std::clamp(int(std::lround(255 * weight)), 1, 255));
+    sample.weight = uint8_t(std::clamp(int(std::lround(255 * weight)), 1, 255));
     if (samples.count < kMedianViews) {
       samples.all[samples.count++] = sample;
       return;
@@ -99,8 +96,8 @@ class Accumulator {
     float total = 0;
     for (size_t i = 0; i < samples.count; ++i) {
       size_t place = i;
-      for (; place > 0 && sorted[place - 1].color[channel] >
-                              samples.all[i].color[channel];
+      for (; place > 0 &&
+             sorted[place - 1].color[channel] > samples.all[i].color[channel];
            --place) {
         sorted[place] = sorted[place - 1];
       }
@@ -305,9 +302,8 @@ class PagePainter {
   }
 
   // Triangles that are lines on the page have the colour of a corner.
-  static Eigen::Vector3d WeightsAt(
-      const std::array<Eigen::Vector2d, 3>& texels,
-      const Eigen::Vector2d& point) {
+  static Eigen::Vector3d WeightsAt(const std::array<Eigen::Vector2d, 3>& texels,
+                                   const Eigen::Vector2d& point) {
     const Eigen::Vector3d weights = CornerWeights(texels, point);
     // Slivers would go on far beyond their corners.
     constexpr double kFar = 16;

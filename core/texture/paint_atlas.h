@@ -36,14 +36,14 @@ struct PaintedPages {
   std::vector<TexturePage> pages;
   size_t num_texels = 0;  // within triangles
   size_t num_filled = 0;  // of these, in triangles that no view shows
-  // Of these, without any colour before the gaps between charts were closed:
-  // none.
+  // Those of them without any colour before the gaps between charts were
+  // closed.
   size_t num_unfilled = 0;
 };
 
 // One page after another; reads the photographs that a page needs, as many at a
-// time as they allow. Takes 16 bytes a texel of a page, 36 for the median. Texels
-// outside of charts get the mean of what is around them.
+// time as they allow. Takes 16 bytes a texel of a page, 36 for the median.
+// Texels outside of charts get the mean of what is around them.
 PaintedPages PaintAtlas(const PaintInput& input,
                         const Photographs& photographs,
                         const Context& context,

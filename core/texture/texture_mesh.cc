@@ -70,12 +70,10 @@ LabelingProblem MakeProblem(
       const Eigen::Vector3d edge =
           mesh.positions[mesh.triangles[f][(k + 1) % 3]] -
           mesh.positions[mesh.triangles[f][k]];
-      const float pixels =
-          float(edge.norm()) *
-          (costs.resolution[f] + costs.resolution[other]) / 2;
-      problem.edges.push_back({(*node_of_face)[f],
-                               (*node_of_face)[other],
-                               kBorderCost * pixels});
+      const float pixels = float(edge.norm()) *
+                           (costs.resolution[f] + costs.resolution[other]) / 2;
+      problem.edges.push_back(
+          {(*node_of_face)[f], (*node_of_face)[other], kBorderCost * pixels});
     }
   }
   return problem;
@@ -219,10 +217,9 @@ TexturingResult TextureMesh(const IndexedMesh& mesh,
               : AllViews(mesh, vertex_faces, known, context);
   // The median takes exposures out itself, and has no seams to level.
   const std::vector<Eigen::Vector3f> corrections =
-      is_best
-          ? LevelColors(mesh, vertex_faces, known, vertex_views, context)
-          : std::vector<Eigen::Vector3f>(vertex_views.entries.size(),
-                                         Eigen::Vector3f::Zero());
+      is_best ? LevelColors(mesh, vertex_faces, known, vertex_views, context)
+              : std::vector<Eigen::Vector3f>(vertex_views.entries.size(),
+                                             Eigen::Vector3f::Zero());
   const std::vector<Eigen::Vector3f> gains =
       is_best ? std::vector<Eigen::Vector3f>(photographs.poses.size(),
                                              Eigen::Vector3f::Ones())

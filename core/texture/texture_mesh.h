@@ -28,7 +28,7 @@ struct TexturingOptions {
 
 struct TextureSummary {
   size_t num_triangles = 0;
-  size_t num_unseen = 0;  // triangles that no photograph shows
+  size_t num_unseen = 0;   // triangles that no photograph shows
   double unseen_area = 0;  // share of the surface
   size_t num_unsure = 0;   // seen near a mask's border or at a low angle only
   size_t num_charts = 0;
@@ -37,8 +37,8 @@ struct TextureSummary {
   size_t num_unfilled_texels = 0;
   size_t page_texels = 0;  // of the pages as a whole
   double energy = 0;       // of the choice of views, pixels
-  // Of each photograph: triangles textured from it, and its exposure (blue,
-  // green, red) against the mean.
+  // For each photograph: the triangles textured from it, and its exposure
+  // (blue, green, red) relative to the mean.
   std::vector<size_t> triangles_of_view;
   std::vector<Eigen::Vector3f> gains;
   SeamJumps seams;

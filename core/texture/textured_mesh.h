@@ -21,16 +21,16 @@ struct TexturePage {
 
 struct TexturedMesh {
   IndexedMesh mesh;  // with vertex normals
-  // Of the corners of each triangle, in units of the page's width and height;
-  // (0, 0) is the page's top-left corner, y points down.
+  // Texture coordinates of the corners of each triangle, in units of the page's
+  // width and height; (0, 0) is the page's top-left corner, y points down.
   std::vector<std::array<Eigen::Vector2f, 3>> texcoords;
   // Number of the chart of each triangle. Vertices have one pair of texture
   // coordinates a chart.
   std::vector<uint32_t> charts;
   std::vector<uint32_t> page_of_chart;
   std::vector<TexturePage> pages;
-  // Of the corners of each triangle, unit tangents and the sign of the
-  // bitangent as glTF has them; empty without a normal map.
+  // Unit tangents of the corners of each triangle and the sign of the
+  // bitangent, as glTF has them; empty without a normal map.
   std::vector<std::array<Eigen::Vector4f, 3>> tangents;
 
   uint32_t PageOf(size_t triangle) const {

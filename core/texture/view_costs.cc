@@ -140,10 +140,8 @@ class Sharpness {
         for (int x = 0; x < own[v].cols; ++x) {
           const double there = usual[v].at<double>(y, x);
           if (there > 0) {
-            tiles_[v].at<float>(y, x) =
-                std::clamp(float(own[v].at<double>(y, x) / there),
-                           kMinSharpness,
-                           1.0f);
+            tiles_[v].at<float>(y, x) = std::clamp(
+                float(own[v].at<double>(y, x) / there), kMinSharpness, 1.0f);
           }
         }
       }
@@ -185,10 +183,10 @@ void RateColors(std::span<const FaceView> views,
   }
   std::array<float, FaceViews::kMaxViews> differences;
   for (size_t i = 0; i < views.size(); ++i) {
-    differences[i] = (ColorOf(views[i]).cwiseQuotient(gains[views[i].view]) -
-                      consensus)
-                         .cwiseAbs()
-                         .maxCoeff();
+    differences[i] =
+        (ColorOf(views[i]).cwiseQuotient(gains[views[i].view]) - consensus)
+            .cwiseAbs()
+            .maxCoeff();
   }
   auto sorted = differences;
   // The median of absolute differences is 0.67 standard deviations.
@@ -213,27 +211,23 @@ ViewCosts ComputeViewCosts(const IndexedMesh& mesh,
   result.consensus.resize(num_faces);
   result.costs.resize(num_faces);
   result.resolution.assign(num_faces, 0);
-  ParallelFor(
-      context, num_faces, kFacesAtOnce, [&](size_t begin, size_t end) {
-        for (size_t f = begin; f < end; ++f) {
-          const std::span<const FaceView> candidates = views.Of(f);
-          result.consensus[f] = MedianColor(candidates, result.gains);
-          RateColors(candidates,
-                     result.gains,
-                     result.consensus[f],
-                     &result.costs[f]);
-          std::array<float, FaceViews::kMaxViews> resolutions;
-          for (size_t i = 0; i < candidates.size(); ++i) {
-            resolutions[i] = candidates[i].resolution *
-                             sharpness.Of(f, candidates[i].view);
-            result.resolution[f] =
-                std::max(result.resolution[f], resolutions[i]);
-          }
-          for (size_t i = 0; i < candidates.size(); ++i) {
-            result.costs[f][i] += 1 - resolutions[i] / result.resolution[f];
-          }
-        }
-      });
+  ParallelFor(context, num_faces, kFacesAtOnce, [&](size_t begin, size_t end) {
+    for (size_t f = begin; f < end; ++f) {
+      const std::span<const FaceView> candidates = views.Of(f);
+      result.consensus[f] = MedianColor(candidates, result.gains);
+      RateColors(
+          candidates, result.gains, result.consensus[f], &result.costs[f]);
+      std::array<float, FaceViews::kMaxViews> resolutions;
+      for (size_t i = 0; i < candidates.size(); ++i) {
+        resolutions[i] =
+            candidates[i].resolution * sharpness.Of(f, candidates[i].view);
+        result.resolution[f] = std::max(result.resolution[f], resolutions[i]);
+      }
+      for (size_t i = 0; i < candidates.size(); ++i) {
+        result.costs[f][i] += 1 - resolutions[i] / result.resolution[f];
+      }
+    }
+  });
   return result;
 }
 

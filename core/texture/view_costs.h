@@ -17,15 +17,15 @@ struct ViewCosts {
   // Blue, green, red: the median over the views of each triangle after their
   // exposures were made equal; zero for triangles that no view shows.
   std::vector<Eigen::Vector3f> consensus;
-  // Of each triangle and each of its views (`FaceViews::Of`), 0 for the best
-  // one that agrees with the others: the share of resolution that is lost
-  // against the best view, plus up to 1 for a colour that the others do not
-  // confirm, as of a highlight or of a passer-by.
+  // The cost of each triangle in each of its views (`FaceViews::Of`), 0 for the
+  // best one that agrees with the others: the share of resolution that is lost
+  // relative to the best view, plus up to 1 for a colour that the others do not
+  // confirm, such as that of a highlight or of a passer-by.
   std::vector<std::array<float, FaceViews::kMaxViews>> costs;
   // Pixels a unit of length in the best view of each triangle; 0 for none.
   std::vector<float> resolution;
-  // Of each view: factors of exposure (blue, green, red), and the sharpness of
-  // its blurred parts at worst, for the report.
+  // For each view: factors of exposure (blue, green, red), and the sharpness of
+  // its most blurred parts, for the report.
   std::vector<Eigen::Vector3f> gains;
 };
 

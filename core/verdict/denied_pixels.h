@@ -17,11 +17,11 @@ struct DeniedPixels {
   std::vector<size_t> by_view;
 };
 
-// Of the pixels of `views[view]` that are not 0 in `pixels` (CV_8UC1). A view
-// denies a point that it shows more than `margins` (pixels, one a view) outside
-// of the border of its object. A pixel is denied when every point of its ray
-// within the root cube is, and by those views that deny the point that the
-// fewest deny.
+// The denied pixels among those of `views[view]` that are not 0 in `pixels`
+// (CV_8UC1). A view denies a point that it shows more than `margins` (pixels,
+// one per view) outside of the border of its object. A pixel is denied if every
+// point of its ray within the root cube is, and by those views that deny the
+// point that the fewest deny.
 DeniedPixels FindDeniedPixels(const ViewSet& views,
                               const std::vector<double>& margins,
                               size_t view,

@@ -42,8 +42,8 @@ bool HaveImages(const ViewSet& views) {
   });
 }
 
-// Of the missed pixels those that lie no deeper in their mask than half of
-// three voxels of the hull.
+// The missed pixels that lie no deeper in their mask than half of three voxels
+// of the hull.
 size_t CountThinPixels(const ViewSet& views,
                        const std::vector<cv::Mat>& missed,
                        int hull_level) {

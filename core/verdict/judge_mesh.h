@@ -31,7 +31,7 @@ struct JudgeOptions {
   double mask_tolerance = 0;
   // Pixels of the views by which they have been found to be too large.
   double border_shift = 0;
-  // Of the voxels in which the search began; 0 where there were none.
+  // The level of the voxels in which the search began; 0 where there were none.
   int hull_level = 0;
   // How photographs are compared, as refinement does.
   RefineOptions refinement = {};
@@ -44,8 +44,8 @@ struct MeshVerdict {
   // One a view: pixels of the repaired masks that are missed for the sake of
   // components that were removed for being small.
   std::vector<size_t> removed_pixels;
-  // Of the missed pixels of the repaired masks those in parts that are thinner
-  // than three voxels of the hull, roughly.
+  // The missed pixels of the repaired masks that lie in parts thinner than
+  // three voxels of the hull, roughly.
   size_t num_thin_pixels = 0;
   // As given.
   double border_shift = 0;

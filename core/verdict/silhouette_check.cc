@@ -11,7 +11,7 @@
 namespace octacut {
 namespace {
 
-// Of the mask and of the rays, half a pixel each.
+// Errors by the sampling of the mask and of the rays, half a pixel each.
 constexpr double kSampling = 1;
 
 bool IsBlack(const cv::Mat& image, int x, int y) {

@@ -39,8 +39,8 @@ struct PixelCounts {
   size_t covered = 0;  // of the object, by the mesh
   size_t unsure = 0;   // of the border, uncovered
   size_t missed = 0;   // of the object, neither covered nor unsure
-  // Of those missed, roughly: other masks leave nothing on their rays, so that
-  // no object fills all masks.
+  // Missed pixels, roughly, on whose rays other masks leave nothing, so that no
+  // object fills all masks.
   size_t contradicted = 0;
   size_t exceeded = 0;         // background that the mesh covers
   size_t surely_exceeded = 0;  // of those, outside the border's uncertainty
@@ -52,15 +52,16 @@ struct PixelCounts {
 struct MaskCheck {
   std::vector<PixelCounts> views;  // one a view
   PixelCounts total;
-  // Of each view: how many of the missed pixels of others its mask denies,
+  // For each view, how many of the missed pixels of others its mask denies,
   // alone or with one other.
   std::vector<size_t> denied_of_others;
 };
 
-// Of one view. `mesh` is that of RenderSilhouette; `missed` (CV_8UC1) becomes
-// 255 where pixels are missed. Missed pixels that hang together with the
-// frame's edge and are black in the image (CV_8UC3, or empty: then all are)
-// are none of the object: no pixel of the photograph covers them.
+// The counts of one view. `mesh` is that of RenderSilhouette; `missed`
+// (CV_8UC1) becomes 255 where pixels are missed. Missed pixels that are
+// connected with the frame's edge and are black in the image (CV_8UC3, or
+// empty: then all are) do not belong to the object: no pixel of the photograph
+// covers them.
 PixelCounts CountPixels(const Silhouette& silhouette,
                         const cv::Mat& mesh,
                         const cv::Mat& image,

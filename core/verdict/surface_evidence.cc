@@ -15,8 +15,9 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 1024;
-// Of the search for a better offset, pixels: twice as far as a surface may lie
-// that is taken for measured, so that a peak there has both its sides.
+// The range of the search for a better offset, pixels: twice as far as a
+// surface may lie that counts as measured, so that a peak there has both its
+// sides.
 constexpr double kRange = 2;
 
 std::vector<float> AreasOfPoints(const IndexedMesh& mesh,

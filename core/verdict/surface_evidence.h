@@ -21,8 +21,8 @@ struct PointEvidence {
   float area = 0;            // of the surface that it stands for, unit^2
   int num_views = 0;         // that see it, and differ in direction
   float baseline = 0;        // largest angle between two of them, radians
-  // Of the views about the surface where it is, -1 .. 1, as SurfacePatch has
-  // it.
+  // The agreement of the views about the surface where it is, -1 .. 1, as
+  // SurfacePatch has it.
   float agreement = 0;
   // Where along the normal the views agree best, and how precisely that is
   // known: 1 / standard deviation, 0 where there is no such offset.

@@ -30,13 +30,12 @@ struct BlindPart {
   double share = 0;
   // Faced by two views or more, but hidden by the object itself.
   double hidden = 0;
-  // Of the rest, by the surface's normal; 0 where the images have no common
-  // up.
+  // The rest, by the surface's normal; 0 where the images have no common up.
   double above = 0;
   double below = 0;
   double aside = 0;
-  // Of the rest: the view nearest to the mean of its normals; none where there
-  // is no rest.
+  // The view nearest to the mean of the rest's normals; none where there is no
+  // rest.
   std::optional<size_t> nearest_view;
 };
 

@@ -37,4 +37,13 @@ double PixelSize(const ViewSet& views, const Eigen::Vector3f& point) {
   return squares > 0 ? pixels / squares : 0;
 }
 
+size_t EstimateViewBytes(const Scene& scene) {
+  size_t bytes = 0;
+  for (const View& view : scene.views) {
+    // Pyramid (4 bytes a pixel and a third), summed areas and distances.
+    bytes += view.mask.total() * 12;
+  }
+  return bytes;
+}
+
 }  // namespace octacut

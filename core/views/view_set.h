@@ -46,4 +46,7 @@ ViewSet PrepareViews(const Scene& scene,
 // so that distant ones hardly count; 0 when none has.
 double PixelSize(const ViewSet& views, const Eigen::Vector3f& point);
 
+// Bytes that PrepareViews will need for the views of a scene, roughly.
+size_t EstimateViewBytes(const Scene& scene);
+
 }  // namespace octacut

@@ -13,7 +13,7 @@
 
 namespace octacut {
 
-// Of the surface through a voxel, parallel to that of the object.
+// The shape of the surface through a voxel, parallel to that of the object.
 struct SurfaceShape {
   // Outward unit normal. Zero where there is none, deep in the inside.
   Eigen::Vector3f normal;

@@ -17,7 +17,7 @@ namespace octacut {
 
 struct VisibilityOptions {
   // Views at more than this angle (degrees) to the normal do not count. This
-  // and the next two are of docs/design.md, "Visibility"; not varied alone.
+  // and the next two are of docs/experiments/visibility.md; not varied alone.
   double max_angle = 70;
   // At most this many views a voxel, those of most weight; 2 .. 16.
   int max_views = 8;

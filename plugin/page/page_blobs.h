@@ -18,7 +18,7 @@ class PageBlobs {
     texts_.push_back(EncodeBase64(bytes));
     return texts_.size() - 1;
   }
-  // Of plain values, little endian.
+  // Bytes of plain values, little endian.
   template <typename T>
   size_t AddValues(const std::vector<T>& values) {
     return Add({reinterpret_cast<const uint8_t*>(values.data()),

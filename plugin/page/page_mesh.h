@@ -13,8 +13,8 @@
 
 namespace octacut {
 
-// Of all meshes of a page together: what software rendering turns without
-// jerks, and what fits into the page.
+// The most triangles of all meshes of a page together: what software rendering
+// turns smoothly, and what fits into the page.
 inline constexpr size_t kPageTriangles = 300'000;
 
 // One value a vertex of the full mesh; not a number where there is none.
@@ -31,7 +31,8 @@ struct PageMesh {
   ClusteredMesh display;
   std::vector<std::array<uint8_t, 3>> colors;  // of the display; may be empty
   std::vector<PageValues> values;
-  // Of the full mesh, found by its `place_kind`: "distance" or "support".
+  // Places on the full mesh, found by its `place_kind`: "distance" or
+  // "support".
   std::string place_kind;
   std::vector<RemarkablePlace> places;
 };

@@ -38,8 +38,7 @@ struct Confined {
 };
 const std::vector<Confined>& ConfinedHeaders() {
   static const std::vector<Confined> kConfined = {
-      {"OpenMesh/",
-       {"core/mesh/", "core/refine/", "core/simplify/", "tests/"}},
+      {"OpenMesh/", {"core/mesh/", "core/refine/", "core/simplify/", "tests/"}},
       {"ceres/", {"core/refine/", "tests/"}},
       {"embree3/", {"core/raycast/"}},
   };
@@ -195,14 +194,20 @@ void CheckFile(const fs::path& root,
                std::vector<std::string>* violations) {
   static const std::regex kInclude(
       R"re(^\s*#\s*include\s*(["<])([^">]+)[">].*)re");
+  // `--name` in a string.
+  static const std::regex kOption(R"re("[^"]*--[A-Za-z][^"]*")re");
   const std::string file = fs::relative(path, root).generic_string();
   std::ifstream stream(path);
   std::string line;
   size_t line_number = 0;
+  size_t names_option = 0;
   bool guarded = path.extension() != ".h";
   while (std::getline(stream, line)) {
     ++line_number;
     guarded = guarded || line.starts_with("#pragma once");
+    if (file.starts_with("core/") && std::regex_search(line, kOption)) {
+      names_option = line_number;
+    }
     std::smatch match;
     if (line.find('#') != std::string::npos &&
         std::regex_match(line, match, kInclude)) {
@@ -213,6 +218,12 @@ void CheckFile(const fs::path& root,
             fmt::format("{}:{}: {}", file, line_number, problem));
       }
     }
+  }
+  if (names_option > 0) {
+    violations->push_back(
+        fmt::format("{}:{}: core must not name an option of the command line",
+                    file,
+                    names_option));
   }
   if (line_number > kMaxFileLines) {
     violations->push_back(fmt::format(

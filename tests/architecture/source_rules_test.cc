@@ -130,6 +130,18 @@ TEST_F(PlantedTree, CompareAndSyntheticStandBeside) {
       ElementsAre(HasSubstr("must not include core/benchmark/compare")));
 }
 
+TEST_F(PlantedTree, CoreNamesNoOptions) {
+  const auto with_text = [&](const fs::path& path) {
+    Plant(path, "const char* text = \"use --input_path\";\n");
+    const std::vector<std::string> violations = FindRuleViolations(root_);
+    fs::remove(root_ / path);
+    return violations;
+  };
+  EXPECT_THAT(with_text("core/grid/x.cc"),
+              ElementsAre(HasSubstr("core/grid/x.cc:1: core must not name")));
+  EXPECT_THAT(with_text("plugin/x.cc"), IsEmpty());
+}
+
 TEST_F(PlantedTree, CoreKnowsNoFiles) {
   for (const char* header : {"<fstream>",
                              "<filesystem>",

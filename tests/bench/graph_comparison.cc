@@ -201,14 +201,22 @@ int main(int argc, char** argv) {
       throw octacut::OptionError("octacut_graph_comparison FOLDER");
     }
     const std::string folder = argv[1];
-    std::ofstream out(folder + "/graph_comparison.md");
+    std::ofstream out(folder + "/octahedral_graph.md");
     out << "# The octahedral graph against voxel-centre graphs\n\n"
            "Written by `workflows/compare_graphs.sh`. The comparison that the "
            "paper leaves as future work: the same phi, cut in the octahedral "
            "graph (a node a face, twelve edges a voxel of the voxel's weight) "
            "and in graphs with a node a voxel and 6, 18 or 26 neighbours, "
            "weights by Boykov & Kolmogorov (ICCV 2003): the solid angle a "
-           "direction stands for, over its length.\n\n";
+           "direction stands for, over its length.\n\n"
+           "It measures planes more evenly than 6 neighbours and less evenly "
+           "than 18 or 26. What costs least relative to its area is a surface "
+           "along (1, 1, 1), by 18 % of the mean. At the same voxel size and "
+           "the same noise, 18 and 26 neighbours come closer to the true "
+           "surface; without noise all are equal. The octahedral graph has "
+           "three times the nodes and about as many edges as 26 neighbours, "
+           "and octacut's implicit solver needs a quarter of the memory that a "
+           "linked solver needs for those.\n\n";
     octacut::WriteMetrication(folder, out);
     octacut::WriteShapes(folder, out);
     if (!out.flush()) {

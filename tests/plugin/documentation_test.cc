@@ -21,7 +21,7 @@ std::string ReadDocument(const std::string& path) {
   return ReadFile(fs::path(OCTACUT_SOURCE_DIR) / path);
 }
 
-// Of all commands, for one audience or for all.
+// The names of all commands' options, for one audience or for all.
 std::set<std::string> OptionNames(
     std::initializer_list<OptionAudience> audiences) {
   std::set<std::string> names;

@@ -63,8 +63,8 @@ TEST_F(MeshAuditorTest, UpMatters) {
   }
   EXPECT_EQ(Audit(pyramid).exit_code, 0);
   EXPECT_EQ(Report()["overhangs"]["share"], 0);
-  EXPECT_EQ(Audit(pyramid, {"--up", "0,0,-1", "--max_overhang", "20"}).exit_code,
-            0);
+  EXPECT_EQ(
+      Audit(pyramid, {"--up", "0,0,-1", "--max_overhang", "20"}).exit_code, 0);
   EXPECT_GT(Report()["overhangs"]["share"], 0.5);
 }
 

@@ -77,7 +77,8 @@ class MeshExporterTest : public ::testing::Test {
     for (int i = 0; i < 100; ++i) {
       SparsePoint& point = model.points.emplace_back();
       point.id = uint64_t(i + 1);
-      point.xyz = Eigen::Vector3d(0.2 * (i % 10) - 0.9, 0.2 * (i / 10) - 0.9, 0);
+      point.xyz =
+          Eigen::Vector3d(0.2 * (i % 10) - 0.9, 0.2 * (i / 10) - 0.9, 0);
       point.error = 0.3;
     }
     WriteSparseModelText(model, folder_ / "w" / "sparse" / "0");
@@ -125,9 +126,8 @@ TEST_F(MeshExporterTest, FlatBase) {
   EXPECT_EQ(audit.DescribeFailure(), "");
   EXPECT_NEAR(audit.bounding_box.sizes().z(), 54, 0.5);
   const nlohmann::json report = Report();
-  EXPECT_NEAR(report["flat_base"]["area"],
-              std::numbers::pi * (60 * 6 - 36),
-              20);
+  EXPECT_NEAR(
+      report["flat_base"]["area"], std::numbers::pi * (60 * 6 - 36), 20);
   EXPECT_EQ(report["flat_base"]["islands"], 1);
   EXPECT_EQ(report["self_intersections"]["pairs"], 0);
 }
@@ -154,12 +154,8 @@ TEST_F(MeshExporterTest, EveryFormat) {
 TEST_F(MeshExporterTest, ScaleFromMarkersAndUpFromTheStand) {
   MakeWorkspace();
   // Turned over: the stand turns it back.
-  const ProgramResult result = Export({"--aruco_side",
-                                       "25",
-                                       "--up",
-                                       "stand",
-                                       "--workspace_path",
-                                       Path("w")});
+  const ProgramResult result = Export(
+      {"--aruco_side", "25", "--up", "stand", "--workspace_path", Path("w")});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const nlohmann::json report = Report();
   EXPECT_EQ(report["scale"]["source"], "aruco");
@@ -212,9 +208,8 @@ TEST_F(MeshExporterTest, MistakesAreNamed) {
   }
   EXPECT_EQ(ReadFile(folder_ / "out.stl"), "precious");
   fs::remove(folder_ / "w" / "images" / "view_3.png");
-  EXPECT_THAT(
-      Export({"--aruco_side", "25", "--workspace_path", workspace}).err,
-      HasSubstr("view_3.png"));
+  EXPECT_THAT(Export({"--aruco_side", "25", "--workspace_path", workspace}).err,
+              HasSubstr("view_3.png"));
 }
 
 TEST_F(MeshExporterTest, WarnsWithoutAScale) {

@@ -87,12 +87,8 @@ TEST_F(MeshSimplifierTest, AChainGetsCoarserByTheSameFactor) {
 }
 
 TEST_F(MeshSimplifierTest, KeepsTheGreatestDistance) {
-  const ProgramResult result = Simplify({"--output_path",
-                                         Path("e.ply"),
-                                         "--max_error",
-                                         "0.02",
-                                         "--levels",
-                                         "2"});
+  const ProgramResult result = Simplify(
+      {"--output_path", Path("e.ply"), "--max_error", "0.02", "--levels", "2"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   const nlohmann::json report = Report("e.json");
   EXPECT_LE(report["levels"][0]["comparison"]["hausdorff"], 0.01);
@@ -128,8 +124,8 @@ TEST_F(MeshSimplifierTest, WarnsWhatWasReached) {
 }
 
 TEST_F(MeshSimplifierTest, MistakesAreNamed) {
-  const std::string open = folder_.Write(
-      "open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const std::string open =
+      folder_.Write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
   folder_.Write("s.ply", "precious");
   const std::string out = Path("s.ply");
   struct Case {

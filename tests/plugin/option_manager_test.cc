@@ -231,6 +231,18 @@ TEST(OptionManager, CompletesMessagesOfChecks) {
   }
 }
 
+TEST(OptionManager, CompletesFieldsInMessages) {
+  const Bound bound;
+  EXPECT_EQ(bound.manager.NameOptionsIn("Set `level` or raise `rounds`."),
+            "Set --Meshing.level or raise Meshing.rounds.");
+  EXPECT_EQ(bound.manager.NameOptionsIn("x`y`level` z"),
+            "x`y--Meshing.level z");
+  for (const char* message :
+       {"", "`", "``", "level", "of `a b` and `", "`x`"}) {
+    EXPECT_EQ(bound.manager.NameOptionsIn(message), message);
+  }
+}
+
 TEST(OptionManager, RefusesADoubleDeclaration) {
   Bound bound;
   EXPECT_THROW(bound.manager.Add("verbose", &bound.verbose, ""),

@@ -18,7 +18,7 @@ struct ProgramResult {
   std::string err;
 };
 
-// Of the executable under test.
+// The path of the executable under test.
 std::string ExecutablePath();
 
 // A running octacut.

@@ -19,31 +19,29 @@ constexpr size_t kGrain = 512;
 
 class Aligner {
  public:
-  Aligner(const IndexedMesh& mesh,
-          const RayScene& mesh_scene,
-          const IndexedMesh& reference,
-          const RayScene& reference_scene,
+  Aligner(const MeshWithScene& mesh,
+          const MeshWithScene& reference,
           const AlignMeshesOptions& options,
           const Context& context,
           const ReferenceFilter& filter)
-      : mesh_scene_(mesh_scene),
-        reference_(reference),
-        reference_scene_(reference_scene),
+      : mesh_scene_(mesh.scene),
+        reference_(reference.mesh),
+        reference_scene_(reference.scene),
         options_(options),
         context_(context),
         filter_(filter) {
     const auto count = static_cast<size_t>(options.num_samples);
-    if (IsCloud(reference)) {
+    if (IsCloud(reference.mesh)) {
       throw InputError(
           "alignment: the reference is a point cloud, which has no normals to "
           "align with");
     }
     mesh_samples_ =
-        IsCloud(mesh)
-            ? SampleCloud(mesh, count)
-            : SampleSurface(mesh, count, context.Seed() + 2, context);
+        IsCloud(mesh.mesh)
+            ? SampleCloud(mesh.mesh, count)
+            : SampleSurface(mesh.mesh, count, context.Seed() + 2, context);
     reference_samples_ =
-        SampleSurface(reference, count, context.Seed() + 3, context);
+        SampleSurface(reference.mesh, count, context.Seed() + 3, context);
     DropFilteredSamples();
     Eigen::AlignedBox3d box;
     for (const SurfaceSample& sample : reference_samples_) {
@@ -210,31 +208,20 @@ MeshAlignment AlignMeshes(const IndexedMesh& mesh,
                           const AlignMeshesOptions& options,
                           const Context& context,
                           const ReferenceFilter& filter) {
-  return AlignMeshes(mesh,
-                     RayScene(mesh),
-                     reference,
-                     RayScene(reference),
+  return AlignMeshes({mesh, RayScene(mesh)},
+                     {reference, RayScene(reference)},
                      options,
                      context,
                      filter);
 }
 
-MeshAlignment AlignMeshes(const IndexedMesh& mesh,
-                          const RayScene& mesh_scene,
-                          const IndexedMesh& reference,
-                          const RayScene& reference_scene,
+MeshAlignment AlignMeshes(const MeshWithScene& mesh,
+                          const MeshWithScene& reference,
                           const AlignMeshesOptions& options,
                           const Context& context,
                           const ReferenceFilter& filter) {
   options.Check();
-  return Aligner(mesh,
-                 mesh_scene,
-                 reference,
-                 reference_scene,
-                 options,
-                 context,
-                 filter)
-      .Run();
+  return Aligner(mesh, reference, options, context, filter).Run();
 }
 
 }  // namespace octacut

@@ -6,8 +6,8 @@
 
 #include "core/base/context.h"
 #include "core/benchmark/compare/reference_filter.h"
-#include "core/mesh/similarity.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/similarity.h"
 #include "core/raycast/ray_scene.h"
 
 namespace octacut {
@@ -17,8 +17,8 @@ namespace octacut {
 struct AlignMeshesOptions {
   int64_t num_samples = 20000;  // on each surface
   int max_iterations = 60;
-  // Of the pairs of each direction those that are closest; the others may be
-  // parts that one surface lacks.
+  // The share of the closest pairs that is kept in each direction; the others
+  // may be parts that one surface lacks.
   double kept_fraction = 0.9;
   bool estimate_scale = true;
   // Ends when no point of the mesh moves further in an iteration; fraction of
@@ -52,11 +52,15 @@ MeshAlignment AlignMeshes(const IndexedMesh& mesh,
                           const Context& context,
                           const ReferenceFilter& filter = {});
 
+// A mesh and the scene of it.
+struct MeshWithScene {
+  const IndexedMesh& mesh;
+  const RayScene& scene;
+};
+
 // The same, with scenes that the caller has already.
-MeshAlignment AlignMeshes(const IndexedMesh& mesh,
-                          const RayScene& mesh_scene,
-                          const IndexedMesh& reference,
-                          const RayScene& reference_scene,
+MeshAlignment AlignMeshes(const MeshWithScene& mesh,
+                          const MeshWithScene& reference,
                           const AlignMeshesOptions& options,
                           const Context& context,
                           const ReferenceFilter& filter = {});

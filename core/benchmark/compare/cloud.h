@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/mesh/surface_samples.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/surface_samples.h"
 
 namespace octacut {
 

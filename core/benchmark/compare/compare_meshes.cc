@@ -18,12 +18,12 @@ namespace {
 constexpr size_t kGrain = 2048;
 constexpr uint32_t kNoTriangle = std::numeric_limits<uint32_t>::max();
 
-// Of one surface to the other; only of points that count.
+// Distances from one surface to the other, at the points that count.
 struct Distances {
   std::vector<double> samples;
   size_t num_taken = 0;  // samples, those that do not count too
   double max = 0;
-  // Of the first surface, where it has a confidence.
+  // The errors by confidence of the first surface, if it has a confidence.
   std::optional<ConfidenceErrors> confidence;
 };
 
@@ -246,10 +246,8 @@ MeshComparison CompareMeshes(const IndexedMesh& mesh,
   result.reference_diagonal = Diagonal(reference);
   IndexedMesh moved;
   if (options.align) {
-    result.alignment = AlignMeshes(mesh,
-                                   mesh_scene,
-                                   reference,
-                                   reference_scene,
+    result.alignment = AlignMeshes({mesh, mesh_scene},
+                                   {reference, reference_scene},
                                    options.alignment,
                                    context,
                                    options.reference_filter);

@@ -19,12 +19,14 @@ namespace octacut {
 
 struct CompareMeshesOptions {
   int64_t num_samples = 500000;  // on each surface
-  // Of precision, recall and F-score; fractions of the reference's diagonal.
+  // Distances at which precision, recall and F-score are taken, in fractions of
+  // the reference's diagonal.
   std::vector<double> thresholds = {0.001, 0.002, 0.005};
   // Accuracy is the distance that this fraction of the mesh keeps.
   double accuracy_fraction = 0.9;
-  // Of completeness; fraction of the reference's diagonal. Middlebury's
-  // 1.25 mm are 0.6 % of the diagonal of its temple.
+  // Distance up to which a point counts as complete, in fractions of the
+  // reference's diagonal. Middlebury's 1.25 mm are 0.6 % of the diagonal of its
+  // temple.
   double completeness_threshold = 0.005;
   // Aligns the mesh with the reference first.
   bool align = false;
@@ -35,8 +37,8 @@ struct CompareMeshesOptions {
   void Check() const;
 };
 
-// Of the points of one surface to the closest ones of the other; in the
-// reference's units.
+// Distances of the points of one surface to the closest ones of the other, in
+// the reference's units.
 struct DistanceStatistics {
   size_t num_samples = 0;  // that count
   // Over the samples, so area-weighted.
@@ -57,9 +59,9 @@ struct ThresholdScore {
 };
 
 struct MeshComparison {
-  // Of the bounding box of the reference's triangles.
+  // The diagonal of the bounding box of the reference's triangles.
   double reference_diagonal = 0;
-  // Of the reference's area the fraction that counts, of its samples.
+  // The fraction of the reference's area that counts, measured by its samples.
   double judged_share = 1;
   DistanceStatistics to_reference;    // from the mesh
   DistanceStatistics from_reference;  // to the mesh

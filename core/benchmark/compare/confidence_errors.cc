@@ -29,7 +29,7 @@ double ConfidenceAt(const IndexedMesh& mesh, const SurfaceSample& sample) {
   return sum > 0 ? weights.dot(values) / sum : values.mean();
 }
 
-// Of the first tenth of `sorted`.
+// The mean error of the first tenth of `sorted`.
 double MeanOfFirstTenth(const std::vector<Judged>& sorted) {
   const size_t count = std::max<size_t>(1, sorted.size() / 10);
   double sum = 0;

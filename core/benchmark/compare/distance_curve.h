@@ -15,7 +15,7 @@ inline constexpr int kCurveSize = kCurveDecades * kCurveStepsPerDecade + 1;
 // The i-th threshold, 0 <= i < kCurveSize.
 double CurveThreshold(int i);
 
-// Of `sorted` distances, at least one, the fractions within each threshold
+// The fractions of `sorted` distances, at least one, within each threshold
 // times `diagonal`.
 std::vector<double> DistanceCurve(const std::vector<double>& sorted,
                                   double diagonal);

@@ -17,7 +17,8 @@ struct PosedCamera {
 
 struct SeenReferenceOptions {
   int min_views = 3;
-  // Of a view to the surface's normal, degrees; 1 .. 90.
+  // The largest angle between a view and the surface's normal at which it
+  // counts, degrees; 1 .. 90.
   double max_angle = 75;
 
   void Check() const;  // throws OptionError

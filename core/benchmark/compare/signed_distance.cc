@@ -15,7 +15,7 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 2048;
-// Of a barycentric coordinate: below it a point is on the opposite edge.
+// Below this barycentric coordinate, a point is on the opposite edge.
 constexpr double kOnEdge = 1e-9;
 
 class Sides {
@@ -102,10 +102,10 @@ std::vector<float> SignedDistances(const std::vector<Eigen::Vector3d>& points,
     for (size_t i = begin; i < end; ++i) {
       const RayScene::Closest closest = rays.ClosestPoint(points[i]);
       const bool counts = !filter || filter(closest.triangle, closest.point);
-      distances[i] =
-          counts ? static_cast<float>(sides.SignAt(closest, points[i]) *
-                                      closest.distance)
-                 : std::numeric_limits<float>::quiet_NaN();
+      distances[i] = counts
+                         ? static_cast<float>(sides.SignAt(closest, points[i]) *
+                                              closest.distance)
+                         : std::numeric_limits<float>::quiet_NaN();
     }
     phase.Advance(end - begin);
   });

@@ -16,8 +16,9 @@ constexpr size_t kMostViews = 3;
 constexpr std::array<uint8_t, 3> kUnseen = {128, 128, 128};
 // Views at more than 80 degrees to the normal say little of the colour.
 constexpr double kLeastCosine = 0.17;
-// Of the distance to the camera by which a ray may end before its point: the
-// point of a simplified mesh lies up to a few pixels below the full one.
+// The share of the distance to the camera by which a ray may end before its
+// point: the point of a simplified mesh lies up to a few pixels below the full
+// one.
 constexpr double kClearance = 5e-3;
 
 std::optional<cv::Vec3d> ColorAt(const View& view,
@@ -61,8 +62,8 @@ std::array<uint8_t, 3> MeanColorOf(
   size_t count = 0;
   for (const auto& [minus_cosine, i] : candidates) {
     const auto color = ColorAt(views[i], point);
-    if (color && !rays.IsOccluded(
-                     centers[i], point - centers[i], 0, 1 - kClearance)) {
+    if (color &&
+        !rays.IsOccluded(centers[i], point - centers[i], 0, 1 - kClearance)) {
       sum += *color;
       if (++count == kMostViews) {
         break;

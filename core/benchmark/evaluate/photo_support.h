@@ -16,7 +16,7 @@ struct ViewSupport {
   // Pixels of the object, by the mask, in the middle of a window of the
   // photograph that is not plain. They do not depend on the mesh.
   size_t textured_pixels = 0;
-  // Of these the ones at which the mesh let neighbours be compared.
+  // Those of them at which the mesh let neighbours be compared.
   size_t compared_pixels = 0;
   // Mean correlation over the textured pixels, where those that are not
   // compared count as 0: a mesh gains nothing by leaving parts out.

@@ -76,7 +76,7 @@ double TenthFromBelow(const std::array<uint64_t, kCorrelationBins>& histogram,
   return 1;
 }
 
-// Of CV_32FC2 sums and numbers.
+// The means of CV_32FC2 sums and numbers.
 cv::Mat MeanMap(const cv::Mat& sums) {
   cv::Mat means(sums.size(), CV_32FC1);
   for (int y = 0; y < sums.rows; ++y) {

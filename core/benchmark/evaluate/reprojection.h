@@ -34,15 +34,15 @@ struct Reprojection {
   // Zero-mean normalised cross-correlation over the windows, -1 .. 1: 1 where
   // all agree.
   double mean_correlation = 0;
-  // Of the windows' correlations the tenth from below.
+  // The tenth percentile of the windows' correlations.
   double percentile_10 = 0;
-  // Of whole windows seen by both views.
+  // The share of the whole windows seen by both views that is plain.
   double plain_fraction = 0;
-  // Of the mesh's pixels those that are in the middle of a whole window with
-  // at least one neighbour.
+  // The share of the mesh's pixels that are in the middle of a whole window
+  // with at least one neighbour.
   double compared_fraction = 0;
-  // One a view, of its size, CV_32FC1: the mean correlation of the window around
-  // each pixel over the neighbours; not a number where there is none.
+  // One a view, of its size, CV_32FC1: the mean correlation of the window
+  // around each pixel over the neighbours; not a number where there is none.
   std::vector<cv::Mat> maps;
 };
 

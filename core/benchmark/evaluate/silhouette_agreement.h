@@ -34,7 +34,7 @@ struct SilhouetteAgreement {
   // of the frame does not matter.
   double missed = 0;
   double excess = 0;
-  // Of all outlines, pixels.
+  // Distances between all outlines, pixels.
   double outline_mean = 0;
   double outline_percentile_95 = 0;
 };

@@ -19,7 +19,7 @@ constexpr double kRounding = 0.12;
 // Grooves are in full depth up to this height and gone at the other.
 constexpr double kFullHeight = 0.35;
 constexpr double kEndHeight = 0.72;
-// Of the radius at the top to that at the hem.
+// The radius at the top in units of that at the hem.
 constexpr double kTopScale = 0.72;
 // The folds turn about the axis, by so many radians to and fro.
 constexpr double kSway = 0.16;

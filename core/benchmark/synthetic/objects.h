@@ -13,11 +13,12 @@ namespace octacut {
 struct ObjectParameters {
   double cup_depth = 1;      // of the cup's cavity, in its diameters
   double rod_radius = 0.04;  // of the rods
-  // Of the fingers at their tips; they are half as thick again at the palm.
+  // The radius of the fingers at their tips; they are half as thick again at
+  // the palm.
   double finger_radius = 0.065;
-  // Of the drapery's widest folds, and their depth in their own width. Its
-  // narrowest folds are a fifth as wide. In photographs of 640 x 480 by the
-  // default rig the default is 4 to 20 pixels.
+  // The width of the drapery's widest folds, and their depth in units of their
+  // width. The narrowest folds are a fifth as wide. In photographs of 640 x 480
+  // by the default rig, the default is 4 to 20 pixels.
   double fold_width = 0.09;
   double fold_depth = 2;
 
@@ -26,7 +27,7 @@ struct ObjectParameters {
 
 struct SyntheticObject {
   ImplicitShape shape;
-  // Of the surface: handles (summed over the components), and components.
+  // Handles (summed over the components) and components of the surface.
   int genus = 0;
   int num_components = 1;
 };

@@ -47,7 +47,7 @@ struct RenderSubject {
   // Triangles from this number on are the stand, which is not in the mask.
   size_t num_object_triangles = std::numeric_limits<size_t>::max();
   TextureOptions stand_texture = {};
-  // Of the vertices; visibility only for lights fixed to the object.
+  // Values of the vertices; visibility only for lights fixed to the object.
   std::vector<float> openness = {};
   std::vector<std::vector<float>> visibility = {};
 };

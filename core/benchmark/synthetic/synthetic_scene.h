@@ -96,7 +96,7 @@ struct SyntheticScene {
   IndexedMesh reference;  // with vertex normals and colours
   std::vector<SyntheticView> views;
   std::vector<SyntheticPoint> points;
-  // Of a turntable: photographs without the object, the stand turned.
+  // On a turntable: photographs without the object, the stand turned.
   std::vector<cv::Mat> empty_set;
 };
 

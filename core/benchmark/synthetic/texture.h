@@ -22,7 +22,7 @@ struct TextureOptions {
   // Linear reflectance where the pattern leaves it alone: red, green, blue.
   Eigen::Vector3f color{0.60f, 0.54f, 0.45f};
   uint32_t seed = 1;
-  // Of the cubes of edge `plain_size` (world units) that fill space, the share
+  // The share of the cubes of edge `plain_size` (world units) that fill space
   // in which the object has one colour: walls without anything to match.
   double plain_share = 0;
   double plain_size = 0.4;

@@ -61,7 +61,7 @@ TEST(MaskFromPixels, AnythingButZeroIsObjectInLabels) {
 TEST(MaskFromPixels, ManyValuesAreCoverage) {
   const std::vector<int> ramp = {0, 10, 50, 100, 127, 128, 160, 200, 240, 255};
   ExpectMask(MaskOf(ramp), ramp);
-  // Of a file that uses a part of the range.
+  // A file that uses a part of the range.
   ExpectMask(MaskOf({0, 1, 5, 20, 30, 49, 50, 51, 90, 100}),
              {0, 2, 12, 51, 76, 124, 127, 130, 229, 255});
   std::vector<int> wide;

@@ -92,7 +92,7 @@ void ExpectTiesAgree(const Crust& crust) {
       });
 }
 
-// Of a solid without cavities: the border toward what the outside reaches is
+// For a solid without cavities, the border towards what the outside reaches is
 // tied to the outside, the other to the inside.
 void ExpectCrustSeparates(const Crust& crust) {
   const std::vector<uint8_t> reached = FloodFromBorder(crust.voxels);

@@ -42,7 +42,7 @@ struct Setting {
     return view.projection.Project(Eigen::Vector3f::Constant(0.5f))->depth;
   }
 
-  // Of the sample whose ray runs through the middle of the cube.
+  // The sample whose ray runs through the middle of the cube.
   size_t MiddleSample(size_t view) const {
     const auto p =
         test.views[view].projection.Project(Eigen::Vector3f::Constant(0.5f));

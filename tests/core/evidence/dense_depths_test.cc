@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/raycast/render.h"
 #include "core/benchmark/synthetic/synthetic_scene.h"
+#include "core/raycast/render.h"
 
 namespace octacut {
 namespace {

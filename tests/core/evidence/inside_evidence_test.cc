@@ -32,7 +32,7 @@ struct Shares {
   size_t count = 0;
 };
 
-// Of the voxels for which choose(world coordinates of the centre) holds.
+// Shares of the voxels for which choose(world coordinates of the centre) holds.
 template <typename Choose>
 Shares SharesWhere(const TestScene& test,
                    const VoxelGrid& hull,

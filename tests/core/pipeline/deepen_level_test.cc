@@ -42,20 +42,12 @@ class DeepenLevelTest : public ::testing::Test {
     evidence_.values.assign(hull.Size(), 0.1f);
     evidence_.mask_confidence.assign(test_.views.size(), 1.0f);
     evidence_.depth_confidence = {hull, std::vector<float>(hull.Size(), 1.0f)};
-    hierarchy_.Add(SolveInitialLevel(
-        test_.views, hull, evidence_, options_, Context(2), &summary_));
-    solved_ = SolveFinerLevel(
-        test_.views, evidence_, hierarchy_, options_, Context(2), &summary_);
+    hierarchy_.Add(SolveInitialLevel(inputs_, hull, &summary_));
+    solved_ = SolveFinerLevel(inputs_, hierarchy_, &summary_);
   }
 
   LabeledVoxels Deepen() {
-    return DeepenLevel(test_.views,
-                       evidence_,
-                       hierarchy_,
-                       solved_,
-                       options_,
-                       Context(2),
-                       &summary_);
+    return DeepenLevel(inputs_, hierarchy_, solved_, &summary_);
   }
 
   SampleCounts Count(const LabeledVoxels& surface) const {
@@ -66,6 +58,8 @@ class DeepenLevelTest : public ::testing::Test {
   TestScene test_;
   ReconstructionOptions options_;
   InsideEvidence evidence_;
+  Context context_{2};
+  LevelInputs inputs_{test_.views, evidence_, options_, context_};
   LabelHierarchy hierarchy_;
   LabeledVoxels solved_;
   LevelSummary summary_;

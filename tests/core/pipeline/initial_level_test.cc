@@ -38,8 +38,7 @@ class InitialLevelTest : public ::testing::Test {
     });
     options_.evidence.cover_rounds = cover_rounds;
     summary_ = {};
-    return SolveInitialLevel(
-        test_.views, hull_, evidence_, options_, Context(2), &summary_);
+    return SolveInitialLevel(inputs_, hull_, &summary_);
   }
 
   double UncoveredShare(const LabeledVoxels& surface) const {
@@ -61,6 +60,8 @@ class InitialLevelTest : public ::testing::Test {
   ReconstructionOptions options_;
   VoxelGrid hull_;
   InsideEvidence evidence_;
+  Context context_{2};
+  LevelInputs inputs_{test_.views, evidence_, options_, context_};
   LevelSummary summary_;
 };
 

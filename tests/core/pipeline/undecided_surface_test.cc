@@ -55,8 +55,8 @@ std::vector<float> Held(const Decision& decision, float top) {
   return by_z;
 }
 
-// Of a crust in which all voxels have a low phi, by what depths found on a grid
-// of `depth_level` are worth.
+// How far a crust in which all voxels have a low phi is decided, by the
+// confidence in depths found on a grid of `depth_level`.
 float DecidedByAgreement(float confidence, int depth_level) {
   const Crust crust = FlatCrust();
   std::vector<MortonCode> codes;

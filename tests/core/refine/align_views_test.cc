@@ -59,7 +59,6 @@ class AlignViewsTest : public ::testing::Test {
                                                            RayScene(mesh_),
                                                            surfaces_,
                                                            {.clearance = 0.02},
-                                                           1,
                                                            options,
                                                            context);
       num_aligned =

@@ -29,8 +29,7 @@ class ContourTargets : public ::testing::Test {
         FitLocalSurfaces(
             mesh, neighbors, testing::AllVertices(mesh), 0.05, Context(2)),
         neighbors,
-        4,
-        border_shift,
+        {.range = 4, .border_shift = border_shift},
         Context(2));
   }
   IndexedMesh Larger(double pixels) const { return scene_->Larger(32, pixels); }

@@ -19,10 +19,7 @@ size_t Keep(const ViewSet& views,
             IndexedMesh* mesh) {
   return KeepValid(views,
                    testing::RefineScene::Neighbors(*mesh),
-                   start,
-                   before,
-                   tolerance,
-                   pixel,
+                   {start, before, tolerance, pixel},
                    Context(2),
                    mesh);
 }

@@ -36,7 +36,7 @@ TEST(LocalSurface, FindsCurvatureAndNormalOfASphere) {
   }
 }
 
-// Of some 30 vertices a radius; samples stand for several of them.
+// With some 30 vertices per radius, samples stand for several of them.
 TEST(LocalSurface, OfAFineMeshIsThatOfTheSphere) {
   const double radius = 0.4;
   const double window = 0.16;

@@ -34,7 +34,6 @@ std::vector<OffsetMeasurement> MeasureIn(
                                                        RayScene(mesh),
                                                        surfaces,
                                                        {.clearance = 0.02},
-                                                       1,
                                                        options.views,
                                                        context);
   Phase phase(context, "test");

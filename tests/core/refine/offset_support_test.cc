@@ -28,7 +28,7 @@ float RandomOf(size_t point) {
   return float((point * 2654435761u >> 7) % 1000) / 500 - 1;
 }
 
-// Of all points; `is_chance` says whose offsets are anything at all.
+// Offsets of all points; `is_chance` says which of them are arbitrary.
 template <typename IsChance>
 std::vector<OffsetMeasurement> Offsets(IsChance&& is_chance) {
   std::vector<OffsetMeasurement> measurements(kSide * kSide);

@@ -101,16 +101,17 @@ double BorderShiftAfter(double scale,
   RefineOptions options;
   options.border_noise = border_noise;
   ViewSet views = scene.test.views;
-  return RefineOnce(mesh.positions,
-                    RefineScene::Neighbors(mesh),
-                    scene.Pixel() / scene.test.region.cube.edge,
+  const std::vector<Eigen::Vector3d> start = mesh.positions;
+  return RefineOnce({start,
+                     RefineScene::Neighbors(mesh),
+                     scene.Pixel() / scene.test.region.cube.edge,
+                     options},
                     {.scale = scale,
                      .range = 3,
                      .smooths = true,
                      .aligns = false,
                      .border_shift = known,
                      .edge_shift = edge_shift},
-                    options,
                     Context(2),
                     &views,
                     &mesh)
@@ -186,11 +187,9 @@ double RoughnessAfter(const RefineScene& scene, bool smooths) {
   const VertexCorners neighbors =
       FindVertexNeighbors(mesh.positions.size(), mesh.triangles);
   ViewSet views = scene.test.views;
-  RefineOnce(mesh.positions,
-             neighbors,
-             scene.Pixel() / cube.edge,
+  const std::vector<Eigen::Vector3d> start = mesh.positions;
+  RefineOnce({start, neighbors, scene.Pixel() / cube.edge, RefineOptions()},
              {.scale = 2, .range = 3, .smooths = smooths, .aligns = false},
-             RefineOptions(),
              Context(2),
              &views,
              &mesh);

@@ -28,14 +28,14 @@ class ViewChoice : public ::testing::Test {
   }
   const ViewSet& Views() const { return scene_->test.views; }
   // For `surfaces` before `mesh`.
-  std::vector<ChosenViews> Choose(
-      const IndexedMesh& mesh,
-      const std::vector<LocalSurface>& surfaces,
-      const ViewChoiceOptions& options,
-      const LinesOfSight& lines = {.clearance = 0.02},
-      double pixel = 1) const {
+  std::vector<ChosenViews> Choose(const IndexedMesh& mesh,
+                                  const std::vector<LocalSurface>& surfaces,
+                                  const ViewChoiceOptions& options,
+                                  LinesOfSight lines = {.clearance = 0.02},
+                                  double pixel = 1) const {
+    lines.pixel = pixel;
     return ChooseViews(
-        Views(), RayScene(mesh), surfaces, lines, pixel, options, Context(2));
+        Views(), RayScene(mesh), surfaces, lines, options, Context(2));
   }
 
   static RefineScene* scene_;

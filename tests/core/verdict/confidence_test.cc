@@ -20,7 +20,8 @@ std::vector<float> Confidence(const RefineScene& scene,
   return VertexConfidence(mesh, evidence, evidence.pixel, context);
 }
 
-// Of the vertices whose direction has a z in the given range.
+// The mean confidence of the vertices whose direction has a z in the given
+// range.
 float MeanConfidence(const std::vector<float>& confidence,
                      const IndexedMesh& mesh,
                      double from,

@@ -36,7 +36,7 @@ struct SphereViews {
     }
     return mesh;
   }
-  // Of a mesh in world coordinates.
+  // Checks a mesh in world coordinates.
   SilhouetteCheck Check(const IndexedMesh& mesh,
                         const Context& context = Context(2)) const {
     return CheckSilhouettes(RayScene(ToUnitMesh(mesh)),

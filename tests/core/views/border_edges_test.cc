@@ -15,7 +15,7 @@ using testing::Random;
 constexpr int kSize = 240;
 constexpr double kRadius = 80;
 
-// Of a pixel's area, what a disc around the middle covers.
+// The share of a pixel's area that a disc around the middle covers.
 double Coverage(int x, int y, double radius) {
   constexpr int kSamples = 8;
   int count = 0;

@@ -41,7 +41,7 @@ double AngleToNormal(const ViewSet& views,
   return std::acos(normal.dot(to_camera.normalized())) * 180 / std::numbers::pi;
 }
 
-// Of a ball alone every view that is frontal enough sees a point.
+// With a ball alone, every view that is frontal enough sees a point.
 TEST(Visibility, SelectsTheMostFrontalViewsOfABall) {
   const ViewSet views = BareViews(testing::DirectionsAllAround(30));
   VisibilityOptions options;

@@ -94,9 +94,10 @@ TEST(CompareMeshes, ShiftedCube) {
   const double d = 0.1;
   const MeshComparison result =
       Compare(Moved(Cube(4), {d, 0, 0}), Cube(3), FewSamples(200000));
-  // Of the six faces: the front one is d away; points of the back one are
-  // inside, at the smaller of d and their distance b to the square's border
-  // (fraction (1 - 2t)^2 has b > t); the four others reach beyond by up to d.
+  // The volume of the six faces: the front one is d away; points of the back
+  // one are inside, at the smaller of d and their distance b to the square's
+  // border (fraction (1 - 2t)^2 has b > t); the four others reach beyond by up
+  // to d.
   const double inner = (1 - std::pow(1 - 2 * d, 3)) / 6;
   const double inner_squares = d * d - 8.0 / 3 * d * d * d + 2 * d * d * d * d;
   const double mean = (d + inner + 4 * d * d / 2) / 6;

@@ -27,7 +27,7 @@ SyntheticScene SceneOf(MaterialKind kind,
   return MakeScene(spec, Context(2));
 }
 
-// Of the object's pixels, well inside its outline.
+// The object's pixels well inside its outline.
 cv::Mat Inside(const SyntheticView& view) {
   cv::Mat inside;
   cv::erode(view.mask == 255, inside, cv::Mat::ones(5, 5, CV_8UC1));

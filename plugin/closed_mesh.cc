@@ -29,8 +29,8 @@ void CheckIsAnotherFile(const char* option,
   std::error_code ignored;
   if (fs::equivalent(path, other, ignored) ||
       path.lexically_normal() == other.lexically_normal()) {
-    throw OptionError(fmt::format(
-        "{} = {}: must not be {}", option, path.string(), what));
+    throw OptionError(
+        fmt::format("{} = {}: must not be {}", option, path.string(), what));
   }
 }
 

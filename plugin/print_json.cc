@@ -32,10 +32,8 @@ Json MatrixToJson(const Similarity3d& transform) {
   for (int row = 0; row < 3; ++row) {
     const Eigen::RowVector3d scaled =
         transform.scale * transform.rotation.row(row);
-    rows.push_back({scaled.x(),
-                    scaled.y(),
-                    scaled.z(),
-                    transform.translation[row]});
+    rows.push_back(
+        {scaled.x(), scaled.y(), scaled.z(), transform.translation[row]});
   }
   rows.push_back({0.0, 0.0, 0.0, 1.0});
   return rows;

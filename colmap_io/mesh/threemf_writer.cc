@@ -32,8 +32,8 @@ struct Release {
 };
 using Object = std::unique_ptr<NMR::PLib3MFBase, Release>;
 
-// Of what the mesh holds, so that the same mesh makes the same file; the library
-// would draw them.
+// Of what the mesh holds, so that the same mesh makes the same file; the
+// library would draw them.
 std::string Uuid(const IndexedMesh& mesh, uint64_t part) {
   uint64_t high = HashBits(part, mesh.positions.size());
   for (const Eigen::Vector3d& position : mesh.positions) {
@@ -103,9 +103,9 @@ void AddColors(const IndexedMesh& mesh, NMR::PLib3MFBase* object) {
   NMR::MODELMESHCOLOR_SRGB mean = ToColor({uint8_t(sums[0] / count),
                                            uint8_t(sums[1] / count),
                                            uint8_t(sums[2] / count)});
-  Require(NMR::lib3mf_defaultpropertyhandler_setcolor(default_handler.get(),
-                                                      &mean),
-          default_handler.get());
+  Require(
+      NMR::lib3mf_defaultpropertyhandler_setcolor(default_handler.get(), &mean),
+      default_handler.get());
 }
 
 // Callbacks of the library; they return 0 on success.
@@ -136,27 +136,25 @@ void Write3mf(const IndexedMesh& mesh, std::ostream& stream) {
   if (!mesh.colors.empty() && !mesh.triangles.empty()) {
     AddColors(mesh, object.get());
   }
-  Require(NMR::lib3mf_model_addbuilditem(
-              model.get(), object.get(), nullptr, &raw),
-          model.get());
-  const Object item(raw);
   Require(
-      NMR::lib3mf_object_setuuidutf8(object.get(), Uuid(mesh, 1).c_str()),
-      object.get());
+      NMR::lib3mf_model_addbuilditem(model.get(), object.get(), nullptr, &raw),
+      model.get());
+  const Object item(raw);
+  Require(NMR::lib3mf_object_setuuidutf8(object.get(), Uuid(mesh, 1).c_str()),
+          object.get());
   Require(
       NMR::lib3mf_model_setbuilduuidutf8(model.get(), Uuid(mesh, 2).c_str()),
       model.get());
-  Require(
-      NMR::lib3mf_builditem_setuuidutf8(item.get(), Uuid(mesh, 3).c_str()),
-      item.get());
+  Require(NMR::lib3mf_builditem_setuuidutf8(item.get(), Uuid(mesh, 3).c_str()),
+          item.get());
   Require(NMR::lib3mf_model_querywriter(model.get(), "3mf", &raw), model.get());
   const Object writer(raw);
-  Require(NMR::lib3mf_writer_writetocallback(
-              writer.get(),
-              reinterpret_cast<void*>(&WriteBytes),
-              reinterpret_cast<void*>(&SeekTo),
-              static_cast<std::ostream*>(&stream)),
-          writer.get());
+  Require(
+      NMR::lib3mf_writer_writetocallback(writer.get(),
+                                         reinterpret_cast<void*>(&WriteBytes),
+                                         reinterpret_cast<void*>(&SeekTo),
+                                         static_cast<std::ostream*>(&stream)),
+      writer.get());
 }
 
 }  // namespace octacut

@@ -6,8 +6,8 @@
 
 #include "core/base/context.h"
 #include "core/compare/reference_filter.h"
-#include "core/mesh/similarity.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/similarity.h"
 #include "core/raycast/ray_scene.h"
 
 namespace octacut {

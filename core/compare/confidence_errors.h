@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/mesh/surface_samples.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/surface_samples.h"
 
 namespace octacut {
 

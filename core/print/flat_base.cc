@@ -25,9 +25,9 @@ double MeanEdge(const IndexedMesh& mesh) {
   double sum = 0;
   for (const auto& triangle : mesh.triangles) {
     for (int i = 0; i < 3; ++i) {
-      sum += (mesh.positions[triangle[i]] -
-              mesh.positions[triangle[(i + 1) % 3]])
-                 .norm();
+      sum +=
+          (mesh.positions[triangle[i]] - mesh.positions[triangle[(i + 1) % 3]])
+              .norm();
     }
   }
   return sum / (3.0 * double(mesh.triangles.size()));
@@ -64,9 +64,7 @@ class Cutter {
   size_t FirstOfBase() const { return num_sides_; }
 
  private:
-  bool IsAbove(uint32_t vertex) const {
-    return out_.positions[vertex].z() > 0;
-  }
+  bool IsAbove(uint32_t vertex) const { return out_.positions[vertex].z() > 0; }
 
   // The vertex where an edge goes through the plane.
   uint32_t Crossing(uint32_t a, uint32_t b) {
@@ -93,8 +91,8 @@ class Cutter {
   }
 
   void Clip(std::array<uint32_t, 3> triangle) {
-    const auto num_above = std::count_if(
-        triangle.begin(), triangle.end(), [&](uint32_t v) {
+    const auto num_above =
+        std::count_if(triangle.begin(), triangle.end(), [&](uint32_t v) {
           return IsAbove(v);
         });
     if (num_above == 0) {
@@ -105,9 +103,9 @@ class Cutter {
       return;
     }
     // The corner that is alone on its side comes first.
-    while (IsAbove(triangle[0]) != (num_above == 1)
-           || IsAbove(triangle[1]) == (num_above == 1)
-           || IsAbove(triangle[2]) == (num_above == 1)) {
+    while (IsAbove(triangle[0]) != (num_above == 1) ||
+           IsAbove(triangle[1]) == (num_above == 1) ||
+           IsAbove(triangle[2]) == (num_above == 1)) {
       std::rotate(triangle.begin(), triangle.begin() + 1, triangle.end());
     }
     const auto& [a, b, c] = triangle;
@@ -166,8 +164,7 @@ class Cutter {
     for (const PolygonLoop& loop : loops) {
       num_corners += loop.size();
     }
-    base->num_islands =
-        (num_corners + 2 * loops.size() - triangles.size()) / 4;
+    base->num_islands = (num_corners + 2 * loops.size() - triangles.size()) / 4;
   }
 
   // Leaves out vertices that no triangle uses any more.
@@ -232,14 +229,14 @@ FlatBase CutFlatBase(const IndexedMesh& mesh, const Context& context) {
         "height",
         failure));
   }
-  const size_t num_pairs =
-      FindIntersectionsOfMarked(
-          base.mesh, TrianglesAtTheCut(base.mesh), context)
-          .size();
+  const size_t num_pairs = FindIntersectionsOfMarked(
+                               base.mesh, TrianglesAtTheCut(base.mesh), context)
+                               .size();
   if (num_pairs > 0) {
-    throw InputError(fmt::format("flat base: {} pairs of triangles intersect "
-                                 "at the cut; cut at another height",
-                                 num_pairs));
+    throw InputError(
+        fmt::format("flat base: {} pairs of triangles intersect "
+                    "at the cut; cut at another height",
+                    num_pairs));
   }
   return base;
 }

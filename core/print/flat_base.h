@@ -10,7 +10,7 @@ struct FlatBase {
   // What lay above the plane z = 0, closed by triangles in that plane. Without
   // normals and confidence.
   IndexedMesh mesh;
-  double area = 0;        // of the base
+  double area = 0;         // of the base
   size_t num_islands = 0;  // pieces of the base that do not hang together
 };
 

@@ -97,10 +97,9 @@ std::optional<MeasuredMarker> MeasureMarker(int id, Sightings* views) {
         });
     if (worst_of(*worst) <= kMaxResidual) {
       for (int corner = 0; corner < 4; ++corner) {
-        marker.side += (marker.corners[(corner + 1) % 4] -
-                        marker.corners[corner])
-                           .norm() /
-                       4;
+        marker.side +=
+            (marker.corners[(corner + 1) % 4] - marker.corners[corner]).norm() /
+            4;
       }
       return marker;
     }
@@ -113,9 +112,8 @@ void SummarizeSides(double side, MarkerScale* scale) {
   double sum = 0;
   for (const MeasuredMarker& marker : scale->markers) {
     for (int corner = 0; corner < 4; ++corner) {
-      const double length = (marker.corners[(corner + 1) % 4] -
-                             marker.corners[corner])
-                                .norm();
+      const double length =
+          (marker.corners[(corner + 1) % 4] - marker.corners[corner]).norm();
       const double deviation = std::abs(scale->factor * length / side - 1);
       sum += deviation * deviation;
       scale->side_max = std::max(scale->side_max, deviation);
@@ -154,7 +152,8 @@ MarkerScale MeasureMarkerScale(const std::vector<MarkerSighting>& sightings,
   }
   if (scale.markers.empty()) {
     throw InputError(fmt::format(
-        "ArUco markers: {} different markers were found in the photographs, but "
+        "ArUco markers: {} different markers were found in the photographs, "
+        "but "
         "none in two views that agree on where it is and whose directions "
         "differ by {:g} degrees",
         by_id.size(),

@@ -37,10 +37,10 @@ struct MarkerScale {
 };
 
 // Triangulates the corners of each marker from the views that see it. A view
-// whose corners are more than 3 pixels off is left out, the worst first. Markers
-// count that at least two views see from directions that differ by at least two
-// degrees. `side` is what the sides measure in the world. Throws InputError
-// where no marker counts.
+// whose corners are more than 3 pixels off is left out, the worst first.
+// Markers count that at least two views see from directions that differ by at
+// least two degrees. `side` is what the sides measure in the world. Throws
+// InputError where no marker counts.
 MarkerScale MeasureMarkerScale(const std::vector<MarkerSighting>& sightings,
                                double side);
 

@@ -93,14 +93,13 @@ class PolygonFiller {
     // A hole that reaches farther to the right is not between one that does not
     // and what that sees on its right.
     for (PolygonLoop& hole : holes_) {
-      std::rotate(
-          hole.begin(),
-          std::max_element(hole.begin(),
-                           hole.end(),
-                           [&](uint32_t a, uint32_t b) {
-                             return points_[a].x() < points_[b].x();
-                           }),
-          hole.end());
+      std::rotate(hole.begin(),
+                  std::max_element(hole.begin(),
+                                   hole.end(),
+                                   [&](uint32_t a, uint32_t b) {
+                                     return points_[a].x() < points_[b].x();
+                                   }),
+                  hole.end());
     }
     std::sort(holes_.begin(), holes_.end(), [&](const auto& a, const auto& b) {
       return points_[a[0]].x() > points_[b[0]].x();

@@ -63,8 +63,8 @@ class StandSearch {
       vertices_.push_back(mesh.positions[v]);
     }
     const RayScene scene(mesh);
-    const double own = std::max(3 * surroundings.noise,
-                                kOwnDistance * diagonal_);
+    const double own =
+        std::max(3 * surroundings.noise, kOwnDistance * diagonal_);
     for (const Eigen::Vector3d& point : surroundings.points) {
       if ((point - center_).norm() <= kReach * diagonal_ &&
           scene.ClosestPoint(point).distance > own) {
@@ -87,12 +87,11 @@ class StandSearch {
 
   std::vector<Eigen::Vector3d> PointsOn(const Plane& plane) const {
     std::vector<Eigen::Vector3d> points;
-    std::copy_if(candidates_.begin(),
-                 candidates_.end(),
-                 std::back_inserter(points),
-                 [&](const Eigen::Vector3d& point) {
-                   return IsOn(plane, point);
-                 });
+    std::copy_if(
+        candidates_.begin(),
+        candidates_.end(),
+        std::back_inserter(points),
+        [&](const Eigen::Vector3d& point) { return IsOn(plane, point); });
     return points;
   }
 

@@ -73,8 +73,8 @@ std::vector<ThinPlace> SpreadPlaces(const std::vector<ThinPlace>& places,
 WallThickness MeasureWallThickness(const IndexedMesh& mesh,
                                    const WallThicknessOptions& options,
                                    const Context& context) {
-  const std::vector<SurfaceSample> samples = SampleSurface(
-      mesh, size_t(options.num_samples), context.Seed(), context);
+  const std::vector<SurfaceSample> samples =
+      SampleSurface(mesh, size_t(options.num_samples), context.Seed(), context);
   const double diagonal = Diagonal(mesh);
   const RayScene scene(mesh);
   std::vector<double> thickness(samples.size(), -1);
@@ -101,11 +101,10 @@ WallThickness MeasureWallThickness(const IndexedMesh& mesh,
   if (places.empty()) {
     return result;
   }
-  std::stable_sort(places.begin(),
-                   places.end(),
-                   [](const ThinPlace& a, const ThinPlace& b) {
-                     return a.thickness < b.thickness;
-                   });
+  std::stable_sort(
+      places.begin(), places.end(), [](const ThinPlace& a, const ThinPlace& b) {
+        return a.thickness < b.thickness;
+      });
   const auto quantile = [&](double fraction) {
     return places[size_t(fraction * double(places.size() - 1))].thickness;
   };
@@ -121,8 +120,8 @@ WallThickness MeasureWallThickness(const IndexedMesh& mesh,
     result.histogram[std::min(size_t(bin), size_t(options.num_bins - 1))] +=
         1 / double(places.size());
   }
-  result.thinnest =
-      SpreadPlaces(places, kPlaceSpacing * diagonal, size_t(options.num_places));
+  result.thinnest = SpreadPlaces(
+      places, kPlaceSpacing * diagonal, size_t(options.num_places));
   return result;
 }
 

@@ -40,8 +40,7 @@ bool IsAcceptable(const Triangle& before, const Triangle& after) {
   // The height over the longest edge is the normal's length over the square of
   // that edge.
   const double longest_after = SquaredLongest(after);
-  if (squared_after >=
-      kMinShape * kMinShape * longest_after * longest_after) {
+  if (squared_after >= kMinShape * kMinShape * longest_after * longest_after) {
     return true;
   }
   const double longest_before = SquaredLongest(before);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <limits>
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <OpenMesh/Tools/Decimater/Observer.hh>
-#include <limits>
 #include <string>
 #include <utility>
 
@@ -97,8 +97,7 @@ std::vector<Collapse> FindCollapses(SurfaceMesh mesh,
     return {};
   }
   Center(&mesh);
-  Phase phase(
-      context, "simplification", (mesh.n_faces() - num_triangles) / 2);
+  Phase phase(context, "simplification", (mesh.n_faces() - num_triangles) / 2);
   decimater::DecimaterT<SurfaceMesh> decimate(mesh);
   ModShapedQuadricT<SurfaceMesh>::Handle module;
   decimate.add(module);

@@ -17,11 +17,12 @@ struct Collapse {
   uint32_t to;
 };
 
-// Collapses that take the mesh, which must be closed, down to `num_triangles`, or as far as possible: each time the one with the least
-// quadric error (Garland & Heckbert, SIGGRAPH 1997) of those that
-// collapse_rules.h allows. OpenMesh's decimater finds them. Any beginning of
-// the sequence leaves a closed 2-manifold, whose vertices are some of the
-// mesh's. The same for any number of threads; runs on one.
+// Collapses that take the mesh, which must be closed, down to `num_triangles`,
+// or as far as possible: each time the one with the least quadric error
+// (Garland & Heckbert, SIGGRAPH 1997) of those that collapse_rules.h allows.
+// OpenMesh's decimater finds them. Any beginning of the sequence leaves a
+// closed 2-manifold, whose vertices are some of the mesh's. The same for any
+// number of threads; runs on one.
 std::vector<Collapse> FindCollapses(SurfaceMesh mesh,
                                     size_t num_triangles,
                                     const Context& context);

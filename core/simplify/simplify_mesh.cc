@@ -23,8 +23,7 @@ bool IsUntouched(const CollapsedMesh& collapsed,
                  const IndexedMesh& full,
                  uint32_t triangle) {
   const auto& corners = collapsed.mesh.triangles[triangle];
-  const auto& sources =
-      full.triangles[collapsed.source_triangles[triangle]];
+  const auto& sources = full.triangles[collapsed.source_triangles[triangle]];
   return std::all_of(corners.begin(), corners.end(), [&](uint32_t corner) {
     return std::any_of(sources.begin(), sources.end(), [&](uint32_t source) {
       return collapsed.mesh.positions[corner] == full.positions[source];

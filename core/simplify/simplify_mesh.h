@@ -33,8 +33,8 @@ SimplifiedMesh SimplifyTo(size_t num_triangles,
                           const Context& context);
 
 // As few triangles as a search finds such that `distance_to_full`, a distance
-// in the units of the mesh, is at most `max_distance`. It must be 0 for the full
-// mesh.
+// in the units of the mesh, is at most `max_distance`. It must be 0 for the
+// full mesh.
 SimplifiedMesh SimplifyWithin(
     double max_distance,
     const std::function<double(const IndexedMesh&)>& distance_to_full,

@@ -38,9 +38,8 @@ class MeshAuditor : public Command {
 };
 
 void MeshAuditor::DeclareOptions(OptionManager& options) {
-  options.AddRequired("input_path",
-                      &input_path_,
-                      "Mesh to audit (.ply, .obj, .off or .stl).");
+  options.AddRequired(
+      "input_path", &input_path_, "Mesh to audit (.ply, .obj, .off or .stl).");
   options.Add(
       "output_path", &output_path_, "JSON report to write. Default: none.");
   options.Add("up",
@@ -80,15 +79,17 @@ void MeshAuditor::Check() const {
 
 std::string YesNo(bool yes) { return yes ? "yes" : "NO"; }
 
-std::string Percent(double share) { return fmt::format("{:.2f} %", 100 * share); }
+std::string Percent(double share) {
+  return fmt::format("{:.2f} %", 100 * share);
+}
 
 std::string AuditTable(const MeshAudit& audit,
                        const SelfIntersections& intersections) {
   TextTable table({"topology and size", ""});
   table.AddRow({"triangles", fmt::format("{}", audit.num_triangles)});
   table.AddRow({"watertight", YesNo(audit.IsClosed())});
-  table.AddRow({"manifold",
-                YesNo(audit.IsEdgeManifold() && audit.IsVertexManifold())});
+  table.AddRow(
+      {"manifold", YesNo(audit.IsEdgeManifold() && audit.IsVertexManifold())});
   table.AddRow(
       {"oriented outward", YesNo(audit.IsOriented() && audit.IsOutward())});
   table.AddRow({"components", fmt::format("{}", audit.num_components)});
@@ -98,11 +99,11 @@ std::string AuditTable(const MeshAudit& audit,
       {"intersecting pairs", fmt::format("{}", intersections.num_pairs)});
   const Eigen::Vector3d size = audit.bounding_box.sizes();
   table.AddRow(
-      {"size", fmt::format("{:.6g} x {:.6g} x {:.6g}", size.x(), size.y(), size.z())});
+      {"size",
+       fmt::format("{:.6g} x {:.6g} x {:.6g}", size.x(), size.y(), size.z())});
   table.AddRow({"area", fmt::format("{:.6g}", audit.area)});
   table.AddRow(
-      {"volume",
-       audit.IsClosed() ? fmt::format("{:.6g}", audit.volume) : "-"});
+      {"volume", audit.IsClosed() ? fmt::format("{:.6g}", audit.volume) : "-"});
   return table.ToString();
 }
 
@@ -110,7 +111,8 @@ std::string WallTable(const WallThickness& walls) {
   TextTable table({"wall thickness", ""});
   table.AddRow({"measured on", Percent(walls.measured_share)});
   table.AddRow({"least", fmt::format("{:.4g}", walls.min)});
-  table.AddRow({"1 % of the surface below", fmt::format("{:.4g}", walls.percentile_1)});
+  table.AddRow(
+      {"1 % of the surface below", fmt::format("{:.4g}", walls.percentile_1)});
   table.AddRow({"5 %", fmt::format("{:.4g}", walls.percentile_5)});
   table.AddRow({"half", fmt::format("{:.4g}", walls.median)});
   for (const ThinPlace& place : walls.thinnest) {
@@ -137,11 +139,12 @@ void MeshAuditor::Warn(const MeshAudit& audit,
                              intersections.num_pairs));
   }
   if (thin_share > 0) {
-    context.Warn(fmt::format("{}: walls are thinner than {:g} on {} of the "
-                             "surface",
-                             input_path_.string(),
-                             min_wall_,
-                             Percent(thin_share)));
+    context.Warn(
+        fmt::format("{}: walls are thinner than {:g} on {} of the "
+                    "surface",
+                    input_path_.string(),
+                    min_wall_,
+                    Percent(thin_share)));
   }
 }
 
@@ -149,8 +152,8 @@ void MeshAuditor::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   Check();
   CheckReportPath(output_path_, {input_path_});
-  MeasuredMesh measured = MeasureMesh(
-      input_path_, input_path_.filename().string(), true, context);
+  MeasuredMesh measured =
+      MeasureMesh(input_path_, input_path_.filename().string(), true, context);
   const MeshAudit& audit = measured.result.audit;
   walls_.min_wall = min_wall_;
   const WallThickness walls =
@@ -161,11 +164,12 @@ void MeshAuditor::Run(const CommandEnvironment& environment) {
   environment.out << AuditTable(audit, *measured.result.self_intersections)
                   << '\n'
                   << WallTable(walls) << '\n'
-                  << fmt::format("overhangs beyond {:g} degrees: {} of the "
-                                 "area; rests on the plate: {}\n",
-                                 max_overhang_,
-                                 Percent(overhangs.share),
-                                 Percent(overhangs.base_area / audit.area));
+                  << fmt::format(
+                         "overhangs beyond {:g} degrees: {} of the "
+                         "area; rests on the plate: {}\n",
+                         max_overhang_,
+                         Percent(overhangs.share),
+                         Percent(overhangs.base_area / audit.area));
   if (!output_path_.empty()) {
     Json report = MakeReport(environment);
     report["mesh"] = std::move(measured.json);

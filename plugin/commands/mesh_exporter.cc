@@ -32,7 +32,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Of the height, where the user says nothing: more than what the lowest few
-// voxels of 512 are uneven by, and the sole of a ball gets a fifth of its width.
+// voxels of 512 are uneven by, and the sole of a ball gets a fifth of its
+// width.
 constexpr double kBaseDepth = 0.01;
 constexpr const char* kStand = "stand";
 
@@ -198,8 +199,8 @@ Eigen::Vector3d MeshExporter::FindUp(const IndexedMesh& mesh,
                                      Json* json) const {
   Eigen::Vector3d up = ParseUp(up_);
   if (up_ == kStand) {
-    const StandPlane stand = FindStandPlane(
-        mesh, SurroundingsOf(mesh, workspace->model), context);
+    const StandPlane stand =
+        FindStandPlane(mesh, SurroundingsOf(mesh, workspace->model), context);
     up = stand.up;
     context.Info(fmt::format(
         "stand: {} of {} sparse points around the object lie in its plane, up "
@@ -233,8 +234,9 @@ IndexedMesh MeshExporter::MakePrint(const IndexedMesh& mesh,
                                     Similarity3d* plate_from_mesh,
                                     Json* json) const {
   const double height = HeightOf(mesh, *plate_from_mesh);
-  const double depth =
-      !flat_base_ ? 0 : base_depth_ > 0 ? base_depth_ : kBaseDepth * height;
+  const double depth = !flat_base_       ? 0
+                       : base_depth_ > 0 ? base_depth_
+                                         : kBaseDepth * height;
   CheckOption(depth < height,
               "base_depth",
               depth,
@@ -244,9 +246,8 @@ IndexedMesh MeshExporter::MakePrint(const IndexedMesh& mesh,
   RoundToFloats(&print.positions);
   if (flat_base_) {
     FlatBase base = CutFlatBase(print, context);
-    (*json)["flat_base"] = {{"depth", depth},
-                            {"area", base.area},
-                            {"islands", base.num_islands}};
+    (*json)["flat_base"] = {
+        {"depth", depth}, {"area", base.area}, {"islands", base.num_islands}};
     print = std::move(base.mesh);
   }
   if (!print.normals.empty() || flat_base_) {
@@ -281,10 +282,10 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
   const MeshAudit audit = AuditMesh(print, context);
   const std::string failure = audit.DescribeFailure();
   if (!failure.empty()) {
-    throw InputError(fmt::format(
-        "{}: at this scale, rounding to what files hold leaves {}",
-        input_path_.string(),
-        failure));
+    throw InputError(
+        fmt::format("{}: at this scale, rounding to what files hold leaves {}",
+                    input_path_.string(),
+                    failure));
   }
   const SelfIntersections intersections = FindSelfIntersections(print, context);
   if (intersections.num_pairs > 0) {

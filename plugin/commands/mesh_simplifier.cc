@@ -107,10 +107,8 @@ void MeshSimplifier::Check() const {
               "max_error",
               max_error_,
               "must be positive");
-  CheckOption(levels_ >= 1 && levels_ <= 16,
-              "levels",
-              levels_,
-              "must be in 1 .. 16");
+  CheckOption(
+      levels_ >= 1 && levels_ <= 16, "levels", levels_, "must be in 1 .. 16");
   const int num_given =
       (target_faces_ > 0) + (target_ratio_ > 0) + (max_error_ > 0);
   if (num_given != 1) {
@@ -161,11 +159,8 @@ Level MeshSimplifier::MakeLevel(int level,
   };
   const size_t num_full = replay.Full().triangles.size();
   if (max_error_ > 0) {
-    result.simplified =
-        SimplifyWithin(max_error_ / std::exp2(levels_ - 1 - level),
-                       compare,
-                       replay,
-                       context);
+    result.simplified = SimplifyWithin(
+        max_error_ / std::exp2(levels_ - 1 - level), compare, replay, context);
   } else {
     const size_t target = TargetOf(level, num_full);
     result.simplified = SimplifyTo(target, replay, context);
@@ -182,10 +177,11 @@ Level MeshSimplifier::MakeLevel(int level,
     }
   }
   if (result.simplified.summary.num_old_intersections > 0) {
-    context.Warn(fmt::format("{}: {} pairs of triangles intersect as they do "
-                             "in the mesh to simplify",
-                             result.path.string(),
-                             result.simplified.summary.num_old_intersections));
+    context.Warn(
+        fmt::format("{}: {} pairs of triangles intersect as they do "
+                    "in the mesh to simplify",
+                    result.path.string(),
+                    result.simplified.summary.num_old_intersections));
   }
   return result;
 }

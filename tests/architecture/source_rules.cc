@@ -33,8 +33,7 @@ struct Confined {
 };
 const std::vector<Confined>& ConfinedHeaders() {
   static const std::vector<Confined> kConfined = {
-      {"OpenMesh/",
-       {"core/mesh/", "core/refine/", "core/simplify/", "tests/"}},
+      {"OpenMesh/", {"core/mesh/", "core/refine/", "core/simplify/", "tests/"}},
       {"ceres/", {"core/refine/", "tests/"}},
       {"embree3/", {"core/raycast/"}},
   };

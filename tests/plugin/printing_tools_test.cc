@@ -33,16 +33,15 @@ class PrintingTools : public ::testing::Test {
       mesh.colors.push_back({uint8_t(128 + 60 * p.x()), 100, 30});
     }
     WriteMesh(folder_ / "mesh.ply", mesh);
-    const ProgramResult result =
-        RunOctacut({"mesh_exporter",
-                    "--input_path",
-                    (folder_ / "mesh.ply").string(),
-                    "--output_path",
-                    (folder_ / name).string(),
-                    "--scale_factor",
-                    "20",
-                    "--flat_base",
-                    "1"});
+    const ProgramResult result = RunOctacut({"mesh_exporter",
+                                             "--input_path",
+                                             (folder_ / "mesh.ply").string(),
+                                             "--output_path",
+                                             (folder_ / name).string(),
+                                             "--scale_factor",
+                                             "20",
+                                             "--flat_base",
+                                             "1"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     num_triangles_ = std::stoul(result.out.substr(result.out.find(": ") + 2));
     return (folder_ / name).string();
@@ -64,9 +63,9 @@ class PrintingTools : public ::testing::Test {
   mutable size_t num_triangles_ = 0;
 };
 
-#define SKIP_WITHOUT(program)                                        \
-  if (!IsInstalled(program)) {                                       \
-    GTEST_SKIP() << program << " is not installed; "                 \
+#define SKIP_WITHOUT(program)                                         \
+  if (!IsInstalled(program)) {                                        \
+    GTEST_SKIP() << program << " is not installed; "                  \
                  << "workflows/setup.sh --with_test_tools 1 does so"; \
   }
 
@@ -74,11 +73,10 @@ TEST_F(PrintingTools, PrusaSlicerReadsAManifold) {
   SKIP_WITHOUT("prusa-slicer");
   for (const char* name : {"out.3mf", "out.stl", "out.obj"}) {
     const std::string path = Export(name);
-    const std::string info =
-        Run(fmt::format("prusa-slicer --info '{}'", path));
+    const std::string info = Run(fmt::format("prusa-slicer --info '{}'", path));
     EXPECT_THAT(info, HasSubstr("manifold = yes"));
-    EXPECT_THAT(info,
-                HasSubstr(fmt::format("number_of_facets = {}", num_triangles_)));
+    EXPECT_THAT(
+        info, HasSubstr(fmt::format("number_of_facets = {}", num_triangles_)));
     // Millimetres arrive as such.
     std::smatch match;
     ASSERT_TRUE(
@@ -93,20 +91,21 @@ TEST_F(PrintingTools, PrusaSlicerReadsAManifold) {
 
 TEST_F(PrintingTools, AdmeshFindsNothingToRepair) {
   SKIP_WITHOUT("admesh");
-  const std::string status =
-      Run(fmt::format("admesh '{}'", Export("out.stl")));
+  const std::string status = Run(fmt::format("admesh '{}'", Export("out.stl")));
   EXPECT_TRUE(std::regex_search(
       status, std::regex("Total disconnected facets +: +0 +0\n")))
       << status;
-  for (const char* line : {"Degenerate facets", "Edges fixed",
-                           "Facets removed", "Facets added",
-                           "Facets reversed", "Backwards edges"}) {
-    EXPECT_TRUE(std::regex_search(
-        status, std::regex(fmt::format("{} +: +0\n", line))))
+  for (const char* line : {"Degenerate facets",
+                           "Edges fixed",
+                           "Facets removed",
+                           "Facets added",
+                           "Facets reversed",
+                           "Backwards edges"}) {
+    EXPECT_TRUE(
+        std::regex_search(status, std::regex(fmt::format("{} +: +0\n", line))))
         << status;
   }
-  EXPECT_TRUE(
-      std::regex_search(status, std::regex("Number of parts +: +1 ")))
+  EXPECT_TRUE(std::regex_search(status, std::regex("Number of parts +: +1 ")))
       << status;
 }
 

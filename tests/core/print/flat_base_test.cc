@@ -93,9 +93,8 @@ TEST(CutFlatBase, ColoursGoOnToTheCut) {
   const FlatBase base = CutFlatBase(mesh, kContext);
   ASSERT_EQ(base.mesh.colors.size(), base.mesh.positions.size());
   for (size_t v = 0; v < base.mesh.colors.size(); ++v) {
-    EXPECT_NEAR(base.mesh.colors[v][0],
-                128 + 100 * base.mesh.positions[v].x(),
-                2);
+    EXPECT_NEAR(
+        base.mesh.colors[v][0], 128 + 100 * base.mesh.positions[v].x(), 2);
     EXPECT_EQ(base.mesh.colors[v][1], 7);
   }
 }

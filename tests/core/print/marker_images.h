@@ -43,12 +43,10 @@ inline Rigid3d LookAtOrigin(const Eigen::Vector3d& center) {
 inline cv::Mat RenderMarkers(const std::vector<PrintedMarker>& markers,
                              const PinholeCamera& camera,
                              const Rigid3d& cam_from_world) {
-  constexpr int kFiner = 4;  // antialiasing
+  constexpr int kFiner = 4;    // antialiasing
   constexpr int kCells = 240;  // pixels of a marker's picture
-  cv::Mat fine(camera.height * kFiner,
-               camera.width * kFiner,
-               CV_8UC1,
-               cv::Scalar(220));
+  cv::Mat fine(
+      camera.height * kFiner, camera.width * kFiner, CV_8UC1, cv::Scalar(220));
   const auto dictionary =
       cv::aruco::getPredefinedDictionary(cv::aruco::DICT_4X4_50);
   for (const PrintedMarker& marker : markers) {
@@ -72,8 +70,7 @@ inline cv::Mat RenderMarkers(const std::vector<PrintedMarker>& markers,
                         cv::BORDER_TRANSPARENT);
   }
   cv::Mat image;
-  cv::resize(
-      fine, image, {camera.width, camera.height}, 0, 0, cv::INTER_AREA);
+  cv::resize(fine, image, {camera.width, camera.height}, 0, 0, cv::INTER_AREA);
   return image;
 }
 

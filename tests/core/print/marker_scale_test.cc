@@ -51,9 +51,9 @@ TEST(MeasureMarkerScale, ExactRaysGiveTheExactScale) {
   ASSERT_EQ(scale.markers.size(), 1u);
   EXPECT_EQ(scale.markers[0].num_views, 2u);
   for (int corner = 0; corner < 4; ++corner) {
-    EXPECT_LT((scale.markers[0].corners[corner] - kFirst.Corners()[corner])
-                  .norm(),
-              1e-9);
+    EXPECT_LT(
+        (scale.markers[0].corners[corner] - kFirst.Corners()[corner]).norm(),
+        1e-9);
   }
   EXPECT_LT(scale.reprojection_rms, 1e-6);
   EXPECT_LT(scale.side_max, 1e-9);

@@ -15,8 +15,7 @@ TEST(MeasureOverhangs, SphereHasACap) {
     const Overhangs result =
         MeasureOverhangs(Sphere(60), Eigen::Vector3d(1, 2, -3), angle);
     // Of a cap that reaches 90 - angle degrees from the lowest point.
-    const double share =
-        (1 - std::sin(angle * std::numbers::pi / 180)) / 2;
+    const double share = (1 - std::sin(angle * std::numbers::pi / 180)) / 2;
     EXPECT_NEAR(result.share + result.base_area / (4 * std::numbers::pi),
                 share,
                 0.01 * share);

@@ -26,9 +26,9 @@ PolygonLoop AddCircle(const Eigen::Vector2d& center,
   for (uint32_t i = 0; i < count; ++i) {
     const double angle = 2 * std::numbers::pi * i / count;
     loop.push_back(uint32_t(points->size()));
-    points->push_back(center + std::abs(radius) *
-                                   Eigen::Vector2d(std::cos(angle),
-                                                   std::sin(angle)));
+    points->push_back(center +
+                      std::abs(radius) *
+                          Eigen::Vector2d(std::cos(angle), std::sin(angle)));
   }
   if (radius < 0) {
     std::reverse(loop.begin(), loop.end());

@@ -34,8 +34,9 @@ void ExpectAreaAndVolume(const IndexedMesh& mesh, double area, double volume) {
 TEST(MeasureWallThickness, Sphere) {
   const double radius = 3;
   const IndexedMesh mesh = Sphere(40, radius);
-  ExpectAreaAndVolume(
-      mesh, 4 * kHalfTurn * radius * radius, 4 * kHalfTurn / 3 * radius * radius * radius);
+  ExpectAreaAndVolume(mesh,
+                      4 * kHalfTurn * radius * radius,
+                      4 * kHalfTurn / 3 * radius * radius * radius);
   const WallThickness walls = Measure(mesh);
   EXPECT_NEAR(walls.min, 2 * radius, 0.01 * 2 * radius);
   EXPECT_NEAR(walls.median, 2 * radius, 0.01 * 2 * radius);

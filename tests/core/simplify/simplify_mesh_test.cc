@@ -123,7 +123,8 @@ TEST(SimplifyMesh, IntersectionsOfTheFullMeshAreCounted) {
   ASSERT_GT(num_pairs, 0u);
   const SimplifiedMesh result = SimplifyTo(100, Prepared(full, 100), kContext);
   EXPECT_LT(result.mesh.triangles.size(), full.triangles.size());
-  const size_t num_left = FindSelfIntersections(result.mesh, kContext).num_pairs;
+  const size_t num_left =
+      FindSelfIntersections(result.mesh, kContext).num_pairs;
   EXPECT_EQ(result.summary.num_old_intersections, num_left);
   EXPECT_LE(num_left, num_pairs);
 }
@@ -140,8 +141,7 @@ TEST(SimplifyMesh, KeepsTheDistance) {
   const IndexedMesh full = Potato(30);
   const CollapseReplay replay = Prepared(full, 4);
   const auto hausdorff = [&](const IndexedMesh& mesh) {
-    return CompareMeshes(mesh, full, Samples(5000), kContext)
-        .Hausdorff();
+    return CompareMeshes(mesh, full, Samples(5000), kContext).Hausdorff();
   };
   size_t num_before = full.triangles.size() + 1;
   for (const double limit : {1e-5, 0.001, 0.01, 0.1}) {

@@ -61,11 +61,11 @@ void ExportScaleOptions::Declare(OptionManager& options) {
               "square) that the photographs of the workspace show.");
   options.AddEnum("aruco_dictionary",
                   &dictionary_,
-                  {{"4x4_50", MarkerDictionary::k4x4_50},
-                   {"4x4_250", MarkerDictionary::k4x4_250},
-                   {"5x5_250", MarkerDictionary::k5x5_250},
-                   {"6x6_250", MarkerDictionary::k6x6_250},
-                   {"7x7_250", MarkerDictionary::k7x7_250},
+                  {{"4x4_50", MarkerDictionary::kFour50},
+                   {"4x4_250", MarkerDictionary::kFour250},
+                   {"5x5_250", MarkerDictionary::kFive250},
+                   {"6x6_250", MarkerDictionary::kSix250},
+                   {"7x7_250", MarkerDictionary::kSeven250},
                    {"original", MarkerDictionary::kOriginal},
                    {"apriltag_36h11", MarkerDictionary::kAprilTag36h11}},
                   "Dictionary that the markers are from.");

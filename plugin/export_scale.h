@@ -36,7 +36,7 @@ class ExportScaleOptions {
   double known_length_ = 0;
   std::vector<double> between_;
   double aruco_side_ = 0;
-  MarkerDictionary dictionary_ = MarkerDictionary::k4x4_50;
+  MarkerDictionary dictionary_ = MarkerDictionary::kFour50;
 };
 
 }  // namespace octacut

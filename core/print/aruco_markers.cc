@@ -9,15 +9,15 @@ namespace {
 cv::Ptr<cv::aruco::Dictionary> DictionaryOf(MarkerDictionary dictionary) {
   const auto name = [&] {
     switch (dictionary) {
-      case MarkerDictionary::k4x4_50:
+      case MarkerDictionary::kFour50:
         return cv::aruco::DICT_4X4_50;
-      case MarkerDictionary::k4x4_250:
+      case MarkerDictionary::kFour250:
         return cv::aruco::DICT_4X4_250;
-      case MarkerDictionary::k5x5_250:
+      case MarkerDictionary::kFive250:
         return cv::aruco::DICT_5X5_250;
-      case MarkerDictionary::k6x6_250:
+      case MarkerDictionary::kSix250:
         return cv::aruco::DICT_6X6_250;
-      case MarkerDictionary::k7x7_250:
+      case MarkerDictionary::kSeven250:
         return cv::aruco::DICT_7X7_250;
       case MarkerDictionary::kOriginal:
         return cv::aruco::DICT_ARUCO_ORIGINAL;

@@ -8,13 +8,14 @@
 
 namespace octacut {
 
-// OpenCV's predefined dictionaries that are in common use.
+// OpenCV's predefined dictionaries that are in common use, such as 50 markers
+// of four by four cells.
 enum class MarkerDictionary {
-  k4x4_50,
-  k4x4_250,
-  k5x5_250,
-  k6x6_250,
-  k7x7_250,
+  kFour50,
+  kFour250,
+  kFive250,
+  kSix250,
+  kSeven250,
   kOriginal,
   kAprilTag36h11,
 };

@@ -20,12 +20,16 @@ class MeshAuditorTest : public ::testing::Test {
   ProgramResult Audit(const IndexedMesh& mesh,
                       std::vector<std::string> arguments = {}) const {
     WriteMesh(folder_ / "mesh.stl", mesh);
-    arguments.insert(arguments.begin(),
-                     {"mesh_auditor",
-                      "--input_path",
-                      (folder_ / "mesh.stl").string(),
-                      "--output_path",
-                      (folder_ / "audit.json").string()});
+    return Run((folder_ / "mesh.stl").string(),
+               (folder_ / "audit.json").string(),
+               std::move(arguments));
+  }
+  static ProgramResult Run(const std::string& input,
+                           const std::string& output,
+                           std::vector<std::string> arguments = {}) {
+    arguments.insert(
+        arguments.begin(),
+        {"mesh_auditor", "--input_path", input, "--output_path", output});
     return RunOctacut(arguments);
   }
   nlohmann::json Report() const {
@@ -89,17 +93,20 @@ TEST_F(MeshAuditorTest, MistakesAreNamed) {
       {{"--max_overhang", "90"}, "--max_overhang = 90: "},
       {{"--min_wall", "-1"}, "--min_wall = -1: "},
       {{"--num_samples", "1"}, "--num_samples = 1: "},
-      {{"--input_path", (folder_ / "gone.ply").string()}, "cannot be opened"},
-      {{"--input_path", (folder_ / "part.3mf").string()}, "not read"},
-      {{"--output_path", (folder_ / "mesh.stl").string()}, "--output_path"},
   };
-  folder_.Write("part.3mf", "PK");
   for (const Case& mistake : cases) {
     const ProgramResult result = Audit(Cube(2), mistake.arguments);
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.err, HasSubstr(mistake.message));
     EXPECT_THAT(result.out, IsEmpty());
   }
+  const std::string mesh = (folder_ / "mesh.stl").string();
+  const std::string report = (folder_ / "audit.json").string();
+  EXPECT_THAT(Run((folder_ / "gone.ply").string(), report).err,
+              HasSubstr("gone.ply: cannot be opened"));
+  EXPECT_THAT(Run(folder_.Write("part.3mf", "PK"), report).err,
+              HasSubstr("part.3mf: 3MF can be written, but not read"));
+  EXPECT_THAT(Run(mesh, mesh).err, HasSubstr("--output_path = "));
 }
 
 }  // namespace

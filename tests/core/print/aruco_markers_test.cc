@@ -14,7 +14,7 @@ TEST(DetectMarkers, CornersToAFractionOfAPixel) {
                                               {17, {0.2, 0.3}, 0.4}};
   const Rigid3d cam_from_world = LookAtOrigin({0.5, -1.5, 2.2});
   const cv::Mat image = RenderMarkers(markers, kCamera, cam_from_world);
-  const auto found = DetectMarkers(image, MarkerDictionary::k4x4_50);
+  const auto found = DetectMarkers(image, MarkerDictionary::kFour50);
   ASSERT_EQ(found.size(), 2u);
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (size_t i = 0; i < 2; ++i) {
@@ -36,7 +36,7 @@ TEST(DetectMarkers, AnIdThatIsSeenTwiceIsLeftOut) {
       {{3, {-0.6, 0.4}, 0.5}, {3, {0.2, 0.3}, 0.4}, {4, {-0.5, -0.2}, 0.4}},
       kCamera,
       LookAtOrigin({0.1, -0.5, 2.5}));
-  const auto found = DetectMarkers(image, MarkerDictionary::k4x4_50);
+  const auto found = DetectMarkers(image, MarkerDictionary::kFour50);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].id, 4);
 }

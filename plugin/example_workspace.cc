@@ -108,7 +108,8 @@ void PrepareExampleFolder(const fs::path& folder,
           "{}: the folder already holds an example; --overwrite 1 replaces it",
           folder.string()));
     }
-    for (const char* part : {"images", "masks", "background", "sparse/0", "gt"}) {
+    for (const char* part :
+         {"images", "masks", "background", "sparse/0", "gt"}) {
       fs::remove_all(folder / part);
     }
   }

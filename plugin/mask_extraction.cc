@@ -200,11 +200,10 @@ void Extractor::Write() {
       encoded_[i].clear();
     }
   }
-  WriteMaskFolder(
-      options_.output_path,
-      result_.list,
-      encoded_,
-      DrawContactSheet(files_.input.views, reduced_, result_.list));
+  WriteMaskFolder(options_.output_path,
+                  result_.list,
+                  encoded_,
+                  DrawContactSheet(files_.input.views, reduced_, result_.list));
 }
 
 }  // namespace

@@ -38,10 +38,10 @@ constexpr size_t kTurntableBudget = size_t{1} << 30;
 
 bool IsPhotograph(const fs::path& path) {
   std::string extension = path.extension().string();
-  std::transform(extension.begin(),
-                 extension.end(),
-                 extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+  std::transform(
+      extension.begin(), extension.end(), extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? c + 32 : c;
+      });
   constexpr std::array<std::string_view, 7> kExtensions = {
       ".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp", ".webp"};
   return std::find(kExtensions.begin(), kExtensions.end(), extension) !=
@@ -88,8 +88,7 @@ std::vector<fs::path> FoldersIn(const fs::path& folder) {
 }
 
 cv::Mat Reduced(const cv::Mat& image) {
-  const double factor =
-      double(kLongestSide) / std::max(image.cols, image.rows);
+  const double factor = double(kLongestSide) / std::max(image.cols, image.rows);
   if (factor >= 1) {
     return image;
   }
@@ -106,11 +105,11 @@ class TurntableFolder {
                   const Context& context)
       : options_(options), context_(context), paths_(PhotographsIn(folder)) {
     if (paths_.size() < kMinPhotographs) {
-      throw InputError(fmt::format(
-          "image_path {}: {} photographs; at least {} are needed",
-          folder.string(),
-          paths_.size(),
-          kMinPhotographs));
+      throw InputError(
+          fmt::format("image_path {}: {} photographs; at least {} are needed",
+                      folder.string(),
+                      paths_.size(),
+                      kMinPhotographs));
     }
     if (!options.background_path.empty()) {
       const fs::path relative = folder.lexically_relative(options.image_path);
@@ -174,37 +173,36 @@ void TurntableFolder::Extract(MaskList* list,
                               std::vector<cv::Mat>* masks) {
   TurntableInput input;
   input.images = Read(paths_);
-  input.empty_set = empty_paths_.empty() ? std::vector<cv::Mat>()
-                                         : Read(empty_paths_);
+  input.empty_set =
+      empty_paths_.empty() ? std::vector<cv::Mat>() : Read(empty_paths_);
   const std::vector<TurntableView> found = SegmentTurntable(input, context_);
   std::vector<std::vector<uchar>> encoded(paths_.size());
   const bool is_reduced = input.images.front().size() != size_;
-  ForEachFile(
-      {.count = paths_.size(),
-       .bytes_per_file = kTurntableBytesPerPixel * size_t(size_.area()),
-       .byte_budget = kTurntableBudget},
-      "refining borders",
-      context_,
-      [&](size_t i) {
-        cv::Mat mask = found[i].mask;
-        if (!found[i].doubt.empty()) {
-          return;
-        }
-        if (is_reduced) {
-          const double scale = double(size_.width) / mask.cols;
-          cv::resize(mask, mask, size_, 0, 0, cv::INTER_LINEAR);
-          mask = RefineBorder(
-              ReadPhotograph(paths_[i]), mask > 127, kReach * scale);
-        }
-        encoded[i] = EncodeMask(mask);
-      });
+  ForEachFile({.count = paths_.size(),
+               .bytes_per_file = kTurntableBytesPerPixel * size_t(size_.area()),
+               .byte_budget = kTurntableBudget},
+              "refining borders",
+              context_,
+              [&](size_t i) {
+                cv::Mat mask = found[i].mask;
+                if (!found[i].doubt.empty()) {
+                  return;
+                }
+                if (is_reduced) {
+                  const double scale = double(size_.width) / mask.cols;
+                  cv::resize(mask, mask, size_, 0, 0, cv::INTER_LINEAR);
+                  mask = RefineBorder(
+                      ReadPhotograph(paths_[i]), mask > 127, kReach * scale);
+                }
+                encoded[i] = EncodeMask(mask);
+              });
   const std::optional<MaskList> before = ReadMaskList(options_.output_path);
   for (size_t i = 0; i < paths_.size(); ++i) {
     ListedMask& listed = list->views.emplace_back();
     listed.image = paths_[i].lexically_relative(options_.image_path).string();
     listed.confidence = found[i].confidence;
-    const std::optional<fs::path> there = FindMaskFile(
-        options_.output_path, listed.image, options_.image_path);
+    const std::optional<fs::path> there =
+        FindMaskFile(options_.output_path, listed.image, options_.image_path);
     if (there && !IsExtractedMask(before, listed.image, *there)) {
       encoded[i].clear();
       listed.status = MaskStatus::kGiven;

@@ -17,10 +17,10 @@ namespace fs = std::filesystem;
 
 bool IsPicture(const fs::path& path) {
   std::string extension = path.extension().string();
-  std::transform(extension.begin(),
-                 extension.end(),
-                 extension.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? c + 32 : c; });
+  std::transform(
+      extension.begin(), extension.end(), extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? c + 32 : c;
+      });
   return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 

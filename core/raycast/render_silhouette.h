@@ -17,9 +17,9 @@ namespace octacut {
 using PixelRay =
     std::function<std::optional<Eigen::Vector3d>(const Eigen::Vector2d& pixel)>;
 
-// Coverage of each pixel by the mesh from 0 to 255. Pixels at the outline, which
-// differ at their centres from one of their eight neighbours, get 4 x 4 rays,
-// the others one. Parts that no pixel's centre shows are lost. CV_8UC1.
+// Coverage of each pixel by the mesh from 0 to 255. Pixels at the outline,
+// which differ at their centres from one of their eight neighbours, get 4 x 4
+// rays, the others one. Parts that no pixel's centre shows are lost. CV_8UC1.
 cv::Mat RenderSilhouette(const RayScene& rays,
                          const cv::Size& size,
                          const PixelRay& ray_of,

@@ -119,7 +119,9 @@ void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
   for (const Eigen::Vector2d& pixel : input_.views[view].surroundings) {
     const cv::Point corner(int(std::floor(pixel.x())) - kPointRadius,
                            int(std::floor(pixel.y())) - kPointRadius);
-    (*labels)(cv::Rect(corner, cv::Size(2 * kPointRadius + 1, 2 * kPointRadius + 1)) & frame)
+    (*labels)(
+        cv::Rect(corner, cv::Size(2 * kPointRadius + 1, 2 * kPointRadius + 1)) &
+        frame)
         .setTo(kSurroundings);
   }
   const cv::Mat& said = input_.views[view].labels;
@@ -156,12 +158,8 @@ void Segmenter::Relabel(size_t view) {
 }
 
 bool Segmenter::Round(const BoundingCube& cube, int resolution) {
-  OccupancyGrid grid(cube,
-                     resolution,
-                     {input_.box, input_.floor},
-                     poses_,
-                     colours_,
-                     context_);
+  OccupancyGrid grid(
+      cube, resolution, {input_.box, input_.floor}, poses_, colours_, context_);
   if (!grid.KeepThingAt(result_.region.center, result_.region.radius)) {
     return false;
   }

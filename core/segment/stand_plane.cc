@@ -112,8 +112,8 @@ class PlaneFinder {
         }));
   }
   bool IsBelowAll(const Plane& plane) const {
-    const auto num_above = double(
-        std::count_if(cameras_.begin(), cameras_.end(), [&](const auto& camera) {
+    const auto num_above = double(std::count_if(
+        cameras_.begin(), cameras_.end(), [&](const auto& camera) {
           return plane.signedDistance(camera) > 0;
         }));
     const auto num_below = double(
@@ -139,8 +139,7 @@ class PlaneFinder {
     const Eigen::Vector3d mean = sum / count;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
         products / count - mean * mean.transpose());
-    return Oriented(
-        Plane(eigen.eigenvectors().col(0), region_.center + mean));
+    return Oriented(Plane(eigen.eigenvectors().col(0), region_.center + mean));
   }
 
   const SearchRegion& region_;

@@ -55,9 +55,8 @@ float Tolerance(std::span<const cv::Mat> labs) {
   }
   const auto middle = quartiles.begin() + ptrdiff_t(quartiles.size() / 2);
   std::nth_element(quartiles.begin(), middle, quartiles.end());
-  return std::clamp(kDeviations * *middle / kQuartile,
-                    kLeastTolerance,
-                    kMostTolerance);
+  return std::clamp(
+      kDeviations * *middle / kQuartile, kLeastTolerance, kMostTolerance);
 }
 
 // The mean of the values that most photographs agree on.

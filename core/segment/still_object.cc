@@ -119,7 +119,8 @@ StillObject FindStillObject(const StillBackground& background,
   if (cv::countNonZero(solid) == 0) {
     return result;
   }
-  cv::Mat seeds = BetweenTurning(solid) & ~turning & (background.support > 0.9f);
+  cv::Mat seeds =
+      BetweenTurning(solid) & ~turning & (background.support > 0.9f);
   cv::erode(seeds, seeds, cv::Mat::ones(kStillWindow, kStillWindow, CV_8U));
   const double frame = double(turning.total());
   if (cv::countNonZero(seeds) < kLeastPart * frame) {
@@ -147,8 +148,8 @@ StillObject FindStillObject(const StillBackground& background,
   cv::Mat clear = log_odds.clone();
   clear.setTo(0, cv::abs(log_odds) < kClear);
   clear.setTo(-kMostOdds, turning);
-  const double told = double(cv::countNonZero((clear > 0) & seeds)) /
-                      cv::countNonZero(seeds);
+  const double told =
+      double(cv::countNonZero((clear > 0) & seeds)) / cv::countNonZero(seeds);
   const double contrast = std::min(told, BorderContrast(object, clear));
   if (contrast < kLeastContrast) {
     result.doubt = fmt::format(

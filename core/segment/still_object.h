@@ -17,9 +17,9 @@ struct StillObject {
 
 // `turning` (CV_8UC1, not zero) is what never shows the background, such as the
 // plate's pattern. What stands still between two such places of a row is in
-// front of the plate, since what turns sweeps whole rows. From there on, colours
-// that the background does not have beside and below what turns decide, and the
-// border is where the photographs have one.
+// front of the plate, since what turns sweeps whole rows. From there on,
+// colours that the background does not have beside and below what turns decide,
+// and the border is where the photographs have one.
 StillObject FindStillObject(const StillBackground& background,
                             const cv::Mat& turning);
 

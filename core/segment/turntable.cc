@@ -134,7 +134,8 @@ void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
   CutLabels(input_.images[i], log_odds, kSmoothness, &view.mask);
   // Specks are smaller than the window.
   cv::Mat opened;
-  cv::morphologyEx(view.mask, opened, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8U));
+  cv::morphologyEx(
+      view.mask, opened, cv::MORPH_OPEN, cv::Mat::ones(3, 3, CV_8U));
   view.mask = opened;
   view.confidence = BorderContrast(view.mask, log_odds);
   if (cv::countNonZero(view.mask) == 0) {

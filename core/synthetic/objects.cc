@@ -114,15 +114,14 @@ SyntheticObject MakeLump() {
 }
 
 SyntheticObject MakeVase() {
-  const ImplicitShape body = Union(
-      {Move(Stretch(MakeSphere(1), {0.55, 0.55, 0.6}), {0, 0, -0.2}),
-       MakeBar({0, 0, 0.3}, {0, 0, 0.9}, 0.22, 0.36),
-       MakeBar({0, 0, -0.85}, {0, 0, -0.6}, 0.4, 0.3)},
-      0.15);
+  const ImplicitShape body =
+      Union({Move(Stretch(MakeSphere(1), {0.55, 0.55, 0.6}), {0, 0, -0.2}),
+             MakeBar({0, 0, 0.3}, {0, 0, 0.9}, 0.22, 0.36),
+             MakeBar({0, 0, -0.85}, {0, 0, -0.6}, 0.4, 0.3)},
+            0.15);
   const ImplicitShape opening = MakeBar({0, 0, 0.4}, {0, 0, 1.1}, 0.12, 0.34);
-  return {Subtract(Intersect(body, MakeBox({2, 2, 0.85}, 0.01), 0.02),
-                   opening,
-                   0.03)};
+  return {Subtract(
+      Intersect(body, MakeBox({2, 2, 0.85}, 0.01), 0.02), opening, 0.03)};
 }
 
 }  // namespace

@@ -95,8 +95,8 @@ class ViewRenderer {
         covered = ShadePixel(x, y, color);
       }
       if (covered.by_all < 1) {
-        color = covered.by_all * color +
-                (1 - covered.by_all) * Background(x, y);
+        color =
+            covered.by_all * color + (1 - covered.by_all) * Background(x, y);
       }
       pixels[x] = {tone_(color.z()), tone_(color.y()), tone_(color.x())};
       coverage[x] = static_cast<uint8_t>(std::lround(255 * covered.by_object));
@@ -104,7 +104,7 @@ class ViewRenderer {
   }
 
  private:
-  struct Covered {  // parts of a pixel
+  struct Covered {     // parts of a pixel
     float by_all = 0;  // object and stand
     float by_object = 0;
   };

@@ -86,7 +86,6 @@ bool IsSeen(const SurfaceSample& sample,
          !rays.IsOccluded(sample.position, toward, 1e-4, 1);
 }
 
-
 class PointSampler {
  public:
   PointSampler(const SyntheticScene& scene, const RenderSubject& subject)
@@ -113,9 +112,9 @@ class PointSampler {
       const SyntheticView& view =
           scene_.views[HashBits(bits, 1) % scene_.views.size()];
       const PinholeCamera& camera = view.lens.camera;
-      const Eigen::Vector2d pixel(camera.width * HashUniform(HashBits(bits, 2)),
-                                  camera.height *
-                                      HashUniform(HashBits(bits, 3)));
+      const Eigen::Vector2d pixel(
+          camera.width * HashUniform(HashBits(bits, 2)),
+          camera.height * HashUniform(HashBits(bits, 3)));
       const Rigid3d world_from_cam = view.true_cam_from_world.Inverse();
       const Eigen::Vector3d ray =
           world_from_cam.rotation * view.lens.Unproject(pixel);

@@ -93,8 +93,7 @@ IndexedMesh AddStand(const IndexedMesh& object,
   }
   double radius = 0;
   for (const Eigen::Vector3d& position : object.positions) {
-    radius =
-        std::max(radius, (position - box.center()).head<2>().norm());
+    radius = std::max(radius, (position - box.center()).head<2>().norm());
   }
   constexpr double kHalfThickness = 0.04;  // of the radius
   radius *= stand.radius;
@@ -181,9 +180,9 @@ void AddEmptySet(const RenderSubject& subject,
   IndexedMesh stand;
   if (scene->spec.stand.is_there) {
     stand = whole;
-    stand.triangles.erase(stand.triangles.begin(),
-                          stand.triangles.begin() +
-                              ptrdiff_t(subject.num_object_triangles));
+    stand.triangles.erase(
+        stand.triangles.begin(),
+        stand.triangles.begin() + ptrdiff_t(subject.num_object_triangles));
   } else {
     stand.positions = {{0, 0, -1e4}, {1e-3, 0, -1e4}, {0, 1e-3, -1e4}};
     stand.normals.assign(3, Eigen::Vector3f::UnitZ());

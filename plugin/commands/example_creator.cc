@@ -176,13 +176,14 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
   options.Add("reference_resolution",
               &scene_.reference.resolution,
               "Number of cells along the longest side of the reference mesh.");
-  options.AddEnum("Rig.kind",
-                  &scene_.rig.kind,
-                  {{"sphere", RigKind::kSphere},
-                   {"rings", RigKind::kRings},
-                   {"turntable", RigKind::kTurntable}},
-                  "Arrangement of the cameras around the object. On a turntable, a "
-                  "room stands still with the camera.");
+  options.AddEnum(
+      "Rig.kind",
+      &scene_.rig.kind,
+      {{"sphere", RigKind::kSphere},
+       {"rings", RigKind::kRings},
+       {"turntable", RigKind::kTurntable}},
+      "Arrangement of the cameras around the object. On a turntable, a "
+      "room stands still with the camera.");
   options
       .Add("Rig.min_elevation",
            &scene_.rig.min_elevation,

@@ -104,7 +104,8 @@ MaskExtraction MaskExtractor::RunTurntable(const Context& context) const {
   for (const auto& [name, value] :
        {std::pair("image_path", workspace_.image_path),
         std::pair("output_path", extraction_.output_path)}) {
-    CheckOption(!value.empty(), name, value.string(), "is required for mode turntable");
+    CheckOption(
+        !value.empty(), name, value.string(), "is required for mode turntable");
   }
   for (const auto& [name, is_set] :
        {std::pair("workspace_path", !workspace_path_.empty()),
@@ -115,7 +116,10 @@ MaskExtraction MaskExtractor::RunTurntable(const Context& context) const {
         std::pair("on_stand", extraction_.on_stand),
         std::pair("OctahedralMeshing.bounding_box",
                   !extraction_.bounding_box.empty())}) {
-    CheckOption(!is_set, name, "...", "is not for mode turntable, which knows no cameras");
+    CheckOption(!is_set,
+                name,
+                "...",
+                "is not for mode turntable, which knows no cameras");
   }
   return ExtractTurntableMasks({.image_path = workspace_.image_path,
                                 .output_path = extraction_.output_path,

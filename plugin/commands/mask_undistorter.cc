@@ -110,16 +110,16 @@ void MaskUndistorter::Run(const CommandEnvironment& environment) {
       OpenWorkspace(workspace_path_, workspace_, context);
   std::error_code ignored;
   if (fs::equivalent(workspace.mask_path, output_path_, ignored)) {
-    throw InputError(fmt::format(
-        "output_path {}: this is the folder of the original masks",
-        output_path_.string()));
+    throw InputError(
+        fmt::format("output_path {}: this is the folder of the original masks",
+                    output_path_.string()));
   }
   RequireOnlyOwnMasks(output_path_);
   const std::vector<ViewFiles> views =
-      FindViewFiles(workspace,
-                    {.need_images = false,
-                     .skip_missing_masks = skip_missing_masks_},
-                    context)
+      FindViewFiles(
+          workspace,
+          {.need_images = false, .skip_missing_masks = skip_missing_masks_},
+          context)
           .views;
   const std::map<std::string, PinholeCamera> targets = TargetCameras(views);
   const std::optional<MaskList> before = ReadMaskList(workspace.mask_path);
@@ -153,8 +153,8 @@ void MaskUndistorter::Run(const CommandEnvironment& environment) {
         listed.confidence = source == nullptr ? 1 : source->confidence;
       });
   // That these views have no mask is still known.
-  for (const ListedMask& source : before ? before->views
-                                         : std::vector<ListedMask>()) {
+  for (const ListedMask& source :
+       before ? before->views : std::vector<ListedMask>()) {
     if (source.status == MaskStatus::kUnsure &&
         list.Find(source.image) == nullptr) {
       list.views.push_back(source);

@@ -111,9 +111,9 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   }
   workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
   workspace_.loading.fill_bites = meshing_.fill_false_gaps;
-  CheckOption(extract_masks_ || (extraction_.given_masks_path.empty() &&
-                                 extraction_.strokes_path.empty() &&
-                                 !extraction_.on_stand),
+  CheckOption(extract_masks_ ||
+                  (extraction_.given_masks_path.empty() &&
+                   extraction_.strokes_path.empty() && !extraction_.on_stand),
               "extract_masks",
               extract_masks_,
               "must be 1 for given_masks_path, strokes_path and on_stand");

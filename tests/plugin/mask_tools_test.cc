@@ -50,9 +50,9 @@ TEST_F(MaskToolsTest, RendererGivesTheSilhouettes) {
     EXPECT_THAT(result.out, HasSubstr("12 masks, 0 of them empty"));
   }
   for (int i = 0; i < kSmallViews; ++i) {
-    EXPECT_GT(OverlapOf(ReadGrey(output / Mask(i).filename()),
-                        ReadGrey(Mask(i))),
-              0.995);
+    EXPECT_GT(
+        OverlapOf(ReadGrey(output / Mask(i).filename()), ReadGrey(Mask(i))),
+        0.995);
   }
   // Masks that it did not make stay.
   const std::string bytes = ReadFile(Mask(0));
@@ -180,9 +180,9 @@ TEST_F(TurntableModeTest, MasksOfWhatTurnsLeadToMasksOfTheObject) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("The object stands on a plane with"));
   for (int i = 0; i < kSmallViews; ++i) {
-    EXPECT_GT(OverlapOf(ReadGrey(found / Mask(i).filename()),
-                        ReadGrey(Mask(i))),
-              0.93)
+    EXPECT_GT(
+        OverlapOf(ReadGrey(found / Mask(i).filename()), ReadGrey(Mask(i))),
+        0.93)
         << i;
   }
 }
@@ -193,8 +193,7 @@ TEST_F(TurntableModeTest, PhotographsOfTheEmptySetAreUsed) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const cv::Mat found = ReadGrey(Turning() / Mask(5).filename()) > 127;
   const cv::Mat object = ReadGrey(Mask(5)) > 127;
-  EXPECT_LT(cv::countNonZero(object & ~found),
-            0.03 * cv::countNonZero(object));
+  EXPECT_LT(cv::countNonZero(object & ~found), 0.03 * cv::countNonZero(object));
 }
 
 TEST_F(TurntableModeTest, MistakesAreNamedAndLeaveNothing) {
@@ -205,8 +204,7 @@ TEST_F(TurntableModeTest, MistakesAreNamedAndLeaveNothing) {
               HasSubstr("no such folder"));
   // All photographs show the same view.
   for (int i = 1; i < kSmallViews; ++i) {
-    fs::copy_file(
-        Image(0), Image(i), fs::copy_options::overwrite_existing);
+    fs::copy_file(Image(0), Image(i), fs::copy_options::overwrite_existing);
   }
   EXPECT_THAT(ExtractTurning().err, HasSubstr("all 12 show the same"));
   cv::imwrite(Image(4).string(), cv::Mat(20, 30, CV_8UC3, cv::Scalar::all(9)));

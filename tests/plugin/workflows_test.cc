@@ -25,16 +25,16 @@ ProgramResult RunWorkflow(const std::string& script,
   const TemporaryFolder folder;
   const fs::path out = folder / "out";
   const fs::path err = folder / "err";
-  const std::string command =
-      fmt::format("cd / && PATH='{}':$PATH OCTACUT='{}' '{}/workflows/{}' {} "
-                  ">'{}' 2>'{}'",
-                  bin.string(),
-                  ExecutablePath(),
-                  OCTACUT_SOURCE_DIR,
-                  script,
-                  arguments,
-                  out.string(),
-                  err.string());
+  const std::string command = fmt::format(
+      "cd / && PATH='{}':$PATH OCTACUT='{}' '{}/workflows/{}' {} "
+      ">'{}' 2>'{}'",
+      bin.string(),
+      ExecutablePath(),
+      OCTACUT_SOURCE_DIR,
+      script,
+      arguments,
+      out.string(),
+      err.string());
   const int status = std::system(command.c_str());
   return {WEXITSTATUS(status), ReadFile(out), ReadFile(err)};
 }

@@ -23,8 +23,7 @@ TEST(RenderSilhouette, IsCoverageByAnyLens) {
     if (pixel.x() < 12) {
       return {};
     }
-    return Eigen::Vector3d(
-        (pixel.x() - 20) / 41, (pixel.y() - 15) / 41, 1);
+    return Eigen::Vector3d((pixel.x() - 20) / 41, (pixel.y() - 15) / 41, 1);
   };
   const cv::Mat mask =
       RenderSilhouette(rays, {40, 30}, ray_of, Rigid3d(), Context(2));

@@ -99,8 +99,12 @@ TEST(Occupancy, AGivenBoxBoundsIt) {
   const std::vector<Pose> poses = RingPoses(16);
   const Eigen::AlignedBox3d box(Eigen::Vector3d(-1, -1, 0),
                                 Eigen::Vector3d(1, 1, 1));
-  OccupancyGrid grid(
-      CubeOfEdge(2), 64, {.box = box}, poses, OddsOf({Ball()}, poses), Context(2));
+  OccupancyGrid grid(CubeOfEdge(2),
+                     64,
+                     {.box = box},
+                     poses,
+                     OddsOf({Ball()}, poses),
+                     Context(2));
   ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1));
   EXPECT_GE(grid.ObjectBox().min().z(), -1e-9);
   EXPECT_NEAR(grid.ObjectBox().max().z(), 0.5, 0.1);

@@ -21,8 +21,7 @@ cv::Mat Textured(uint64_t seed, const cv::Vec3b& base, uint64_t noise_seed) {
       for (int c = 0; c < 3; ++c) {
         const double patch =
             80 * HashUniform(HashBits(seed, y / 4, x / 4, c)) - 40;
-        const double noise =
-            4 * HashUniform(HashBits(noise_seed, y, x, c)) - 2;
+        const double noise = 4 * HashUniform(HashBits(noise_seed, y, x, c)) - 2;
         image.at<cv::Vec3b>(y, x)[c] =
             cv::saturate_cast<uint8_t>(base[c] + patch + noise);
       }
@@ -91,7 +90,8 @@ TEST_F(TurntableTest, FindsAnObjectThatLooksTheSameFromAllSides) {
     EXPECT_EQ(view.doubt, "");
     EXPECT_GT(Overlap(view.mask, truth), 0.95);
   }
-  // With photographs of the empty set it may look like the background elsewhere.
+  // With photographs of the empty set it may look like the background
+  // elsewhere.
   input.empty_set = {Photograph(50, true), Photograph(51, true)};
   for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
     EXPECT_EQ(view.doubt, "");

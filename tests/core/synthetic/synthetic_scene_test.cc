@@ -136,8 +136,8 @@ TEST(MakeScene, AStandIsInThePhotographsNotInTheMasks) {
               std::abs(scene.object.shape(point.position)) < 2e-3);
   }
   EXPECT_GT(num_stand_points, 10);
-  EXPECT_EQ(ToScene(scene).points.size(), scene.points.size() -
-                                              size_t(num_stand_points));
+  EXPECT_EQ(ToScene(scene).points.size(),
+            scene.points.size() - size_t(num_stand_points));
   spec.rig.min_elevation = -40;
   EXPECT_THROW(MakeScene(spec, Context(2)), OptionError);
 }

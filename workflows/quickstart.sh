@@ -3,18 +3,22 @@
 # octacut, creates the bundled example, reconstructs it and compares the result
 # with the example's reference mesh.
 #
-#   workflows/quickstart.sh [WORKSPACE] [--with_colmap 1] [options]
+#   workflows/quickstart.sh [WORKSPACE] [--with_colmap 1 [--with_masks 0]] [options]
 #
 # WORKSPACE          folder of the example; default build/example
 # --with_colmap 1    let COLMAP estimate the cameras from the photographs, which
 #                    takes some minutes
+# --with_masks 0     for --with_colmap 1: everything from photographs alone, of the
+#                    example on a stand in a room; no given mask enters any step.
+#                    WORKSPACE is build/example-without-masks then
 # All other options are passed to `octacut octahedral_mesher`.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-workspace=${OCTACUT_BUILD_DIR:-$root/build}/example
+workspace=
 with_colmap=0
+with_masks=1
 options=()
 if [[ $# -gt 0 && $1 != -* ]]; then
   workspace=$1
@@ -30,12 +34,29 @@ while [[ $# -gt 0 ]]; do
       with_colmap=${2:?"--with_colmap needs 0 or 1"}
       shift 2
       ;;
+    --with_masks)
+      with_masks=${2:?"--with_masks needs 0 or 1"}
+      shift 2
+      ;;
     *)
       options+=("$1")
       shift
       ;;
   esac
 done
+
+if [[ $with_masks == 0 && $with_colmap != 1 ]]; then
+  echo "quickstart: --with_masks 0 needs --with_colmap 1" >&2
+  exit 1
+fi
+scene=()
+name=example
+if [[ $with_masks == 0 ]]; then
+  # Cameras below the stand would not see the object.
+  scene=(--Scene.stand 1 --Scene.background room --Rig.min_elevation 8)
+  name=example-without-masks
+fi
+workspace=${workspace:-${OCTACUT_BUILD_DIR:-$root/build}/$name}
 
 "$root/workflows/setup.sh"
 "$root/workflows/build.sh" octacut
@@ -46,12 +67,14 @@ echo "== Creating the example: photographs, masks and a sparse model"
 if grep -q '"complete": true' "$workspace/example.json" 2>/dev/null; then
   echo "$workspace exists already"
 else
-  "$octacut" example_creator --output_path "$workspace" --overwrite 1
+  "$octacut" example_creator --output_path "$workspace" --overwrite 1 "${scene[@]}"
 fi
 
 reference=$workspace/gt/reference.ply
 result=$workspace
-if [[ $with_colmap == 1 ]]; then
+if [[ $with_masks == 0 ]]; then
+  result=$workspace/from_photographs
+elif [[ $with_colmap == 1 ]]; then
   echo
   echo "== Estimating the cameras with COLMAP"
   result=$workspace/colmap
@@ -72,7 +95,13 @@ comparison=${mesh%.*}-comparison.json
 
 echo
 echo "== Reconstructing the mesh"
-"$octacut" octahedral_mesher --workspace_path "$result" "${options[@]}"
+if [[ $with_masks == 0 ]]; then
+  # The example's cameras say only in which frame the mesh is to be compared.
+  "$root/workflows/images_to_mesh.sh" "$workspace/images" "$result" --on_stand 1 \
+    --reference_path "$workspace/sparse/0" "${options[@]}"
+else
+  "$octacut" octahedral_mesher --workspace_path "$result" "${options[@]}"
+fi
 
 echo
 echo "== Comparing the mesh with the reference"

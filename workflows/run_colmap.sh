@@ -29,7 +29,7 @@ fi
 export QT_QPA_PLATFORM=offscreen
 work=$output/work
 rm -rf "$work"
-mkdir -p "$work/mapped" "$work/reference" "$output/sparse/0"
+mkdir -p "$work/mapped" "$output"
 log=$output/colmap.log
 : >"$log"
 
@@ -54,24 +54,5 @@ if [[ ! -f $work/mapped/0/images.bin ]]; then
   exit 1
 fi
 
-# Camera centres of the example, -R^T t, as "name x y z" lines.
-run model_converter --input_path "$example/sparse/0" \
-  --output_path "$work/reference" --output_type TXT
-awk '!/^#/ && NF == 10 {  # a line of points has a multiple of three
-  w = $2; x = $3; y = $4; z = $5
-  print $10,
-    -((1 - 2*(y*y + z*z))*$6 + 2*(x*y + w*z)*$7 + 2*(x*z - w*y)*$8),
-    -(2*(x*y - w*z)*$6 + (1 - 2*(x*x + z*z))*$7 + 2*(y*z + w*x)*$8),
-    -(2*(x*z + w*y)*$6 + 2*(y*z - w*x)*$7 + (1 - 2*(x*x + y*y))*$8)
-}' "$work/reference/images.txt" >"$work/centers.txt"
-
-diameter=$(awk '{ r = sqrt($2*$2 + $3*$3 + $4*$4); if (r > m) m = r }
-                END { print 2 * m }' "$work/centers.txt")
-run model_aligner --input_path "$work/mapped/0" \
-  --output_path "$output/sparse/0" --ref_images_path "$work/centers.txt" \
-  --ref_is_gps 0 --alignment_type custom --robust_alignment 1 \
-  --robust_alignment_max_error "$(awk -v d="$diameter" 'BEGIN { print d / 100 }')"
-if [[ ! -f $output/sparse/0/images.bin ]]; then
-  echo "run_colmap: the model could not be aligned; see $log" >&2
-  exit 1
-fi
+"$(dirname "${BASH_SOURCE[0]}")/align_model.sh" "$example/sparse/0" \
+  "$work/mapped/0" "$output/sparse/0" "$log"

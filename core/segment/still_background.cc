@@ -17,8 +17,9 @@ constexpr size_t kCandidates = 16;
 // how many standard deviations two photographs may differ.
 constexpr float kQuartile = 1.10f;
 constexpr float kDeviations = 3.5f;
-// JPEG's own errors, in 8 bits.
+// JPEG's own errors, and strong noise, in 8 bits.
 constexpr float kLeastTolerance = 8;
+constexpr float kMostTolerance = 25;
 // Pixels of a window that must show the background.
 constexpr float kMostOfWindow = 0.85f;
 // Least light in a shadow; L + 16 goes with its cube root.
@@ -54,7 +55,8 @@ float Tolerance(std::span<const cv::Mat> labs) {
   }
   const auto middle = quartiles.begin() + ptrdiff_t(quartiles.size() / 2);
   std::nth_element(quartiles.begin(), middle, quartiles.end());
-  return std::max(kLeastTolerance, kDeviations * *middle / kQuartile);
+  return std::clamp(
+      kDeviations * *middle / kQuartile, kLeastTolerance, kMostTolerance);
 }
 
 // The mean of the values that most photographs agree on.

@@ -24,6 +24,8 @@ constexpr int kComponents = 8;
 constexpr float kMostOdds = 4;
 constexpr float kSmoothness = 8;
 constexpr double kLeastContrast = 0.6;
+// Log odds below which colours tell nothing.
+constexpr float kClear = 1;
 // Part of the frame's width at its sides that is background.
 constexpr double kSide = 0.02;
 
@@ -141,12 +143,14 @@ StillObject FindStillObject(const StillBackground& background,
     CutLabels(image, log_odds, kSmoothness, &labels);
     object = (labels == kObject) & ~turning;
   }
-  // The seeds themselves must look different from the background.
-  const int num_seeds = cv::countNonZero(seeds);
+  // What is told clearly: the seeds themselves must look different from the
+  // background, and so must the border that is not with what turns.
+  cv::Mat clear = log_odds.clone();
+  clear.setTo(0, cv::abs(log_odds) < kClear);
+  clear.setTo(-kMostOdds, turning);
   const double told =
-      double(cv::countNonZero((log_odds > 0) & seeds)) / num_seeds;
-  const double contrast =
-      std::min(told, BorderContrast(object | turning, log_odds));
+      double(cv::countNonZero((clear > 0) & seeds)) / cv::countNonZero(seeds);
+  const double contrast = std::min(told, BorderContrast(object, clear));
   if (contrast < kLeastContrast) {
     result.doubt = fmt::format(
         "a part in front of the plate looks the same in all photographs, and "

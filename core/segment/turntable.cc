@@ -29,6 +29,15 @@ constexpr float kSmoothness = 4;
 constexpr float kUnreliable = 0.25f;
 constexpr double kLeastConfidence = 0.5;
 
+// Windows around points beside it show it as well, up to a third of their size
+// away.
+cv::Mat CoreOf(const cv::Mat& windows, int window) {
+  cv::Mat core;
+  const int reach = int(std::lround(0.3 * window));
+  cv::erode(windows, core, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+  return core;
+}
+
 class TurntableSegmenter {
  public:
   TurntableSegmenter(const TurntableInput& input, const Context& context)
@@ -43,18 +52,16 @@ class TurntableSegmenter {
         empty_labs.empty() ? of_all : FindStillBackground(empty_labs, context_);
     background_.tolerance = of_all.tolerance;
     RequireTurntable(of_all);
-    // What never shows the background: object, and a plate with a pattern.
-    always_ = background_.support < (empty_labs.empty() ? kLeastSupport : 1.0f);
-    unreliable_ = cv::Mat::zeros(always_.size(), CV_8U);
+    // What never shows the background: object, and a plate with a pattern. With
+    // photographs of the empty set, the plate is what differs among them.
+    const float least = empty_labs.empty() ? kLeastSupport : 1.0f;
+    unreliable_ = background_.support < least;
+    always_ = CoreOf(unreliable_, kStillWindow);
     if (empty_labs.empty()) {
-      // A wide window is half on such a point when a fifth of it is.
-      const int wide = WideWindow(always_.size());
-      unreliable_ = background_.wide_support < kLeastSupport;
-      cv::Mat core;
-      cv::erode(unreliable_,
-                core,
-                cv::Mat::ones(2 * (wide / 5) + 1, 2 * (wide / 5) + 1, CV_8U));
-      cv::bitwise_or(always_, core, always_);
+      const cv::Mat wide = background_.wide_support < kLeastSupport;
+      cv::bitwise_or(unreliable_, wide, unreliable_);
+      cv::bitwise_or(
+          always_, CoreOf(wide, WideWindow(always_.size())), always_);
       const StillObject still = FindStillObject(of_all, always_);
       doubt_ = still.doubt;
       cv::bitwise_or(always_, still.mask, always_);
@@ -85,7 +92,8 @@ class TurntableSegmenter {
   std::vector<TurntableView> result_;
   StillBackground background_;
   cv::Mat always_;  // CV_8U, 255 where object or plate always are
-  // CV_8U, 255 where the background may be the plate's most frequent colour.
+  // CV_8U, 255 where the background may be the most frequent colour of plate or
+  // object.
   cv::Mat unreliable_;
   std::string doubt_;
 };

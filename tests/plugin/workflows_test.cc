@@ -17,20 +17,24 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-// Runs a script of workflows/ from another folder than the tree's.
+// Runs a script of workflows/ from another folder than the tree's. Programs in
+// `bin` come first.
 ProgramResult RunWorkflow(const std::string& script,
-                          const std::string& arguments) {
+                          const std::string& arguments,
+                          const fs::path& bin = "/usr/bin") {
   const TemporaryFolder folder;
   const fs::path out = folder / "out";
   const fs::path err = folder / "err";
-  const std::string command =
-      fmt::format("cd / && OCTACUT='{}' '{}/workflows/{}' {} >'{}' 2>'{}'",
-                  ExecutablePath(),
-                  OCTACUT_SOURCE_DIR,
-                  script,
-                  arguments,
-                  out.string(),
-                  err.string());
+  const std::string command = fmt::format(
+      "cd / && PATH='{}':$PATH OCTACUT='{}' '{}/workflows/{}' {} "
+      ">'{}' 2>'{}'",
+      bin.string(),
+      ExecutablePath(),
+      OCTACUT_SOURCE_DIR,
+      script,
+      arguments,
+      out.string(),
+      err.string());
   const int status = std::system(command.c_str());
   return {WEXITSTATUS(status), ReadFile(out), ReadFile(err)};
 }
@@ -104,6 +108,96 @@ TEST(Workflows, AfterMapperMeshesAndComparesAndCanBeRepeated) {
                            "dense/1/meshed-poisson.ply"}) {
     EXPECT_THAT(result.out, HasSubstr(name));
   }
+}
+
+// Without COLMAP's work: mistakes that are found before.
+TEST(Workflows, ImagesToMeshNamesMistakes) {
+  const TemporaryFolder folder;
+  const std::string workspace = Quoted(folder / "w");
+  EXPECT_EQ(RunWorkflow("images_to_mesh.sh", "").exit_code, 1);
+  EXPECT_EQ(RunWorkflow("images_to_mesh.sh", "--help").exit_code, 0);
+  EXPECT_THAT(RunWorkflow("images_to_mesh.sh", "/gone " + workspace).err,
+              HasSubstr("/gone: there is no such folder of photographs"));
+  const std::string both = Quoted(folder.Path()) + " " + workspace;
+  for (const auto& [options, message] :
+       {std::pair("--turntable yes", "--turntable yes: must be 0 or 1"),
+        std::pair("--background_path /b", "is for --turntable 1"),
+        std::pair("--max_num_features many", "must be a positive number")}) {
+    const ProgramResult result =
+        RunWorkflow("images_to_mesh.sh", both + " " + options);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr(message));
+    EXPECT_FALSE(fs::exists(folder / "w"));
+  }
+}
+
+// A stand-in for COLMAP: its feature extractor and matcher note that they ran,
+// its mapper copies the example's model.
+TEST(Workflows, ImagesToMeshSkipsWhatIsFinished) {
+  const TemporaryFolder folder;
+  const fs::path example = folder / "example";
+  const ProgramResult made = RunOctacut({"example_creator",
+                                         "--output_path",
+                                         example.string(),
+                                         "--scene",
+                                         "lump",
+                                         "--num_views",
+                                         "12",
+                                         "--width",
+                                         "160",
+                                         "--height",
+                                         "120",
+                                         "--reference_resolution",
+                                         "40"});
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  fs::create_directories(folder / "bin");
+  const fs::path colmap = folder / "bin" / "colmap";
+  std::ofstream(colmap) << fmt::format(
+      R"(#!/usr/bin/env bash
+while (($#)); do
+  case $1 in
+    feature_extractor | exhaustive_matcher | mapper) step=$1 ;;
+    -h) exit 0 ;;
+    --database_path) database=$2 ;;
+    --output_path) output=$2 ;;
+  esac
+  shift
+done
+echo "$step" >>'{0}/ran'
+touch "$database"
+[[ $step != mapper ]] || cp -r '{1}/sparse/0' "$output/0"
+)",
+      folder.Path().string(),
+      example.string());
+  fs::permissions(colmap, fs::perms::owner_all);
+  const auto run = [&](const std::string& options) {
+    std::ofstream(folder / "ran").close();
+    const ProgramResult result = RunWorkflow(
+        "images_to_mesh.sh",
+        fmt::format("'{}/images' '{}' --OctahedralMeshing.hull_level 5 "
+                    "--OctahedralMeshing.target_level 6 --picture 0 {}",
+                    example.string(),
+                    (folder / "w").string(),
+                    options),
+        folder / "bin");
+    EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+    return ReadFile(folder / "ran");
+  };
+  EXPECT_EQ(run(""), "feature_extractor\nexhaustive_matcher\nmapper\n");
+  const fs::path mesh = folder / "w" / "meshed-octahedral.ply";
+  const std::string bytes = ReadFile(mesh);
+  const auto masks_time = fs::last_write_time(folder / "w/masks/masks.json");
+  fs::remove(folder / "w" / "steps" / "mesh");
+  EXPECT_EQ(run(""), "");
+  EXPECT_EQ(ReadFile(mesh), bytes);
+  // An option of the mesher redoes the mesh alone, one of COLMAP all after it.
+  run("--OctahedralMeshing.ballooning 0.1");
+  EXPECT_NE(ReadFile(mesh), bytes);
+  EXPECT_EQ(fs::last_write_time(folder / "w/masks/masks.json"), masks_time);
+  EXPECT_EQ(run("--max_num_features 1000"),
+            "feature_extractor\nexhaustive_matcher\nmapper\n");
+  EXPECT_NE(fs::last_write_time(folder / "w/masks/masks.json"), masks_time);
+  EXPECT_EQ(ReadFile(mesh), bytes);
 }
 
 TEST(Workflows, OptionValues) {

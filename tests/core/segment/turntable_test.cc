@@ -1,0 +1,137 @@
+#include "core/segment/turntable.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/error.h"
+#include "core/base/hash.h"
+
+namespace octacut {
+namespace {
+
+constexpr int kWidth = 200;
+constexpr int kHeight = 150;
+
+// Patches of four by four pixels and noise of two grey levels.
+cv::Mat Textured(uint64_t seed, const cv::Vec3b& base, uint64_t noise_seed) {
+  cv::Mat image(kHeight, kWidth, CV_8UC3);
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const double patch =
+            80 * HashUniform(HashBits(seed, y / 4, x / 4, c)) - 40;
+        const double noise = 4 * HashUniform(HashBits(noise_seed, y, x, c)) - 2;
+        image.at<cv::Vec3b>(y, x)[c] =
+            cv::saturate_cast<uint8_t>(base[c] + patch + noise);
+      }
+    }
+  }
+  return image;
+}
+
+// A still background of blue patches, a round plate whose pattern changes, and
+// on it what the test draws.
+class TurntableTest : public ::testing::Test {
+ protected:
+  static cv::Mat PlateMask() {
+    cv::Mat mask = cv::Mat::zeros(kHeight, kWidth, CV_8U);
+    cv::ellipse(mask, {100, 120}, {60, 22}, 0, 0, 360, 255, cv::FILLED);
+    return mask;
+  }
+  static cv::Mat Photograph(int i, bool with_plate) {
+    cv::Mat image = Textured(1, {150, 90, 60}, uint64_t(100 + i));
+    if (with_plate) {
+      Textured(uint64_t(1000 + i), {60, 90, 120}, uint64_t(200 + i))
+          .copyTo(image, PlateMask());
+    }
+    return image;
+  }
+  static double Overlap(const cv::Mat& a, const cv::Mat& b) {
+    return double(cv::countNonZero(a & b)) / cv::countNonZero(a | b);
+  }
+};
+
+TEST_F(TurntableTest, FindsWhatTurns) {
+  TurntableInput input;
+  std::vector<cv::Mat> truths;
+  for (int i = 0; i < 16; ++i) {
+    cv::Mat image = Photograph(i, true);
+    cv::Mat truth = PlateMask();
+    // An arm that swings from one side to the other.
+    cv::Mat arm = cv::Mat::zeros(kHeight, kWidth, CV_8U);
+    cv::line(arm, {100, 110}, {40 + 8 * i, 40}, 255, 14);
+    Textured(uint64_t(3000 + i), {40, 160, 160}, 7).copyTo(image, arm);
+    truths.push_back(truth | arm);
+    input.images.push_back(image);
+  }
+  const std::vector<TurntableView> views = SegmentTurntable(input, Context(2));
+  for (size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(views[i].doubt, "") << i;
+    EXPECT_GT(Overlap(views[i].mask, truths[i]), 0.93) << i;
+  }
+  // The same bytes for any number of threads.
+  const std::vector<TurntableView> again = SegmentTurntable(input, Context(1));
+  EXPECT_EQ(cv::norm(views[3].mask, again[3].mask, cv::NORM_INF), 0);
+}
+
+// A grey vase that never changes stands in front of the plate.
+TEST_F(TurntableTest, FindsAnObjectThatLooksTheSameFromAllSides) {
+  const cv::Rect vase(80, 25, 40, 105);
+  cv::Mat truth = PlateMask();
+  truth(vase).setTo(255);
+  TurntableInput input;
+  for (int i = 0; i < 12; ++i) {
+    cv::Mat image = Photograph(i, true);
+    image(vase).setTo(cv::Scalar(170, 170, 170));
+    input.images.push_back(image);
+  }
+  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
+    EXPECT_EQ(view.doubt, "");
+    EXPECT_GT(Overlap(view.mask, truth), 0.95);
+  }
+  // With photographs of the empty set it may look like the background
+  // elsewhere.
+  input.empty_set = {Photograph(50, true), Photograph(51, true)};
+  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
+    EXPECT_EQ(view.doubt, "");
+    EXPECT_GT(Overlap(view.mask, truth), 0.95);
+  }
+}
+
+// What stands still in front of the plate and looks like the background is not
+// decided in silence.
+TEST_F(TurntableTest, DoubtsWhatLooksLikeTheBackground) {
+  const cv::Rect vase(80, 25, 40, 105);
+  TurntableInput input;
+  for (int i = 0; i < 12; ++i) {
+    cv::Mat image = Photograph(i, true);
+    Textured(77, {150, 90, 60}, uint64_t(300 + i))(vase).copyTo(image(vase));
+    input.images.push_back(image);
+  }
+  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
+    EXPECT_NE(view.doubt.find("background_path"), std::string::npos);
+  }
+}
+
+TEST_F(TurntableTest, RefusesWhatIsNoTurntable) {
+  TurntableInput still;
+  TurntableInput moving;
+  for (int i = 0; i < 6; ++i) {
+    still.images.push_back(Photograph(i, false));
+    moving.images.push_back(Textured(uint64_t(i), {120, 120, 120}, 5));
+  }
+  const auto message = [](const TurntableInput& input) -> std::string {
+    try {
+      SegmentTurntable(input, Context(2));
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message(still).find("show the same"), std::string::npos);
+  EXPECT_NE(message(moving).find("stands still"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -119,6 +119,7 @@ class Expander {
     if (active_.empty()) {
       return false;
     }
+    graph_ = {};  // create() alone keeps the nodes of the last expansion
     graph_.create(unsigned(active_.size()), unsigned(4 * active_.size()));
     for (size_t i = 0; i < active_.size(); ++i) {
       graph_.addVtx();

@@ -124,6 +124,8 @@ class Expander {
     for (size_t i = 0; i < active_.size(); ++i) {
       graph_.addVtx();
     }
+    // A graph without any edge is refused.
+    graph_.addEdges(0, graph_.addVtx(), 0, 0);
     for (size_t i = 0; i < active_.size(); ++i) {
       AddNode(int(i), label);
     }

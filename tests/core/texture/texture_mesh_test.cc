@@ -182,7 +182,7 @@ TEST(TextureMesh, RefusesWhatCannotBeTextured) {
   EXPECT_THAT(InputErrorOf(sphere, {}), HasSubstr("no photographs"));
   IndexedMesh elsewhere = sphere;
   for (Eigen::Vector3d& position : elsewhere.positions) {
-    position += Eigen::Vector3d(0, 0, 100);
+    position += Eigen::Vector3d(100, 40, 0);
   }
   EXPECT_THAT(InputErrorOf(elsewhere, photographs), HasSubstr("frame"));
   TexturingOptions options;

@@ -1,9 +1,23 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that octacut needs and that are missing, as root
-# or with sudo, and those that arguments name. If neither is possible, it prints
+# or with sudo, and those that arguments name; before these, --with_test_tools 1
+# adds the tools that only tests use. If neither is possible, it prints
 # the missing packages and fails.
 # If all packages are installed, it changes nothing.
 set -euo pipefail
+
+# What other programs make of octacut's files: only tests use these.
+test_tools=()
+npm_test_tools=(gltf-validator@2.0.0-dev.3.10)
+with_test_tools=0
+if [[ ${1:-} == --with_test_tools ]]; then
+  with_test_tools=${2:?--with_test_tools needs 0 or 1}
+  shift 2
+fi
+if [[ $with_test_tools == 1 ]]; then
+  command -v npm >/dev/null || test_tools+=(nodejs npm)
+  set -- "${test_tools[@]}" "$@"
+fi
 
 packages=(
   g++ cmake make ninja-build
@@ -29,11 +43,25 @@ missing=()
 for package in "${packages[@]}"; do
   is_installed "$package" || missing+=("$package")
 done
+
+install_npm_tools() {
+  [[ $with_test_tools == 1 ]] || return 0
+  local tool
+  for tool in "${npm_test_tools[@]}"; do
+    npm ls -g "${tool%@*}" >/dev/null 2>&1 ||
+      "${as_root[@]}" npm install -g --silent "$tool" >/dev/null
+  done
+}
+
+as_root=()
+if [[ $EUID -ne 0 ]] && sudo -n true 2>/dev/null; then
+  as_root=(sudo)
+fi
 if [[ ${#missing[@]} -eq 0 ]]; then
+  install_npm_tools
   exit 0
 fi
 
-as_root=()
 if [[ $EUID -ne 0 ]]; then
   # -n: never wait for a password that nobody is there to type.
   if command -v sudo >/dev/null && { [[ -t 0 ]] || sudo -n true 2>/dev/null; }; then
@@ -50,3 +78,4 @@ echo "setup: a bare system needs 0.4 GB of downloads, 1.6 GB on disk and some mi
 "${as_root[@]}" apt-get update -qq
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
   apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+install_npm_tools

@@ -26,11 +26,18 @@ class MeshTexturer : public testing::SmallWorkspaceTest {
 
   ProgramResult Texture(const fs::path& output,
                         const std::vector<std::string>& options = {}) const {
+    return TextureMesh(Reference(), output, options);
+  }
+
+  ProgramResult TextureMesh(
+      const fs::path& mesh,
+      const fs::path& output,
+      const std::vector<std::string>& options = {}) const {
     std::vector<std::string> arguments = {"mesh_texturer",
                                           "--workspace_path",
                                           Workspace().string(),
                                           "--mesh_path",
-                                          Reference().string(),
+                                          mesh.string(),
                                           "--output_path",
                                           output.string()};
     arguments.insert(arguments.end(), options.begin(), options.end());
@@ -38,9 +45,10 @@ class MeshTexturer : public testing::SmallWorkspaceTest {
   }
 
   void ExpectError(const std::string& message,
-                   const std::vector<std::string>& options) const {
-    const fs::path output = Output("refused.glb");
-    const ProgramResult result = Texture(output, options);
+                   const fs::path& mesh,
+                   const fs::path& output,
+                   const std::vector<std::string>& options = {}) const {
+    const ProgramResult result = TextureMesh(mesh, output, options);
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.err, HasSubstr(message));
     EXPECT_THAT(result.out, IsEmpty());
@@ -137,30 +145,33 @@ TEST_F(MeshTexturer, NeedsNoMasksAndTakesOpenMeshes) {
   open.triangles.resize(open.triangles.size() / 2);
   WriteMesh(Output("open.ply"), open);
   const ProgramResult result =
-      Texture(Output("open.glb"), {"--mesh_path", Output("open.ply").string()});
+      TextureMesh(Output("open.ply"), Output("open.glb"));
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(fs::exists(Output("open.glb")));
 }
 
 TEST_F(MeshTexturer, RefusesWrongInputWithOneError) {
+  const fs::path output = Output("refused.glb");
   ExpectError("max_pages 1: the texture needs",
+              Reference(),
+              output,
               {"--texture_size", "64", "--max_pages", "1"});
   ExpectError("unknown extension \".stl\" of a textured mesh",
-              {"--output_path", Output("x.stl").string()});
+              Reference(),
+              Output("x.stl"));
   IndexedMesh mesh = ReadMesh(Reference()).mesh;
   for (Eigen::Vector3d& position : mesh.positions) {
     position += Eigen::Vector3d(0, 500, 0);
   }
   WriteMesh(Output("moved.ply"), mesh);
-  ExpectError("frame of the sparse model",
-              {"--mesh_path", Output("moved.ply").string()});
+  ExpectError("frame of the sparse model", Output("moved.ply"), output);
   mesh.triangles.clear();
   WriteMesh(Output("points.ply"), mesh);
-  ExpectError("points.ply: the mesh has no faces",
-              {"--mesh_path", Output("points.ply").string()});
+  ExpectError("points.ply: the mesh has no faces", Output("points.ply"), output);
   fs::remove_all(Workspace() / "images");
   fs::create_directory(Workspace() / "images");
-  ExpectError("no such image; missing for 12 of 12 images", {});
+  ExpectError(
+      "no such image; missing for 12 of 12 images", Reference(), output);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/mesh/glb_writer.h"
 #include "colmap_io/mesh/mesh_readers.h"
 #include "colmap_io/mesh/mesh_writers.h"
 #include "core/base/error.h"
@@ -67,8 +68,10 @@ MeshFormat MeshFormatOf(const std::filesystem::path& path) {
   if (extension == ".obj") return MeshFormat::kObj;
   if (extension == ".off") return MeshFormat::kOff;
   if (extension == ".stl") return MeshFormat::kStl;
+  if (extension == ".glb") return MeshFormat::kGlb;
   throw OptionError(fmt::format(
-      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off or .stl",
+      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off, .stl "
+      "or .glb",
       path.string(),
       extension));
 }
@@ -106,6 +109,9 @@ MeshFile ReadMesh(std::istream& stream,
     case MeshFormat::kStl:
       polygons = ReadStl(&source, &result.notes);
       break;
+    case MeshFormat::kGlb:
+      throw InputError(fmt::format(
+          "{}: .glb files are written, but not read", name));
   }
   result.mesh = Triangulate(std::move(polygons), name, &result.notes);
   CheckCoordinates(result.mesh, name);
@@ -132,6 +138,8 @@ void WriteMesh(std::ostream& stream,
       return WriteOff(mesh, stream);
     case MeshFormat::kStl:
       return WriteStl(mesh, stream);
+    case MeshFormat::kGlb:
+      return WriteGlb(mesh, stream);
   }
 }
 

@@ -1,4 +1,5 @@
-// Meshes from and to files: PLY, OBJ, OFF and STL, by extension.
+// Meshes from and to files: PLY, OBJ, OFF and STL, by extension; GLB is written
+// only.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,7 @@
 
 namespace octacut {
 
-enum class MeshFormat { kPly, kObj, kOff, kStl };
+enum class MeshFormat { kPly, kObj, kOff, kStl, kGlb };
 
 // By the extension of `path`, whatever its case. Throws OptionError that names
 // the extension and lists the known ones.

@@ -63,8 +63,9 @@ void OctahedralMesher::DeclareOptions(OptionManager& options) {
       .ForExperts();
   options.Add("texture",
               &texture_,
-              "If 1, write a textured mesh (.glb) beside the mesh, too, as "
-              "mesh_texturer does with its defaults.");
+              "If 1, write a textured mesh (.glb) beside the mesh, or instead "
+              "of it if output_path ends with .glb, as mesh_texturer does with "
+              "its defaults.");
   options.Add("extract_masks",
               &extract_masks_,
               "If 1, make the masks first, as mask_extractor does.");

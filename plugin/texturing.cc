@@ -63,32 +63,31 @@ Json SummaryToJson(const TextureSummary& summary,
                      {"triangles", summary.triangles_of_view[v]},
                      {"exposure", {gain[2], gain[1], gain[0]}}});
   }
-  return {
-      {"photographs",
-       {{"image_path", files.image_path.string()},
-        {"model_path", files.model_path.string()},
-        {"mask_path", files.mask_path.string()},
-        {"registered_images", files.num_images},
-        {"missing", files.num_missing},
-        {"without_mask", files.num_without_mask},
-        {"elsewhere", files.num_elsewhere},
-        {"used", photographs.poses.size()}}},
-      {"triangles", summary.num_triangles},
-      {"unseen_triangles", summary.num_unseen},
-      {"unseen_area_fraction", summary.unseen_area},
-      {"unsure_triangles", summary.num_unsure},
-      {"charts", summary.num_charts},
-      {"unseen_charts", summary.num_unseen_charts},
-      {"pages", summary.num_pages},
-      {"page_texels", summary.page_texels},
-      {"texels", summary.num_texels},
-      {"unfilled_texels", summary.num_unfilled_texels},
-      {"labelling_energy", summary.energy},
-      {"seams",
-       {{"points", summary.seams.num_points},
-        {"mean_jump_before", summary.seams.before},
-        {"mean_jump_after", summary.seams.after}}},
-      {"views", views}};
+  return {{"photographs",
+           {{"image_path", files.image_path.string()},
+            {"model_path", files.model_path.string()},
+            {"mask_path", files.mask_path.string()},
+            {"registered_images", files.num_images},
+            {"missing", files.num_missing},
+            {"without_mask", files.num_without_mask},
+            {"elsewhere", files.num_elsewhere},
+            {"used", photographs.poses.size()}}},
+          {"triangles", summary.num_triangles},
+          {"unseen_triangles", summary.num_unseen},
+          {"unseen_area_fraction", summary.unseen_area},
+          {"unsure_triangles", summary.num_unsure},
+          {"charts", summary.num_charts},
+          {"unseen_charts", summary.num_unseen_charts},
+          {"pages", summary.num_pages},
+          {"page_texels", summary.page_texels},
+          {"texels", summary.num_texels},
+          {"unfilled_texels", summary.num_unfilled_texels},
+          {"labelling_energy", summary.energy},
+          {"seams",
+           {{"points", summary.seams.num_points},
+            {"mean_jump_before", summary.seams.before},
+            {"mean_jump_after", summary.seams.after}}},
+          {"views", views}};
 }
 
 Json ScoreMeshes(const TexturedMesh& textured,
@@ -113,11 +112,12 @@ Json ScoreMeshes(const TexturedMesh& textured,
       ScoreHeldOut(textured, colored, held_out, context);
   Json meshes = Json::array();
   for (size_t i = 0; i < scores.size(); ++i) {
-    context.Info(fmt::format("Photographs left out, {}: PSNR {:.2f} dB, SSIM "
-                             "{:.4f}",
-                             names[i],
-                             scores[i].Psnr(),
-                             scores[i].Ssim()));
+    context.Info(
+        fmt::format("Photographs left out, {}: PSNR {:.2f} dB, SSIM "
+                    "{:.4f}",
+                    names[i],
+                    scores[i].Psnr(),
+                    scores[i].Ssim()));
     meshes.push_back({{"name", names[i]},
                       {"psnr", scores[i].Psnr()},
                       {"ssim", scores[i].Ssim()},
@@ -133,8 +133,8 @@ void WritePicture(const fs::path& path,
                   const Photographs& photographs,
                   const Context& context) {
   const auto& counts = result.summary.triangles_of_view;
-  const auto view = size_t(
-      std::max_element(counts.begin(), counts.end()) - counts.begin());
+  const auto view =
+      size_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
   const PhotographPose& pose = photographs.poses[view];
   const RayScene rays(result.textured.mesh);
   const UnlitPicture unlit =
@@ -142,38 +142,37 @@ void WritePicture(const fs::path& path,
   cv::Mat textured(unlit.color.size(), CV_8UC3, cv::Scalar::all(255));
   unlit.color.copyTo(textured, unlit.covered);
   cv::Mat picture;
-  cv::hconcat(std::vector<cv::Mat>{
-                  photographs.load(view).image,
-                  textured,
-                  RenderRelit(result.textured, rays, pose, context)},
-              picture);
+  cv::hconcat(
+      std::vector<cv::Mat>{photographs.load(view).image,
+                           textured,
+                           RenderRelit(result.textured, rays, pose, context)},
+      picture);
   WriteImage(path, picture);
 }
 
 }  // namespace
 
 void TexturingArguments::Declare(OptionManager& options) {
-  options.AddEnum("view_blending",
-                  &texture.view_blending,
-                  {{"best", ViewBlending::kBest},
-                   {"median", ViewBlending::kMedian}},
-                  "Whether a texel is from the best photograph, or the median "
-                  "of the photographs that show it, which removes highlights "
-                  "and loses some sharpness.");
+  options.AddEnum(
+      "view_blending",
+      &texture.view_blending,
+      {{"best", ViewBlending::kBest}, {"median", ViewBlending::kMedian}},
+      "Whether a texel is from the best photograph, or the median "
+      "of the photographs that show it, which removes highlights "
+      "and loses some sharpness.");
   options.Add("texture_size",
               &texture.texture_size,
               "Texels along the side of a page, at most.");
-  options.Add(
-      "max_pages", &texture.max_pages, "Number of pages, at most.");
+  options.Add("max_pages", &texture.max_pages, "Number of pages, at most.");
   options.Add("texel_scale",
               &texture.texel_scale,
               "Texels per pixel of the photographs along a side; less than 1 "
               "makes a smaller texture.");
-  options.AddEnum("image_format",
-                  &files.image_format,
-                  {{"png", TextureImageFormat::kPng},
-                   {"jpeg", TextureImageFormat::kJpeg}},
-                  "Format of the texture's images.");
+  options.AddEnum(
+      "image_format",
+      &files.image_format,
+      {{"png", TextureImageFormat::kPng}, {"jpeg", TextureImageFormat::kJpeg}},
+      "Format of the texture's images.");
   options.Add("picture_path",
               &picture_path,
               "Picture to write (.png or .jpg): a photograph, the textured "
@@ -228,11 +227,11 @@ Json TextureAndWrite(const IndexedMesh& mesh,
       TextureMesh(mesh, photographs, arguments.texture, context);
   Json json = SummaryToJson(result.summary, files.summary, photographs);
   if (arguments.hold_out > 0) {
-    json["held_out"] = ScoreMeshes(
-        result.textured,
-        arguments,
-        Subset(files.photographs, size_t(arguments.hold_out), true),
-        context);
+    json["held_out"] =
+        ScoreMeshes(result.textured,
+                    arguments,
+                    Subset(files.photographs, size_t(arguments.hold_out), true),
+                    context);
   }
   Json written = Json::array();
   for (const fs::path& path : WriteTexturedMesh(

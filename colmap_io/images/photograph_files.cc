@@ -41,8 +41,7 @@ class Reader {
  public:
   Reader(Workspace workspace, const PhotographOptions& options)
       : workspace_(std::move(workspace)),
-        mask_cameras_(
-            workspace_, options.mask_geometry, options.original_path),
+        mask_cameras_(workspace_, options.mask_geometry, options.original_path),
         budget_(options.cache_budget) {}
 
   const Workspace& Parts() const { return workspace_; }
@@ -72,8 +71,7 @@ class Reader {
     RequireSizeOfCamera(
         path, {uint64_t(pixels.cols), uint64_t(pixels.rows)}, *file.camera);
     Photograph photograph;
-    photograph.image =
-        Undistort(pixels, *file.camera, file.window, 0, alone);
+    photograph.image = Undistort(pixels, *file.camera, file.window, 0, alone);
     // Where the photograph does not reach, there is nothing to see.
     const cv::Mat all(pixels.size(), CV_8UC1, cv::Scalar(255));
     photograph.mask = Undistort(all, *file.camera, file.window, 0, alone);
@@ -84,8 +82,8 @@ class Reader {
                              *file.camera,
                              {uint64_t(mask.cols), uint64_t(mask.rows)},
                              file.mask_file->string());
-      photograph.mask = cv::min(
-          photograph.mask, Undistort(mask, camera, file.window, 0, alone));
+      photograph.mask = cv::min(photograph.mask,
+                                Undistort(mask, camera, file.window, 0, alone));
     }
     return photograph;
   }
@@ -104,8 +102,7 @@ void FindFiles(const PhotographOptions& options,
                Reader* reader,
                PhotographSummary* summary) {
   const Workspace& workspace = reader->Parts();
-  const std::set<std::string> names(options.names.begin(),
-                                    options.names.end());
+  const std::set<std::string> names(options.names.begin(), options.names.end());
   fs::path first_missing;
   for (const SparseImage& image : workspace.model.images) {
     if (!names.empty() && !names.contains(image.name)) {
@@ -200,11 +197,12 @@ PhotographFiles OpenPhotographs(const fs::path& workspace_path,
         summary.num_images - summary.num_missing));
   }
   if (!summary.mask_path.empty() && summary.num_without_mask > 0) {
-    context.Warn(fmt::format("{}: {} of {} photographs have no mask and are "
-                             "used as a whole",
-                             summary.mask_path.string(),
-                             summary.num_without_mask,
-                             summary.num_images - summary.num_missing));
+    context.Warn(
+        fmt::format("{}: {} of {} photographs have no mask and are "
+                    "used as a whole",
+                    summary.mask_path.string(),
+                    summary.num_without_mask,
+                    summary.num_images - summary.num_missing));
   }
   size_t pixels = 1;
   for (const PhotographFile& file : reader->Files()) {
@@ -212,8 +210,8 @@ PhotographFiles OpenPhotographs(const fs::path& workspace_path,
         {file.image->name, file.window, file.image->CamFromWorld()});
     pixels = std::max(pixels, size_t(file.camera->width * file.camera->height));
   }
-  result.photographs.max_held = std::max<size_t>(
-      1, options.decode_budget / (kBytesPerPixel * pixels));
+  result.photographs.max_held =
+      std::max<size_t>(1, options.decode_budget / (kBytesPerPixel * pixels));
   result.photographs.load = [reader](size_t i) { return reader->Load(i); };
   return result;
 }

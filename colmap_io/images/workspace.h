@@ -22,8 +22,8 @@ struct WorkspaceOptions {
                                      // dense folder also ../masks, ../../masks
   // Text file with the names of the images to use; default: all.
   std::filesystem::path image_list_path;
-  bool needs_images = true;  // false: there may be no folder of images
-  bool needs_masks = true;   // false: the folder of masks is not looked for
+  bool needs_images = true;     // false: there may be no folder of images
+  bool needs_masks = true;      // false: the folder of masks is not looked for
   bool may_lack_masks = false;  // true: there need not be a folder of masks
 };
 

@@ -76,8 +76,8 @@ class GlbBuilder {
     Eigen::Vector3f low =
         Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity());
     Eigen::Vector3f high = -low;
-    const int accessor = AddAccessor(
-        "VEC3", kFloat, vertices.size(), kVertexBuffer, [&] {
+    const int accessor =
+        AddAccessor("VEC3", kFloat, vertices.size(), kVertexBuffer, [&] {
           for (const uint32_t v : vertices) {
             const Eigen::Vector3f p = mesh.positions[v].cast<float>();
             low = low.cwiseMin(p);
@@ -209,13 +209,12 @@ class GlbBuilder {
 };
 
 Json Material(GlbBuilder* builder, const EncodedPages& pages, size_t page) {
-  Json material = {
-      {"name", "page_" + std::to_string(page)},
-      {"pbrMetallicRoughness",
-       {{"baseColorTexture",
-         {{"index", builder->AddTexture(pages.colors[page])}}},
-        {"metallicFactor", 0.0},
-        {"roughnessFactor", 1.0}}}};
+  Json material = {{"name", "page_" + std::to_string(page)},
+                   {"pbrMetallicRoughness",
+                    {{"baseColorTexture",
+                      {{"index", builder->AddTexture(pages.colors[page])}}},
+                     {"metallicFactor", 0.0},
+                     {"roughnessFactor", 1.0}}}};
   if (!pages.normals.empty()) {
     material["normalTexture"] = {
         {"index", builder->AddTexture(pages.normals[page])}};

@@ -1,7 +1,7 @@
 // Binary glTF 2.0 (.glb) onto streams.
 //
-// Written with nlohmann-json instead of tinygltf (package libtinygltf-dev): of a
-// GLB file only its short JSON part is any work, and tinygltf would copy all
+// Written with nlohmann-json instead of tinygltf (package libtinygltf-dev): of
+// a GLB file only its short JSON part is any work, and tinygltf would copy all
 // buffers and images into its own model first and encode the images with a
 // library of its own. tests/plugin has the files checked by the Khronos
 // validator.

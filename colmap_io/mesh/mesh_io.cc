@@ -110,8 +110,8 @@ MeshFile ReadMesh(std::istream& stream,
       polygons = ReadStl(&source, &result.notes);
       break;
     case MeshFormat::kGlb:
-      throw InputError(fmt::format(
-          "{}: .glb files are written, but not read", name));
+      throw InputError(
+          fmt::format("{}: .glb files are written, but not read", name));
   }
   result.mesh = Triangulate(std::move(polygons), name, &result.notes);
   CheckCoordinates(result.mesh, name);

@@ -38,7 +38,8 @@ EncodedImage Encode(const cv::Mat& image, TextureImageFormat format) {
   const std::vector<int> parameters =
       is_png ? std::vector<int>()
              : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, kJpegQuality};
-  if (!cv::imencode(is_png ? ".png" : ".jpg", image, result.bytes, parameters)) {
+  if (!cv::imencode(
+          is_png ? ".png" : ".jpg", image, result.bytes, parameters)) {
     throw InputError("a page of the texture could not be encoded");
   }
   return result;
@@ -93,9 +94,8 @@ std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
   };
   const std::string extension = Extension(path);
   if (extension == ".glb") {
-    write(path, [&](std::ostream& stream) {
-      WriteTexturedGlb(mesh, pages, stream);
-    });
+    write(path,
+          [&](std::ostream& stream) { WriteTexturedGlb(mesh, pages, stream); });
     files.Commit();
     return written;
   }
@@ -127,9 +127,8 @@ std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
       WriteTexturedObj(mesh, materials.filename().string(), stream);
     });
   } else {
-    write(path, [&](std::ostream& stream) {
-      WriteTexturedPly(mesh, names, stream);
-    });
+    write(path,
+          [&](std::ostream& stream) { WriteTexturedPly(mesh, names, stream); });
   }
   files.Commit();
   return written;

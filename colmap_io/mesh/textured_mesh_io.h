@@ -27,8 +27,8 @@ void CheckTexturedMeshPath(const std::filesystem::path& path);
 // - .ply: binary, with images beside it as for .obj; texture coordinates of the
 //   corners of faces (texcoord, and texnumber if there are several pages) and
 //   comments TextureFile, as MeshLab reads and writes them. No normal maps.
-// Images as JPEG end with .jpg; normal maps are always PNG. Returns the paths of
-// what was written.
+// Images as JPEG end with .jpg; normal maps are always PNG. Returns the paths
+// of what was written.
 std::vector<std::filesystem::path> WriteTexturedMesh(
     const std::filesystem::path& path,
     const TexturedMesh& mesh,

@@ -33,7 +33,8 @@ void WriteTexturedObj(const TexturedMesh& mesh,
   for (uint32_t page = 0; page < mesh.pages.size(); ++page) {
     const SplitVertices split = SplitPage(mesh, page);
     for (const CornerOfTriangle& corner : split.corners) {
-      const Eigen::Vector2f& uv = mesh.texcoords[corner.triangle][corner.corner];
+      const Eigen::Vector2f& uv =
+          mesh.texcoords[corner.triangle][corner.corner];
       // OBJ counts from the bottom.
       out.Print("vt {} {}\n", uv.x(), 1 - uv.y());
     }
@@ -41,9 +42,9 @@ void WriteTexturedObj(const TexturedMesh& mesh,
     for (size_t i = 0; i < split.triangles.size(); ++i) {
       out.Print("f");
       for (size_t k = 0; k < 3; ++k) {
-        const uint64_t vertex = uint64_t{split.vertices[split.triangles[i][k]]} + 1;
-        out.Print(
-            " {}/{}/{}", vertex, first + split.triangles[i][k], vertex);
+        const uint64_t vertex =
+            uint64_t{split.vertices[split.triangles[i][k]]} + 1;
+        out.Print(" {}/{}/{}", vertex, first + split.triangles[i][k], vertex);
       }
       out.Print("\n");
     }

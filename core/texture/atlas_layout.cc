@@ -18,10 +18,8 @@ constexpr double kExtension = 2;
 void MapChart(const AtlasLayout& layout, uint32_t number, cv::Mat* map) {
   const Chart& chart = layout.charts.charts[number];
   cv::Mat own(chart.height, chart.width, CV_32SC1, cv::Scalar(0));
-  cv::Mat distances(chart.height,
-                    chart.width,
-                    CV_32F,
-                    cv::Scalar(kExtension * kExtension));
+  cv::Mat distances(
+      chart.height, chart.width, CV_32F, cv::Scalar(kExtension * kExtension));
   const auto texels_of = [&](uint32_t f) {
     std::array<Eigen::Vector2d, 3> texels;
     for (size_t k = 0; k < 3; ++k) {
@@ -30,10 +28,9 @@ void MapChart(const AtlasLayout& layout, uint32_t number, cv::Mat* map) {
     return texels;
   };
   for (const uint32_t f : chart.faces) {
-    ForPixelsInside(
-        texels_of(f), chart.width, chart.height, [&](int x, int y) {
-          own.at<int>(y, x) = int(f) + 1;
-        });
+    ForPixelsInside(texels_of(f), chart.width, chart.height, [&](int x, int y) {
+      own.at<int>(y, x) = int(f) + 1;
+    });
   }
   for (const uint32_t f : chart.faces) {
     const auto texels = texels_of(f);

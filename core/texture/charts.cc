@@ -88,8 +88,8 @@ class ChartMaker {
         // Seen from outside, y down.
         const double x = p[(axis + 1) % 3];
         const double y = p[(axis + 2) % 3];
-        texels_[f][k] = kFilledDensity * density *
-                        Eigen::Vector2d(negative ? -x : x, -y);
+        texels_[f][k] =
+            kFilledDensity * density * Eigen::Vector2d(negative ? -x : x, -y);
       }
     }
   }

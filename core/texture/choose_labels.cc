@@ -19,12 +19,12 @@ class Expander {
     nodes_.assign(num_nodes, kNotActive);
     for (size_t n = 0; n < num_nodes; ++n) {
       const auto choices = problem.ChoicesOf(n);
-      labels_[n] =
-          std::min_element(
-              choices.begin(),
-              choices.end(),
-              [](const auto& a, const auto& b) { return a.cost < b.cost; })
-              ->label;
+      labels_[n] = std::min_element(choices.begin(),
+                                    choices.end(),
+                                    [](const auto& a, const auto& b) {
+                                      return a.cost < b.cost;
+                                    })
+                       ->label;
       for (const LabelingProblem::Choice& choice : choices) {
         num_labels_ = std::max(num_labels_, choice.label + 1);
       }

@@ -31,8 +31,8 @@ std::vector<std::array<uint32_t, 3>> FindFaceNeighbors(
   std::sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) {
     return a.key != b.key ? a.key < b.key : a.face < b.face;
   });
-  std::vector<std::array<uint32_t, 3>> neighbors(
-      mesh.triangles.size(), {kNoFace, kNoFace, kNoFace});
+  std::vector<std::array<uint32_t, 3>> neighbors(mesh.triangles.size(),
+                                                 {kNoFace, kNoFace, kNoFace});
   for (size_t begin = 0; begin < edges.size();) {
     size_t end = begin + 1;
     while (end < edges.size() && edges[end].key == edges[begin].key) {

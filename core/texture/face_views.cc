@@ -151,8 +151,7 @@ class ViewScan {
 
   bool IsVertexVisible(uint32_t v) {
     if (visible_[v] == kUnknown) {
-      visible_[v] =
-          IsVisible(surface_.mesh.positions[v]) ? kVisible : kHidden;
+      visible_[v] = IsVisible(surface_.mesh.positions[v]) ? kVisible : kHidden;
     }
     return visible_[v] == kVisible;
   }
@@ -191,9 +190,7 @@ class ViewScan {
   }
 
   // Whether mask and occluders leave all of the triangle in sight.
-  bool IsShown(size_t f,
-               const Eigen::Matrix3d& points,
-               double pixels) {
+  bool IsShown(size_t f, const Eigen::Matrix3d& points, double pixels) {
     const auto& corners = surface_.mesh.triangles[f];
     for (const uint32_t corner : corners) {
       if (!IsVertexVisible(corner)) {
@@ -285,9 +282,8 @@ void FaceViews::Add(size_t face, const FaceView& candidate) {
     return;
   }
   count = std::min(count + 1, kMaxViews);
-  std::move_backward(all.begin() + place,
-                     all.begin() + count - 1,
-                     all.begin() + count);
+  std::move_backward(
+      all.begin() + place, all.begin() + count - 1, all.begin() + count);
   all[place] = candidate;
   counts_[face] = uint8_t(count);
 }
@@ -301,8 +297,8 @@ FaceViews FindFaceViews(const IndexedMesh& mesh,
   const size_t num_views = photographs.poses.size();
   Phase phase(context, "visibility", num_views);
   // Batches are taken in in the order of the views, whatever their size.
-  const size_t batch = std::clamp(
-      photographs.max_held, size_t{1}, size_t(context.NumThreads()));
+  const size_t batch =
+      std::clamp(photographs.max_held, size_t{1}, size_t(context.NumThreads()));
   for (size_t first = 0; first < num_views; first += batch) {
     const size_t count = std::min(batch, num_views - first);
     std::vector<std::vector<FoundView>> found(count);
@@ -310,11 +306,10 @@ FaceViews FindFaceViews(const IndexedMesh& mesh,
       for (size_t i = begin; i < end; ++i) {
         const size_t view = first + i;
         const Photograph photograph = photographs.load(view);
-        found[i] = ViewScan(surface,
-                            photographs.poses[view],
-                            photograph,
-                            uint16_t(view))
-                       .Run();
+        found[i] =
+            ViewScan(
+                surface, photographs.poses[view], photograph, uint16_t(view))
+                .Run();
         phase.Advance();
       }
     });

@@ -25,8 +25,7 @@ void FillGaps(const cv::Mat& known, cv::Mat* image) {
       }
       if (count > 0) {
         for (int c = 0; c < 3; ++c) {
-          coarse.at<cv::Vec3b>(y, x)[c] =
-              uint8_t((sum[c] + count / 2) / count);
+          coarse.at<cv::Vec3b>(y, x)[c] = uint8_t((sum[c] + count / 2) / count);
         }
         coarse_known.at<uint8_t>(y, x) = 255;
       }

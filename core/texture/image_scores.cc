@@ -14,8 +14,7 @@ constexpr double kWindowDeviation = 1.5;
 
 cv::Mat Blurred(const cv::Mat& image) {
   cv::Mat result;
-  cv::GaussianBlur(
-      image, result, cv::Size(kWindow, kWindow), kWindowDeviation);
+  cv::GaussianBlur(image, result, cv::Size(kWindow, kWindow), kWindowDeviation);
   return result;
 }
 
@@ -48,9 +47,8 @@ void AddScores(const cv::Mat& picture,
   for (int y = 0; y < region.rows; ++y) {
     for (int x = 0; x < region.cols; ++x) {
       if (region.at<uint8_t>(y, x) != 0) {
-        const cv::Vec3d difference =
-            cv::Vec3d(picture.at<cv::Vec3b>(y, x)) -
-            cv::Vec3d(photograph.at<cv::Vec3b>(y, x));
+        const cv::Vec3d difference = cv::Vec3d(picture.at<cv::Vec3b>(y, x)) -
+                                     cv::Vec3d(photograph.at<cv::Vec3b>(y, x));
         scores->squared_error += difference.dot(difference) / 3;
         ++scores->num_pixels;
       }

@@ -165,9 +165,8 @@ class Leveler {
 
   void AddSeam(uint32_t v, uint32_t i, uint32_t j, double weight) {
     const Eigen::RowVector3d difference =
-        Difference(v,
-                   vertex_views_.entries[i].view,
-                   vertex_views_.entries[j].view)
+        Difference(
+            v, vertex_views_.entries[i].view, vertex_views_.entries[j].view)
             .cast<double>()
             .transpose();
     AddPair(i, j, weight);
@@ -189,8 +188,7 @@ class Leveler {
       const uint32_t b = corners[(k + 1) % 3];
       for (uint32_t i = vertex_views_.first[a]; i < vertex_views_.first[a + 1];
            ++i) {
-        const int64_t j =
-            vertex_views_.Find(b, vertex_views_.entries[i].view);
+        const int64_t j = vertex_views_.Find(b, vertex_views_.entries[i].view);
         if (j >= 0) {
           AddPair(i, uint32_t(j), kDetail * kDetail * kEdgeOfTriangle);
         }
@@ -249,8 +247,7 @@ std::vector<Eigen::Vector3f> FillColors(const IndexedMesh& mesh,
   const Eigen::Vector3d mean = sum / double(std::max<size_t>(1, num_known));
   Triplets triplets;
   Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(num_unknown, 3);
-  Eigen::MatrixX3d solution =
-      mean.transpose().replicate(num_unknown, 1);
+  Eigen::MatrixX3d solution = mean.transpose().replicate(num_unknown, 1);
   // So weak a pull that only pieces without any known vertex feel it.
   constexpr double kToMean = 1e-6;
   for (int i = 0; i < num_unknown; ++i) {
@@ -259,7 +256,8 @@ std::vector<Eigen::Vector3f> FillColors(const IndexedMesh& mesh,
   }
   for (const auto& corners : mesh.triangles) {
     for (size_t k = 0; k < 3; ++k) {
-      for (const uint32_t other : {corners[(k + 1) % 3], corners[(k + 2) % 3]}) {
+      for (const uint32_t other :
+           {corners[(k + 1) % 3], corners[(k + 2) % 3]}) {
         const int i = unknowns[corners[k]];
         const int j = unknowns[other];
         if (i < 0) {

@@ -65,8 +65,7 @@ void OcclusionGuard::DrawEdge(const Eigen::Vector3f& a,
   for (int i = 0; i <= steps; ++i) {
     const double t = double(i) / steps;
     const Eigen::Vector2d pixel = from + t * (to - from);
-    DrawDisc(
-        pixel.x(), pixel.y(), float((1 - t) * double(a.z()) + t * b.z()));
+    DrawDisc(pixel.x(), pixel.y(), float((1 - t) * double(a.z()) + t * b.z()));
   }
 }
 

@@ -182,7 +182,8 @@ class Accumulator {
     if (deviations.empty()) {
       return kLeastNoise;
     }
-    const auto middle = deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
+    const auto middle =
+        deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
     std::nth_element(deviations.begin(), middle, deviations.end());
     return std::max(kLeastNoise, *middle);
   }
@@ -266,9 +267,8 @@ class PagePainter {
         const bool is_inside = map_.at<int>(y, x) > 0;
         cv::Vec3b* const pixel = &color.at<cv::Vec3b>(y, x);
         // What no view shows has a mean alone.
-        const bool is_known =
-            (is_median && colors_.Median(x, y, pixel)) ||
-            colors_.Mean(x, y, noise, pixel);
+        const bool is_known = (is_median && colors_.Median(x, y, pixel)) ||
+                              colors_.Mean(x, y, noise, pixel);
         known.at<uint8_t>(y, x) = is_known ? 255 : 0;
         counts->num_texels += is_inside;
         counts->num_unfilled += is_inside && !is_known;
@@ -394,9 +394,8 @@ class PagePainter {
   }
 
   // Triangles that are lines on the page have the colour of a corner.
-  static Eigen::Vector3d WeightsAt(
-      const std::array<Eigen::Vector2d, 3>& texels,
-      const Eigen::Vector2d& point) {
+  static Eigen::Vector3d WeightsAt(const std::array<Eigen::Vector2d, 3>& texels,
+                                   const Eigen::Vector2d& point) {
     const Eigen::Vector3d weights = CornerWeights(texels, point);
     // Slivers would go on far beyond their corners.
     constexpr double kFar = 16;

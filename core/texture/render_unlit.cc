@@ -93,8 +93,7 @@ UnlitPicture RenderVertexColors(const IndexedMesh& mesh,
     const Eigen::Vector3f weights = HitWeights(hit);
     Eigen::Vector3f color = Eigen::Vector3f::Zero();
     for (int k = 0; k < 3 && !mesh.colors.empty(); ++k) {
-      const auto& rgb =
-          mesh.colors[mesh.triangles[hit.triangle][size_t(k)]];
+      const auto& rgb = mesh.colors[mesh.triangles[hit.triangle][size_t(k)]];
       color += weights[k] *
                Eigen::Vector3f(float(rgb[2]), float(rgb[1]), float(rgb[0]));
     }
@@ -108,12 +107,8 @@ cv::Mat RenderRelit(const TexturedMesh& mesh,
                     const Context& context) {
   RenderOptions white;
   white.clay_color = Eigen::Vector3d::Ones();
-  cv::Mat picture = RenderShaded(mesh.mesh,
-                                 rays,
-                                 pose.camera,
-                                 pose.cam_from_world,
-                                 white,
-                                 context);
+  cv::Mat picture = RenderShaded(
+      mesh.mesh, rays, pose.camera, pose.cam_from_world, white, context);
   const UnlitPicture unlit = RenderTexture(mesh, rays, pose, context);
   for (int y = 0; y < picture.rows; ++y) {
     for (int x = 0; x < picture.cols; ++x) {
@@ -125,8 +120,8 @@ cv::Mat RenderRelit(const TexturedMesh& mesh,
         const double light = ToneCurve::Decode(pixel[c] / 255.0);
         const double albedo =
             ToneCurve::Decode(unlit.color.at<cv::Vec3b>(y, x)[c] / 255.0);
-        pixel[c] = cv::saturate_cast<uint8_t>(
-            255 * ToneCurve::Encode(light * albedo));
+        pixel[c] =
+            cv::saturate_cast<uint8_t>(255 * ToneCurve::Encode(light * albedo));
       }
     }
   }

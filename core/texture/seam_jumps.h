@@ -29,9 +29,7 @@ class SeamPoints {
              const AtlasLayout& layout);
 
   // Takes the colours of one of the photographs.
-  void Sample(uint32_t view,
-              const PhotographPose& pose,
-              const cv::Mat& image);
+  void Sample(uint32_t view, const PhotographPose& pose, const cv::Mat& image);
   SeamJumps Measure(const TexturedMesh& textured) const;
 
  private:

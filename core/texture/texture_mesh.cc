@@ -70,12 +70,10 @@ LabelingProblem MakeProblem(
       const Eigen::Vector3d edge =
           mesh.positions[mesh.triangles[f][(k + 1) % 3]] -
           mesh.positions[mesh.triangles[f][k]];
-      const float pixels =
-          float(edge.norm()) *
-          (costs.resolution[f] + costs.resolution[other]) / 2;
-      problem.edges.push_back({(*node_of_face)[f],
-                               (*node_of_face)[other],
-                               kBorderCost * pixels});
+      const float pixels = float(edge.norm()) *
+                           (costs.resolution[f] + costs.resolution[other]) / 2;
+      problem.edges.push_back(
+          {(*node_of_face)[f], (*node_of_face)[other], kBorderCost * pixels});
     }
   }
   return problem;

@@ -28,7 +28,7 @@ struct TexturingOptions {
 
 struct TextureSummary {
   size_t num_triangles = 0;
-  size_t num_unseen = 0;  // triangles that no photograph shows
+  size_t num_unseen = 0;   // triangles that no photograph shows
   double unseen_area = 0;  // share of the surface
   size_t num_unsure = 0;   // seen near a mask's border or at a low angle only
   size_t num_charts = 0;

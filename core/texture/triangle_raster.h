@@ -53,8 +53,7 @@ void ForPixelsInside(const std::array<Eigen::Vector2d, 3>& triangle,
     const Eigen::Vector2d& a = t[size_t(k)];
     const Eigen::Vector2d& b = t[size_t(k + 1) % 3];
     const bool swapped = b.x() < a.x() || (b.x() == a.x() && b.y() < a.y());
-    const double value =
-        swapped ? -cross(a - b, p - b) : cross(b - a, p - a);
+    const double value = swapped ? -cross(a - b, p - b) : cross(b - a, p - a);
     if (value != 0) {
       return value;
     }

@@ -64,8 +64,8 @@ FaceColor MedianColor(std::span<const FaceView> views,
 }
 
 // Exposures of the views, whose geometric mean is one: least squares over the
-// logarithms of the colours that pairs of views have of one triangle. Pairs that
-// other causes make differ are weighted down.
+// logarithms of the colours that pairs of views have of one triangle. Pairs
+// that other causes make differ are weighted down.
 class ExposureSolver {
  public:
   ExposureSolver(const FaceViews& views, size_t num_views)
@@ -80,7 +80,8 @@ class ExposureSolver {
     const Eigen::RowVector3d mean = logs_.colwise().mean();
     std::vector<FaceColor> gains(size_t(logs_.rows()));
     for (Eigen::Index v = 0; v < logs_.rows(); ++v) {
-      gains[size_t(v)] = (logs_.row(v) - mean).array().exp().transpose().cast<float>();
+      gains[size_t(v)] =
+          (logs_.row(v) - mean).array().exp().transpose().cast<float>();
     }
     return gains;
   }
@@ -174,10 +175,8 @@ class Sharpness {
         for (int x = 0; x < own[v].cols; ++x) {
           const double there = usual[v].at<double>(y, x);
           if (there > 0) {
-            tiles_[v].at<float>(y, x) =
-                std::clamp(float(own[v].at<double>(y, x) / there),
-                           kMinSharpness,
-                           1.0f);
+            tiles_[v].at<float>(y, x) = std::clamp(
+                float(own[v].at<double>(y, x) / there), kMinSharpness, 1.0f);
           }
         }
       }
@@ -219,10 +218,10 @@ void RateColors(std::span<const FaceView> views,
   }
   std::array<float, FaceViews::kMaxViews> differences;
   for (size_t i = 0; i < views.size(); ++i) {
-    differences[i] = (ColorOf(views[i]).cwiseQuotient(gains[views[i].view]) -
-                      consensus)
-                         .cwiseAbs()
-                         .maxCoeff();
+    differences[i] =
+        (ColorOf(views[i]).cwiseQuotient(gains[views[i].view]) - consensus)
+            .cwiseAbs()
+            .maxCoeff();
   }
   auto sorted = differences;
   // The median of absolute differences is 0.67 standard deviations.
@@ -247,27 +246,23 @@ ViewCosts ComputeViewCosts(const IndexedMesh& mesh,
   result.consensus.resize(num_faces);
   result.costs.resize(num_faces);
   result.resolution.assign(num_faces, 0);
-  ParallelFor(
-      context, num_faces, kFacesAtOnce, [&](size_t begin, size_t end) {
-        for (size_t f = begin; f < end; ++f) {
-          const std::span<const FaceView> candidates = views.Of(f);
-          result.consensus[f] = MedianColor(candidates, result.gains);
-          RateColors(candidates,
-                     result.gains,
-                     result.consensus[f],
-                     &result.costs[f]);
-          std::array<float, FaceViews::kMaxViews> resolutions;
-          for (size_t i = 0; i < candidates.size(); ++i) {
-            resolutions[i] = candidates[i].resolution *
-                             sharpness.Of(f, candidates[i].view);
-            result.resolution[f] =
-                std::max(result.resolution[f], resolutions[i]);
-          }
-          for (size_t i = 0; i < candidates.size(); ++i) {
-            result.costs[f][i] += 1 - resolutions[i] / result.resolution[f];
-          }
-        }
-      });
+  ParallelFor(context, num_faces, kFacesAtOnce, [&](size_t begin, size_t end) {
+    for (size_t f = begin; f < end; ++f) {
+      const std::span<const FaceView> candidates = views.Of(f);
+      result.consensus[f] = MedianColor(candidates, result.gains);
+      RateColors(
+          candidates, result.gains, result.consensus[f], &result.costs[f]);
+      std::array<float, FaceViews::kMaxViews> resolutions;
+      for (size_t i = 0; i < candidates.size(); ++i) {
+        resolutions[i] =
+            candidates[i].resolution * sharpness.Of(f, candidates[i].view);
+        result.resolution[f] = std::max(result.resolution[f], resolutions[i]);
+      }
+      for (size_t i = 0; i < candidates.size(); ++i) {
+        result.costs[f][i] += 1 - resolutions[i] / result.resolution[f];
+      }
+    }
+  });
   return result;
 }
 

@@ -43,9 +43,7 @@ void MeshTexturer::DeclareOptions(OptionManager& options) {
               "Textured mesh to write (.glb, .obj or .ply). Default: the path "
               "of the mesh with the extension .glb.");
   options
-      .Add("report_path",
-           &report_path_,
-           "JSON report to write. Default: none.")
+      .Add("report_path", &report_path_, "JSON report to write. Default: none.")
       .ForExperts();
   arguments_.Declare(options);
 }

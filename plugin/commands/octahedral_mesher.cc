@@ -142,8 +142,7 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
     CheckFilePath(picture_path);
   }
   if (texture_) {
-    workspace_.CheckReportIsNot(workspace_.Beside(".glb"),
-                                "the textured mesh");
+    workspace_.CheckReportIsNot(workspace_.Beside(".glb"), "the textured mesh");
     CheckTexturedMeshPath(workspace_.Beside(".glb"));
   }
   workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;

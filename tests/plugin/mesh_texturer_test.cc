@@ -73,29 +73,28 @@ void ValidateGlb(const fs::path& path) {
       "v.validateBytes(new Uint8Array(fs.readFileSync(process.argv[1])))"
       ".then(r=>{if(r.issues.numErrors+r.issues.numWarnings){"
       "console.error(JSON.stringify(r.issues));process.exit(1);}})";
-  const std::string node =
-      "NODE_PATH=\"$(npm root -g 2>/dev/null)\" node -e ";
-  if (std::system((node + "\"require('gltf-validator')\" 2>/dev/null").c_str()) !=
-      0) {
+  const std::string node = "NODE_PATH=\"$(npm root -g 2>/dev/null)\" node -e ";
+  if (std::system(
+          (node + "\"require('gltf-validator')\" 2>/dev/null").c_str()) != 0) {
     GTEST_SKIP() << "gltf-validator is not installed: workflows/setup.sh "
                     "--with_test_tools 1";
   }
-  EXPECT_EQ(std::system((node + "\"" + script + "\" \"" + path.string() + "\"")
-                            .c_str()),
-            0);
+  EXPECT_EQ(
+      std::system(
+          (node + "\"" + script + "\" \"" + path.string() + "\"").c_str()),
+      0);
 }
 
 TEST_F(MeshTexturer, WritesAGlbWithItsPagesInside) {
   const fs::path output = Output("torus.glb");
   const fs::path report = Output("torus.json");
-  const ProgramResult result =
-      Texture(output,
-              {"--report_path",
-               report.string(),
-               "--hold_out",
-               "6",
-               "--picture_path",
-               Output("torus.png").string()});
+  const ProgramResult result = Texture(output,
+                                       {"--report_path",
+                                        report.string(),
+                                        "--hold_out",
+                                        "6",
+                                        "--picture_path",
+                                        Output("torus.png").string()});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(HasSubstr("torus.glb: "), HasSubstr("charts")));
   const Json json = JsonOfGlb(ReadFile(output));
@@ -103,8 +102,7 @@ TEST_F(MeshTexturer, WritesAGlbWithItsPagesInside) {
   EXPECT_EQ(json["images"][0]["mimeType"], "image/png");
   const Json primitive = json["meshes"][0]["primitives"][0];
   EXPECT_EQ(primitive["material"], 0);
-  const size_t triangles =
-      ReadMesh(Reference()).mesh.triangles.size();
+  const size_t triangles = ReadMesh(Reference()).mesh.triangles.size();
   EXPECT_EQ(json["accessors"][primitive["indices"].get<size_t>()]["count"],
             3 * triangles);
   const Json texture = Json::parse(ReadFile(report))["texture"];
@@ -167,7 +165,8 @@ TEST_F(MeshTexturer, RefusesWrongInputWithOneError) {
   ExpectError("frame of the sparse model", Output("moved.ply"), output);
   mesh.triangles.clear();
   WriteMesh(Output("points.ply"), mesh);
-  ExpectError("points.ply: the mesh has no faces", Output("points.ply"), output);
+  ExpectError(
+      "points.ply: the mesh has no faces", Output("points.ply"), output);
   fs::remove_all(Workspace() / "images");
   fs::create_directory(Workspace() / "images");
   ExpectError(

@@ -21,10 +21,10 @@ std::vector<uint32_t> ViewsByOctant(const IndexedMesh& mesh) {
     const Eigen::Vector3d p = mesh.positions[triangle[0]] +
                               mesh.positions[triangle[1]] +
                               mesh.positions[triangle[2]];
-    views.push_back(p.z() < -1.5 ? kNoView
-                                 : 6u + (p.x() > 0 ? 1u : 0u) +
-                                       (p.y() > 0 ? 2u : 0u) +
-                                       (p.z() > 0 ? 4u : 0u));
+    views.push_back(p.z() < -1.5
+                        ? kNoView
+                        : 6u + (p.x() > 0 ? 1u : 0u) + (p.y() > 0 ? 2u : 0u) +
+                              (p.z() > 0 ? 4u : 0u));
   }
   return views;
 }
@@ -70,11 +70,14 @@ TEST(Charts, DoNotOverlap) {
 // A fold: two layers of one strip, which the same view shows at one place.
 TEST(Charts, DivideWhatFoldsOver) {
   IndexedMesh mesh;
-  mesh.positions = {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0},
-                    {-0.5, 0.5, 0}, {-0.4, -0.5, 0.1}, {-0.4, 0.5, 0.1}};
+  mesh.positions = {{-0.5, -0.5, 0},
+                    {0.5, -0.5, 0},
+                    {0.5, 0.5, 0},
+                    {-0.5, 0.5, 0},
+                    {-0.4, -0.5, 0.1},
+                    {-0.4, 0.5, 0.1}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}};
-  const std::vector<PhotographPose> poses = {
-      testing::PoseFrom({0, 0, 1}, 100)};
+  const std::vector<PhotographPose> poses = {testing::PoseFrom({0, 0, 1}, 100)};
   const Charts charts = MakeCharts(mesh,
                                    FindFaceNeighbors(mesh),
                                    {0, 0, 0, 0},

@@ -89,11 +89,9 @@ TEST(ChooseLabels, WeighsEdgesAgainstCosts) {
   LabelingProblem problem;
   problem.choices = {{0, 0}, {1, 1}, {0, 3}, {1, 0}};
   problem.first = {0, 2, 4};
-  EXPECT_EQ(ChooseLabels(problem, Context(1)),
-            (std::vector<uint32_t>{0, 1}));
+  EXPECT_EQ(ChooseLabels(problem, Context(1)), (std::vector<uint32_t>{0, 1}));
   problem.edges = {{0, 1, 2}};
-  EXPECT_EQ(ChooseLabels(problem, Context(1)),
-            (std::vector<uint32_t>{1, 1}));
+  EXPECT_EQ(ChooseLabels(problem, Context(1)), (std::vector<uint32_t>{1, 1}));
 }
 
 // Many expansions of a large grid: no worse than any single label, and the

@@ -21,9 +21,8 @@ TEST(ImageScores, AreThoseOfKnownDifferences) {
   EXPECT_NEAR(scores.Psnr(), 20 * std::log10(255.0 / 10), 1e-9);
   // Without structure, the means alone count.
   const double c1 = 2.55 * 2.55;
-  EXPECT_NEAR(scores.Ssim(),
-              (2 * 100 * 110 + c1) / (100 * 100 + 110 * 110 + c1),
-              1e-9);
+  EXPECT_NEAR(
+      scores.Ssim(), (2 * 100 * 110 + c1) / (100 * 100 + 110 * 110 + c1), 1e-9);
 }
 
 TEST(ImageScores, AreBestForEqualImages) {

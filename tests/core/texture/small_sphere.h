@@ -17,10 +17,16 @@ namespace octacut::testing {
 // Unit sphere: an octahedron divided `levels` times.
 inline IndexedMesh SmallSphere(int levels) {
   IndexedMesh mesh;
-  mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0},
-                    {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  mesh.triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                    {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  mesh.positions = {
+      {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  mesh.triangles = {{0, 2, 4},
+                    {2, 1, 4},
+                    {1, 3, 4},
+                    {3, 0, 4},
+                    {2, 0, 5},
+                    {1, 2, 5},
+                    {3, 1, 5},
+                    {0, 3, 5}};
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> middles;
     const auto middle = [&](uint32_t a, uint32_t b) {
@@ -76,10 +82,9 @@ inline Photograph PhotographOf(const PhotographPose& pose,
   const Eigen::Vector3d center = pose.Center();
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
-      const Eigen::Vector3d ray =
-          (pose.cam_from_world.rotation.transpose() *
-           pose.camera.Unproject({x + 0.5, y + 0.5}))
-              .normalized();
+      const Eigen::Vector3d ray = (pose.cam_from_world.rotation.transpose() *
+                                   pose.camera.Unproject({x + 0.5, y + 0.5}))
+                                      .normalized();
       const double b = center.dot(ray);
       const double root = b * b - center.squaredNorm() + 1;
       if (root < 0) {
@@ -124,9 +129,8 @@ inline std::vector<Eigen::Vector3d> AllAround() {
     directions.push_back(-Eigen::Vector3d::Unit(axis));
   }
   for (int corner = 0; corner < 8; ++corner) {
-    directions.emplace_back(corner & 1 ? 1 : -1,
-                            corner & 2 ? 1 : -1,
-                            corner & 4 ? 1 : -1);
+    directions.emplace_back(
+        corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
   }
   return directions;
 }

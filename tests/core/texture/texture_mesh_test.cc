@@ -14,8 +14,8 @@
 namespace octacut {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::AllAround;
+using ::testing::HasSubstr;
 using testing::Paint;
 using testing::PhotographsOf;
 using testing::SmallSphere;
@@ -40,8 +40,9 @@ double MeanError(const TexturedMesh& textured) {
                                     textured.mesh.positions[corners[1]] +
                                     textured.mesh.positions[corners[2]])
                                        .normalized();
-    sum += double(
-        (ColorAtCenter(textured, f) - Paint(center)).cwiseAbs().sum()) / 3;
+    sum +=
+        double((ColorAtCenter(textured, f) - Paint(center)).cwiseAbs().sum()) /
+        3;
   }
   return sum / double(textured.mesh.triangles.size());
 }
@@ -119,12 +120,11 @@ TEST(TextureMesh, VotesAPasserByOut) {
 
 TEST(TextureMesh, FillsWhatIsNotSeen) {
   // From above alone: the lower half is not seen.
-  const TexturingResult result =
-      TextureMesh(SmallSphere(4),
-                  PhotographsOf({{0, 0, 1}, {0.5, 0, 1}, {0, 0.5, 1}},
-                                kPhotographSize),
-                  {},
-                  Context(1));
+  const TexturingResult result = TextureMesh(
+      SmallSphere(4),
+      PhotographsOf({{0, 0, 1}, {0.5, 0, 1}, {0, 0.5, 1}}, kPhotographSize),
+      {},
+      Context(1));
   EXPECT_GT(result.summary.unseen_area, 0.3);
   EXPECT_LT(result.summary.unseen_area, 0.7);
   EXPECT_EQ(result.summary.num_unfilled_texels, 0u);
@@ -159,7 +159,8 @@ TEST(TextureMesh, GivesTheSameBytesForAnyNumberOfThreads) {
 TEST(TextureMesh, SpreadsOverPagesAndScalesTexels) {
   const IndexedMesh sphere = SmallSphere(4);
   const Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
-  const TexturingResult whole = TextureMesh(sphere, photographs, {}, Context(1));
+  const TexturingResult whole =
+      TextureMesh(sphere, photographs, {}, Context(1));
   TexturingOptions options;
   options.texture_size = 128;
   const TexturingResult pages =

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <opencv2/core.hpp>
 
 #include "colmap_io/files/atomic_files.h"
@@ -19,14 +20,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The photographs that numbers divisible by `step` have, and the others.
-Photographs Subset(const Photographs& all, size_t step, bool divisible) {
+// In the order of their names, the first photograph of each `step` of them, or
+// all others.
+Photographs Subset(const Photographs& all, size_t step, bool first) {
+  std::vector<size_t> order(all.poses.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+    return all.poses[a].name < all.poses[b].name;
+  });
   Photographs subset;
   std::vector<size_t> numbers;
-  for (size_t i = 0; i < all.poses.size(); ++i) {
-    if ((i % step == 0) == divisible) {
-      numbers.push_back(i);
-      subset.poses.push_back(all.poses[i]);
+  for (size_t i = 0; i < order.size(); ++i) {
+    if ((i % step == 0) == first) {
+      numbers.push_back(order[i]);
+      subset.poses.push_back(all.poses[order[i]]);
     }
   }
   subset.max_held = all.max_held;
@@ -70,6 +77,7 @@ Json SummaryToJson(const TextureSummary& summary,
           {"unseen_area_fraction", summary.unseen_area},
           {"unsure_triangles", summary.num_unsure},
           {"charts", summary.num_charts},
+          {"unseen_charts", summary.num_unseen_charts},
           {"pages", summary.num_pages},
           {"page_texels", summary.page_texels},
           {"texels", summary.num_texels},
@@ -149,9 +157,9 @@ void TexturingArguments::Declare(OptionManager& options) {
       "view_blending",
       &texture.view_blending,
       {{"best", ViewBlending::kBest}, {"median", ViewBlending::kMedian}},
-      "Whether a texel is from the best photograph, cross-faded "
-      "along seams, or the median of the photographs that show it, "
-      "which removes highlights and loses some sharpness.");
+      "Whether a texel is from the best photograph, or the median "
+      "of the photographs that show it, which removes highlights "
+      "and loses some sharpness.");
   options.Add("texture_size",
               &texture.texture_size,
               "Texels along the side of a page, at most.");

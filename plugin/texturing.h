@@ -18,8 +18,7 @@ struct TexturingArguments {
   TexturingOptions texture;
   TexturedMeshOptions files;
   std::filesystem::path output_path;
-  std::filesystem::path normal_map_from;  // empty: no normal map
-  std::filesystem::path picture_path;     // empty: no picture
+  std::filesystem::path picture_path;  // empty: no picture
   // Each such photograph is left out and compared with the result; 0: none.
   int hold_out = 0;
   // Meshes whose vertex colours are compared with these photographs, too.

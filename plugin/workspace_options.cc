@@ -94,8 +94,8 @@ void WorkspaceArguments::Declare(OptionManager& options) {
       .ForExperts();
   options.Add("output_path",
               &output_path,
-              "Mesh file to write (.ply, .obj, .off or .stl). Default: a file "
-              "in the workspace whose name begins with meshed-.");
+              "Mesh file to write (.ply, .obj, .off, .stl or .glb). Default: a "
+              "file in the workspace whose name begins with meshed-.");
   options
       .Add("report_path",
            &report_path,

@@ -1,23 +1,28 @@
 #!/usr/bin/env bash
 # Installs the Debian 12 packages that octacut needs and that are missing, as root
-# or with sudo, and those that arguments name. If neither is possible, it prints
-# the missing packages and fails. With `--with_test_tools 1` first, also what only
-# tests need, which are skipped without it.
+# or with sudo, and those that arguments name; before these, --with_test_tools 1
+# adds the tools that only tests use, which are skipped without them. If neither
+# is possible, it prints the missing packages and fails.
 # If all packages are installed, it changes nothing.
 set -euo pipefail
 
-# Read what octacut exports; run its pages.
+# What other programs make of octacut's files and pages: only tests use these.
 test_tools=(
   admesh prusa-slicer blender
-  chromium chromium-driver nodejs
+  chromium chromium-driver nodejs npm
 )
+npm_test_tools=(gltf-validator@2.0.0-dev.3.10)
+with_test_tools=0
 if [[ ${1:-} == --with_test_tools ]]; then
-  if ((!${2:?"$1 needs 0 or 1"})); then
-    test_tools=()
-  fi
+  with_test_tools=${2:?--with_test_tools needs 0 or 1}
   shift 2
-else
-  test_tools=()
+fi
+if [[ $with_test_tools == 1 ]]; then
+  # Node.js may have been installed otherwise.
+  for tool in "${test_tools[@]}"; do
+    [[ $tool == nodejs || $tool == npm ]] && command -v npm >/dev/null && continue
+    set -- "$tool" "$@"
+  done
 fi
 
 packages=(
@@ -29,7 +34,6 @@ packages=(
   libjs-three
   libgtest-dev libgmock-dev
   colmap jq shellcheck imagemagick
-  "${test_tools[@]}"
   "$@"
 )
 
@@ -47,11 +51,25 @@ missing=()
 for package in "${packages[@]}"; do
   is_installed "$package" || missing+=("$package")
 done
+
+install_npm_tools() {
+  [[ $with_test_tools == 1 ]] || return 0
+  local tool
+  for tool in "${npm_test_tools[@]}"; do
+    npm ls -g "${tool%@*}" >/dev/null 2>&1 ||
+      "${as_root[@]}" npm install -g --silent "$tool" >/dev/null
+  done
+}
+
+as_root=()
+if [[ $EUID -ne 0 ]] && sudo -n true 2>/dev/null; then
+  as_root=(sudo)
+fi
 if [[ ${#missing[@]} -eq 0 ]]; then
+  install_npm_tools
   exit 0
 fi
 
-as_root=()
 if [[ $EUID -ne 0 ]]; then
   # -n: never wait for a password that nobody is there to type.
   if command -v sudo >/dev/null && { [[ -t 0 ]] || sudo -n true 2>/dev/null; }; then
@@ -68,3 +86,4 @@ echo "setup: a bare system needs 0.4 GB of downloads, 1.6 GB on disk and some mi
 "${as_root[@]}" apt-get update -qq
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
   apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
+install_npm_tools

@@ -274,7 +274,9 @@ void WriteTexturedGlb(const TexturedMesh& mesh,
           });
     }
     const int indices = builder.AddIndices(split.triangles);
-    builder.Root()["materials"].push_back(Material(&builder, pages, page));
+    // Making it adds members to the root, which moves those that are there.
+    Json material = Material(&builder, pages, page);
+    builder.Root()["materials"].push_back(std::move(material));
     builder.AddPrimitive(
         {{"attributes", attributes},
          {"indices", indices},

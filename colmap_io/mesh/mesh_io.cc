@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/mesh/glb_writer.h"
 #include "colmap_io/mesh/mesh_readers.h"
 #include "colmap_io/mesh/mesh_writers.h"
 #include "core/base/error.h"
@@ -69,9 +70,10 @@ MeshFormat MeshFormatOf(const std::filesystem::path& path) {
   if (extension == ".off") return MeshFormat::kOff;
   if (extension == ".stl") return MeshFormat::kStl;
   if (extension == ".3mf") return MeshFormat::k3mf;
+  if (extension == ".glb") return MeshFormat::kGlb;
   throw OptionError(fmt::format(
-      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off, .stl or "
-      ".3mf",
+      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off, .stl, "
+      ".3mf or .glb",
       path.string(),
       extension));
 }
@@ -111,6 +113,9 @@ MeshFile ReadMesh(std::istream& stream,
       break;
     case MeshFormat::k3mf:
       source.Fail("3MF can be written, but not read; use .stl or .ply");
+    case MeshFormat::kGlb:
+      throw InputError(
+          fmt::format("{}: .glb files are written, but not read", name));
   }
   result.mesh = Triangulate(std::move(polygons), name, &result.notes);
   CheckCoordinates(result.mesh, name);
@@ -148,6 +153,8 @@ void WriteMesh(std::ostream& stream,
       return WriteStl(mesh, stream);
     case MeshFormat::k3mf:
       return Write3mf(mesh, stream);
+    case MeshFormat::kGlb:
+      return WriteGlb(mesh, stream);
   }
 }
 

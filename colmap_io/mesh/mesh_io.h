@@ -1,5 +1,5 @@
-// Meshes from and to files: PLY, OBJ, OFF and STL, by extension; 3MF only to
-// files.
+// Meshes from and to files: PLY, OBJ, OFF and STL, by extension; 3MF and GLB
+// only to files.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace octacut {
 
-enum class MeshFormat { kPly, kObj, kOff, kStl, k3mf };
+enum class MeshFormat { kPly, kObj, kOff, kStl, k3mf, kGlb };
 
 // By the extension of `path`, whatever its case. Throws OptionError that names
 // the extension and lists the known ones.

@@ -264,15 +264,13 @@ VertexViews AllViews(const IndexedMesh& mesh,
           views.erase(std::unique(views.begin(), views.end()), views.end());
           for (const uint32_t view : views) {
             float least = 1;
-            bool is_own = false;
             for (const uint32_t f : faces) {
               if (chosen.chosen[f] != kNoView) {
                 least = std::min(least, Suitability(chosen, f, view));
-                is_own = is_own || chosen.chosen[f] == view;
               }
             }
             const float weight = std::max(0.0f, least - kMinMedianShare);
-            if (weight > 0 || is_own) {
+            if (weight > 0) {
               chunks[chunk].push_back({uint32_t(v), view, weight * weight});
             }
           }

@@ -53,8 +53,8 @@ VertexViews FadeViews(const IndexedMesh& mesh,
                       const FaceChoice& chosen,
                       const Context& context);
 
-// For the median: all photographs that all triangles around a vertex may be
-// textured from, weighted by the squares of their resolutions.
+// For medians and means of views: all photographs that all triangles around a
+// vertex may be textured from, weighted by the squares of their resolutions.
 VertexViews AllViews(const IndexedMesh& mesh,
                      const VertexFaces& vertex_faces,
                      const FaceChoice& chosen,

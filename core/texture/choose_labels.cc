@@ -119,10 +119,13 @@ class Expander {
     if (active_.empty()) {
       return false;
     }
+    graph_ = {};  // create() alone keeps the nodes of the last expansion
     graph_.create(unsigned(active_.size()), unsigned(4 * active_.size()));
     for (size_t i = 0; i < active_.size(); ++i) {
       graph_.addVtx();
     }
+    // A graph without any edge is refused.
+    graph_.addEdges(0, graph_.addVtx(), 0, 0);
     for (size_t i = 0; i < active_.size(); ++i) {
       AddNode(int(i), label);
     }

@@ -20,118 +20,192 @@ constexpr float kLeastOwnWeight = 1e-3f;
 // More than this many views do not change a median.
 constexpr int kMedianViews = 7;
 
-// Collects the colours of texels from one view after another.
-class Accumulator {
- public:
-  Accumulator(const cv::Size& size, ViewBlending blending)
-      : blending_(blending) {
-    if (blending == ViewBlending::kBest) {
-      sums_ = cv::Mat(size, CV_32FC4, cv::Scalar::all(0));
-    } else {
-      samples_.resize(size_t(size.area()));
-    }
-    width_ = size.width;
-  }
+// Levels by which the photographs of a page differ at a texel, at least: those
+// of rounding.
+constexpr float kLeastNoise = 0.5f;
+// What views of full weight count as samples, in the units of Sample::weight.
+constexpr float kFullWeight = 64;
 
-  void Add(int x, int y, const Eigen::Vector3f& color, float weight) {
-    if (blending_ == ViewBlending::kBest) {
-      sums_.at<cv::Vec4f>(y, x) += cv::Vec4f(
-          weight * color[0], weight * color[1], weight * color[2], weight);
-      return;
-    }
-    Samples& samples = samples_[size_t(y) * size_t(width_) + size_t(x)];
-    Sample sample;
-    for (int c = 0; c < 3; ++c) {
-      sample.color[c] = ToByte(color[c]);
-    }
-    // At least one, so that a sample counts at all.
-    sample.weight = uint8_t(std::clamp(int(std::lround(255 * weight)), 1, 255));
-    if (samples.count < kMedianViews) {
-      samples.all[samples.count++] = sample;
+uint8_t ToByte(float value) {
+  return uint8_t(std::clamp(int(std::lround(value)), 0, 255));
+}
+
+// Colours that photographs have at one texel.
+struct TexelSamples {
+  struct Sample {
+    std::array<uint8_t, 3> color;
+    uint8_t weight;
+  };
+  std::array<Sample, kMedianViews> all;
+  uint8_t count = 0;
+
+  // Keeps those of most weight.
+  void Add(const Sample& sample) {
+    if (count < kMedianViews) {
+      all[count++] = sample;
       return;
     }
     const auto least = std::min_element(
-        samples.all.begin(),
-        samples.all.end(),
-        [](const auto& a, const auto& b) { return a.weight < b.weight; });
+        all.begin(), all.end(), [](const auto& a, const auto& b) {
+          return a.weight < b.weight;
+        });
     if (least->weight < sample.weight) {
       *least = sample;
     }
   }
 
-  // Whether the texel has a colour.
-  bool Resolve(int x, int y, cv::Vec3b* pixel) const {
-    if (blending_ == ViewBlending::kBest) {
-      const cv::Vec4f& sum = sums_.at<cv::Vec4f>(y, x);
-      for (int c = 0; c < 3 && sum[3] > 0; ++c) {
-        (*pixel)[c] = ToByte(sum[c] / sum[3]);
-      }
-      return sum[3] > 0;
-    }
-    const Samples& samples = samples_[size_t(y) * size_t(width_) + size_t(x)];
-    for (int c = 0; c < 3 && samples.count > 0; ++c) {
-      (*pixel)[c] = WeightedMedian(samples, c);
-    }
-    return samples.count > 0;
-  }
-
- private:
-  struct Sample {
-    uint8_t color[3];
-    uint8_t weight;
-  };
-  struct Samples {
-    std::array<Sample, kMedianViews> all;
-    uint8_t count = 0;
-  };
-
-  static uint8_t ToByte(float value) {
-    return uint8_t(std::clamp(int(std::lround(value)), 0, 255));
-  }
-
   // The middle of the distribution; between two samples linear in the weights,
   // so that the median changes gradually over the surface.
-  static uint8_t WeightedMedian(const Samples& samples, int channel) {
+  uint8_t WeightedMedian(size_t channel) const {
     std::array<Sample, kMedianViews> sorted;
     float total = 0;
-    for (size_t i = 0; i < samples.count; ++i) {
+    for (size_t i = 0; i < count; ++i) {
       size_t place = i;
       for (; place > 0 &&
-             sorted[place - 1].color[channel] > samples.all[i].color[channel];
+             sorted[place - 1].color[channel] > all[i].color[channel];
            --place) {
         sorted[place] = sorted[place - 1];
       }
-      sorted[place] = samples.all[i];
-      total += samples.all[i].weight;
+      sorted[place] = all[i];
+      total += float(all[i].weight);
     }
     float before = 0;
     float last_middle = 0;
-    for (size_t i = 0; i < samples.count; ++i) {
-      const float middle = before + sorted[i].weight / 2.0f;
+    for (size_t i = 0; i < count; ++i) {
+      const float middle = before + float(sorted[i].weight) / 2;
       if (middle >= total / 2) {
         if (i == 0) {
           return sorted[0].color[channel];
         }
         const float part = (total / 2 - last_middle) / (middle - last_middle);
-        return ToByte((1 - part) * sorted[i - 1].color[channel] +
-                      part * sorted[i].color[channel]);
+        return ToByte((1 - part) * float(sorted[i - 1].color[channel]) +
+                      part * float(sorted[i].color[channel]));
       }
       last_middle = middle;
-      before += sorted[i].weight;
+      before += float(sorted[i].weight);
     }
-    return sorted[samples.count - 1].color[channel];
+    return sorted[count - 1].color[channel];
   }
 
-  ViewBlending blending_;
+  // The median of the differences from the median, as a standard deviation of
+  // one sample; mean of the channels.
+  float Deviation() const {
+    float sum = 0;
+    for (size_t c = 0; c < 3; ++c) {
+      const float median = float(WeightedMedian(c));
+      std::array<float, kMedianViews> differences{};
+      for (size_t i = 0; i < count; ++i) {
+        differences[i] = std::abs(float(all[i].color[c]) - median);
+      }
+      const auto middle = differences.begin() + count / 2;
+      std::nth_element(
+          differences.begin(), middle, differences.begin() + count);
+      sum += 1.48f * *middle;
+    }
+    return sum / 3;
+  }
+};
+
+// Collects the colours of texels from one view after another.
+class Accumulator {
+ public:
+  explicit Accumulator(const cv::Size& size)
+      : width_(size.width),
+        sums_(size, CV_32FC4, cv::Scalar::all(0)),
+        samples_(size_t(size.area())) {}
+
+  // Adds to the mean that is the texel's colour.
+  void Add(int x, int y, const Eigen::Vector3f& color, float weight) {
+    sums_.at<cv::Vec4f>(y, x) += cv::Vec4f(
+        weight * color[0], weight * color[1], weight * color[2], weight);
+  }
+
+  // Adds to what other views say.
+  void AddSample(int x, int y, const Eigen::Vector3f& color, float weight) {
+    // At least one, so that a sample counts at all.
+    const int rounded = std::clamp(int(std::lround(255 * weight)), 1, 255);
+    At(x, y).Add({{ToByte(color[0]), ToByte(color[1]), ToByte(color[2])},
+                  uint8_t(rounded)});
+  }
+
+  // The median of the samples; false where there is none.
+  bool Median(int x, int y, cv::Vec3b* pixel) const {
+    const TexelSamples& samples = At(x, y);
+    for (int c = 0; c < 3 && samples.count > 0; ++c) {
+      (*pixel)[c] = samples.WeightedMedian(size_t(c));
+    }
+    return samples.count > 0;
+  }
+
+  // The mean, and of the samples those that differ from it by noise alone:
+  // noise averages out, edges and highlights that views do not share stay out
+  // (a bilateral filter across views). False where there is no mean.
+  bool Mean(int x, int y, float noise, cv::Vec3b* pixel) const {
+    const cv::Vec4f& sum = sums_.at<cv::Vec4f>(y, x);
+    if (!(sum[3] > 0)) {
+      return false;
+    }
+    const Eigen::Vector3f mean =
+        Eigen::Vector3f(sum[0], sum[1], sum[2]) / sum[3];
+    Eigen::Vector3f total = kFullWeight * mean;
+    float weights = kFullWeight;
+    const TexelSamples& samples = At(x, y);
+    for (size_t i = 0; i < samples.count; ++i) {
+      const auto& bytes = samples.all[i].color;
+      const Eigen::Vector3f color{
+          float(bytes[0]), float(bytes[1]), float(bytes[2])};
+      // The difference of two samples has twice the variance of one.
+      const float relative =
+          (color - mean).squaredNorm() / (3 * 2 * noise * noise);
+      const float weight =
+          float(samples.all[i].weight) * std::exp(-relative / 4);
+      total += weight * color;
+      weights += weight;
+    }
+    for (int c = 0; c < 3; ++c) {
+      (*pixel)[c] = ToByte(total[c] / weights);
+    }
+    return true;
+  }
+
+  // Standard deviation of a photograph's colour at a texel: the median over the
+  // texels that three or more views show.
+  float Noise() const {
+    // Some hundred thousand texels do.
+    const size_t step = 1 + samples_.size() / 400000;
+    std::vector<float> deviations;
+    for (size_t i = 0; i < samples_.size(); i += step) {
+      if (samples_[i].count >= 3) {
+        deviations.push_back(samples_[i].Deviation());
+      }
+    }
+    if (deviations.empty()) {
+      return kLeastNoise;
+    }
+    const auto middle =
+        deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
+    std::nth_element(deviations.begin(), middle, deviations.end());
+    return std::max(kLeastNoise, *middle);
+  }
+
+ private:
+  TexelSamples& At(int x, int y) {
+    return samples_[size_t(y) * size_t(width_) + size_t(x)];
+  }
+  const TexelSamples& At(int x, int y) const {
+    return samples_[size_t(y) * size_t(width_) + size_t(x)];
+  }
+
   int width_;
   cv::Mat sums_;
-  std::vector<Samples> samples_;
+  std::vector<TexelSamples> samples_;
 };
 
 // What one view adds to one triangle.
 struct ViewOnFace {
   bool is_own;
   Eigen::Vector3f weights;      // at the corners
+  Eigen::Vector3f support;      // of its samples, at the corners
   Eigen::Matrix3f corrections;  // a column a corner
 };
 
@@ -145,7 +219,7 @@ class PagePainter {
         photographs_(photographs),
         context_(context),
         map_(MapTexels(input.layout, page, context)),
-        colors_(map_.size(), input.blending),
+        colors_(map_.size()),
         // Photographs are reduced by means of so many samples along a side.
         num_samples_(std::max(1, int(std::ceil(0.8 / input.texel_scale)))) {
     faces_of_view_.resize(photographs.poses.size());
@@ -186,10 +260,15 @@ class PagePainter {
   TexturePage Finish(PaintedPages* counts) const {
     cv::Mat color(map_.size(), CV_8UC3, cv::Scalar::all(0));
     cv::Mat known(map_.size(), CV_8UC1, cv::Scalar(0));
+    const bool is_median = input_.blending == ViewBlending::kMedian;
+    const float noise = colors_.Noise();
     for (int y = 0; y < map_.rows; ++y) {
       for (int x = 0; x < map_.cols; ++x) {
         const bool is_inside = map_.at<int>(y, x) > 0;
-        const bool is_known = colors_.Resolve(x, y, &color.at<cv::Vec3b>(y, x));
+        cv::Vec3b* const pixel = &color.at<cv::Vec3b>(y, x);
+        // What no view shows has a mean alone.
+        const bool is_known = (is_median && colors_.Median(x, y, pixel)) ||
+                              colors_.Mean(x, y, noise, pixel);
         known.at<uint8_t>(y, x) = is_known ? 255 : 0;
         counts->num_texels += is_inside;
         counts->num_unfilled += is_inside && !is_known;
@@ -209,9 +288,11 @@ class PagePainter {
       }
       std::vector<uint32_t> views = {chart.view};
       for (const uint32_t v : input_.mesh.triangles[f]) {
-        for (const VertexView& entry : input_.vertex_views.Of(v)) {
-          if (entry.weight > 0) {
-            views.push_back(entry.view);
+        for (const auto* all : {&input_.fading, &input_.all_views}) {
+          for (const VertexView& entry : all->Of(v)) {
+            if (entry.weight > 0) {
+              views.push_back(entry.view);
+            }
           }
         }
       }
@@ -228,16 +309,21 @@ class PagePainter {
     ViewOnFace result;
     result.is_own = charts.charts[charts.chart_of_face[face]].view == view;
     result.weights.setZero();
+    result.support.setZero();
     result.corrections.setZero();
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     int count = 0;
     std::array<bool, 3> has = {false, false, false};
     for (int k = 0; k < 3; ++k) {
-      const int64_t entry = input_.vertex_views.Find(
-          input_.mesh.triangles[face][size_t(k)], view);
+      const uint32_t vertex = input_.mesh.triangles[face][size_t(k)];
+      const int64_t sample = input_.all_views.Find(vertex, view);
+      if (sample >= 0) {
+        result.support[k] = input_.all_views.entries[size_t(sample)].weight;
+      }
+      const int64_t entry = input_.fading.Find(vertex, view);
       if (entry >= 0) {
         has[size_t(k)] = true;
-        result.weights[k] = input_.vertex_views.entries[size_t(entry)].weight;
+        result.weights[k] = input_.fading.entries[size_t(entry)].weight;
         result.corrections.col(k) = input_.corrections[size_t(entry)];
         sum += input_.corrections[size_t(entry)];
         ++count;
@@ -265,6 +351,7 @@ class PagePainter {
   void PaintFace(uint32_t view, uint32_t face, const cv::Mat& image) {
     const auto texels = input_.layout.TexelsOf(face);
     const ViewOnFace on_face = Lookup(view, face);
+    const bool is_median = input_.blending == ViewBlending::kMedian;
     const PhotographPose& pose = photographs_.poses[view];
     Eigen::Matrix3d corners;
     for (int k = 0; k < 3; ++k) {
@@ -292,11 +379,16 @@ class PagePainter {
         weight = std::max(weight, kLeastOwnWeight);
       }
       if (weight > 0) {
-        colors_.Add(x,
-                    y,
-                    color.cwiseQuotient(input_.gains[view]) +
-                        on_face.corrections * weights,
-                    weight);
+        colors_.Add(x, y, color + on_face.corrections * weights, weight);
+      }
+      float support = on_face.support.dot(weights);
+      if (is_median && on_face.is_own) {
+        support = std::max(support, kLeastOwnWeight);
+      }
+      // To the mean, the chosen view is no other view.
+      if (support > 0 && (is_median || !on_face.is_own)) {
+        colors_.AddSample(
+            x, y, color.cwiseQuotient(input_.gains[view]), support);
       }
     });
   }

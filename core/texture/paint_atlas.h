@@ -15,17 +15,21 @@
 namespace octacut {
 
 enum class ViewBlending {
-  kBest,    // the chosen view, with cross-fades along seams
+  // The chosen view, cross-faded along seams, and the mean of it and of those
+  // other views that differ from it by noise alone.
+  kBest,
   kMedian,  // the weighted median of the views at each texel
 };
 
 struct PaintInput {
   const IndexedMesh& mesh;
   const AtlasLayout& layout;
-  const VertexViews& vertex_views;
-  // What to add to a photograph's colour at each entry of `vertex_views`.
+  const VertexViews& fading;     // FadeViews
+  const VertexViews& all_views;  // AllViews
+  // What to add to a photograph's colour at each entry of `fading`.
   const std::vector<Eigen::Vector3f>& corrections;
-  // Factors by which the colours of each view are divided.
+  // Exposures of the views, by which their colours are divided where several
+  // are compared.
   const std::vector<Eigen::Vector3f>& gains;
   const std::vector<Eigen::Vector3f>& fill;  // colours of vertices
   double texel_scale = 1;
@@ -36,14 +40,14 @@ struct PaintedPages {
   std::vector<TexturePage> pages;
   size_t num_texels = 0;  // within triangles
   size_t num_filled = 0;  // of these, in triangles that no view shows
-  // Those of them without any colour before the gaps between charts were
-  // closed.
+  // Of these, without any colour before the gaps between charts were closed:
+  // none.
   size_t num_unfilled = 0;
 };
 
 // One page after another; reads the photographs that a page needs, as many at a
-// time as they allow. Takes 16 bytes a texel of a page, 36 for the median.
-// Texels outside of charts get the mean of what is around them.
+// time as they allow. Takes 52 bytes a texel of a page. Texels
+// outside of charts get the mean of what is around them.
 PaintedPages PaintAtlas(const PaintInput& input,
                         const Photographs& photographs,
                         const Context& context,

@@ -210,28 +210,20 @@ TexturingResult TextureMesh(const IndexedMesh& mesh,
                              context);
   layout.packed = PackCharts(
       layout.charts, {options.texture_size, options.max_pages}, context);
-  const bool is_best = options.view_blending == ViewBlending::kBest;
   const FaceChoice known{views, costs, chosen};
-  const VertexViews vertex_views =
-      is_best ? FadeViews(mesh, vertex_faces, known, context)
-              : AllViews(mesh, vertex_faces, known, context);
-  // The median takes exposures out itself, and has no seams to level.
+  const VertexViews fading = FadeViews(mesh, vertex_faces, known, context);
+  const VertexViews all_views = AllViews(mesh, vertex_faces, known, context);
   const std::vector<Eigen::Vector3f> corrections =
-      is_best ? LevelColors(mesh, vertex_faces, known, vertex_views, context)
-              : std::vector<Eigen::Vector3f>(vertex_views.entries.size(),
-                                             Eigen::Vector3f::Zero());
-  const std::vector<Eigen::Vector3f> gains =
-      is_best ? std::vector<Eigen::Vector3f>(photographs.poses.size(),
-                                             Eigen::Vector3f::Ones())
-              : costs.gains;
+      LevelColors(mesh, vertex_faces, known, fading, context);
   const std::vector<Eigen::Vector3f> fill =
       FillColors(mesh, vertex_faces, known, context);
   SeamPoints seams(mesh, neighbors, layout);
   PaintedPages painted = PaintAtlas({mesh,
                                      layout,
-                                     vertex_views,
+                                     fading,
+                                     all_views,
                                      corrections,
-                                     gains,
+                                     costs.gains,
                                      fill,
                                      options.texel_scale,
                                      options.view_blending},
@@ -241,6 +233,9 @@ TexturingResult TextureMesh(const IndexedMesh& mesh,
   result.textured = MakeTexturedMesh(mesh, layout, context);
   result.textured.pages = std::move(painted.pages);
   summary.num_charts = layout.charts.charts.size();
+  for (const Chart& chart : layout.charts.charts) {
+    summary.num_unseen_charts += chart.view == kNoView;
+  }
   summary.num_pages = result.textured.pages.size();
   summary.num_texels = painted.num_texels;
   summary.num_unfilled_texels = painted.num_unfilled;

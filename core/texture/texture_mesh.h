@@ -32,6 +32,7 @@ struct TextureSummary {
   double unseen_area = 0;  // share of the surface
   size_t num_unsure = 0;   // seen near a mask's border or at a low angle only
   size_t num_charts = 0;
+  size_t num_unseen_charts = 0;  // of triangles that no photograph shows
   size_t num_pages = 0;
   size_t num_texels = 0;  // within triangles
   size_t num_unfilled_texels = 0;

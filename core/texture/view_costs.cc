@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <opencv2/core/mat.hpp>
 
 #include "core/base/parallel.h"
@@ -13,7 +14,10 @@ namespace {
 constexpr size_t kFacesAtOnce = 4096;
 // Triangles that vote on the exposure of a view are at most about so many.
 constexpr size_t kExposureSamples = 20000;
-constexpr int kExposureRounds = 3;
+constexpr int kExposureRounds = 4;
+// Logarithm of the ratio of two colours of one triangle beyond which a pair
+// counts less: noise and gloss.
+constexpr double kUsualRatio = 0.1;
 // Grey levels by which colours of one surface differ between photographs from
 // noise, compression and sampling alone.
 constexpr float kColorNoise = 4;
@@ -59,48 +63,79 @@ FaceColor MedianColor(std::span<const FaceView> views,
   return median;
 }
 
-float MedianOf(std::vector<float>* values) {
-  const auto middle = values->begin() + values->size() / 2;
-  std::nth_element(values->begin(), middle, values->end());
-  return *middle;
-}
+// Exposures of the views, whose geometric mean is one: least squares over the
+// logarithms of the colours that pairs of views have of one triangle. Pairs
+// that other causes make differ are weighted down.
+class ExposureSolver {
+ public:
+  ExposureSolver(const FaceViews& views, size_t num_views)
+      : views_(views),
+        step_(1 + views.NumFaces() / kExposureSamples),
+        logs_(Eigen::MatrixX3d::Zero(Eigen::Index(num_views), 3)) {}
 
-// Gains of the views against the medians of the triangles' colours; their mean
-// is one. Views share triangles, so a few rounds settle them.
-std::vector<FaceColor> EstimateGains(const FaceViews& views, size_t num_views) {
-  std::vector<FaceColor> gains(num_views, FaceColor::Ones());
-  const size_t step = 1 + views.NumFaces() / (4 * kExposureSamples);
-  for (int round = 0; round < kExposureRounds; ++round) {
-    std::vector<std::array<std::vector<float>, 3>> ratios(num_views);
-    for (size_t f = 0; f < views.NumFaces(); f += step) {
-      const std::span<const FaceView> candidates = views.Of(f);
-      if (candidates.size() < 3 || !candidates[0].is_sure) {
-        continue;
-      }
-      const FaceColor median = MedianColor(candidates, gains);
-      for (const FaceView& view : candidates) {
-        for (int c = 0; c < 3; ++c) {
-          const float value = float(view.color[c]);
-          if (median[c] > kDarkest && value > kDarkest && value < kBrightest) {
-            ratios[view.view][c].push_back(std::log(value / median[c]));
-          }
+  std::vector<FaceColor> Run() {
+    for (int round = 0; round < kExposureRounds; ++round) {
+      Solve();
+    }
+    const Eigen::RowVector3d mean = logs_.colwise().mean();
+    std::vector<FaceColor> gains(size_t(logs_.rows()));
+    for (Eigen::Index v = 0; v < logs_.rows(); ++v) {
+      gains[size_t(v)] =
+          (logs_.row(v) - mean).array().exp().transpose().cast<float>();
+    }
+    return gains;
+  }
+
+ private:
+  void Solve() {
+    triplets_.clear();
+    right_ = Eigen::MatrixX3d::Zero(logs_.rows(), 3);
+    // Keeps views that share no triangle with others at one.
+    for (Eigen::Index v = 0; v < logs_.rows(); ++v) {
+      triplets_.emplace_back(int(v), int(v), 1e-3);
+    }
+    for (size_t f = 0; f < views_.NumFaces(); f += step_) {
+      const std::span<const FaceView> candidates = views_.Of(f);
+      for (size_t i = 0; i < candidates.size(); ++i) {
+        for (size_t j = i + 1; j < candidates.size(); ++j) {
+          AddPair(candidates[i], candidates[j]);
         }
       }
     }
-    FaceColor sum = FaceColor::Zero();
-    for (size_t v = 0; v < num_views; ++v) {
-      for (int c = 0; c < 3; ++c) {
-        std::vector<float>& all = ratios[v][c];
-        gains[v][c] = all.empty() ? 0.0f : MedianOf(&all);
-      }
-      sum += gains[v];
-    }
-    for (FaceColor& gain : gains) {
-      gain = (gain - sum / float(num_views)).array().exp();
-    }
+    Eigen::SparseMatrix<double> matrix(logs_.rows(), logs_.rows());
+    matrix.setFromTriplets(triplets_.begin(), triplets_.end());
+    logs_ = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(matrix).solve(
+        right_);
   }
-  return gains;
-}
+
+  void AddPair(const FaceView& a, const FaceView& b) {
+    Eigen::RowVector3d difference;
+    for (int c = 0; c < 3; ++c) {
+      const float x = float(a.color[size_t(c)]);
+      const float y = float(b.color[size_t(c)]);
+      if (std::min(x, y) <= kDarkest || std::max(x, y) >= kBrightest) {
+        return;
+      }
+      difference[c] = double(std::log(x / y));
+    }
+    const Eigen::RowVector3d rest =
+        difference - (logs_.row(a.view) - logs_.row(b.view));
+    const double weight =
+        1 / (1 + rest.squaredNorm() / (kUsualRatio * kUsualRatio));
+    triplets_.emplace_back(a.view, a.view, weight);
+    triplets_.emplace_back(b.view, b.view, weight);
+    triplets_.emplace_back(a.view, b.view, -weight);
+    triplets_.emplace_back(b.view, a.view, -weight);
+    right_.row(a.view) += weight * difference;
+    right_.row(b.view) -= weight * difference;
+  }
+
+  const FaceViews& views_;
+  const size_t step_;
+  Eigen::MatrixX3d logs_;
+  Eigen::MatrixX3d right_;
+  std::vector<Eigen::Triplet<double>> triplets_;
+};
 
 // Contrast of each tile of each view over that of the same triangles in other
 // views, at most 1.
@@ -205,7 +240,7 @@ ViewCosts ComputeViewCosts(const IndexedMesh& mesh,
                            const std::vector<PhotographPose>& poses,
                            const Context& context) {
   ViewCosts result;
-  result.gains = EstimateGains(views, poses.size());
+  result.gains = ExposureSolver(views, poses.size()).Run();
   const Sharpness sharpness(mesh, views, poses);
   const size_t num_faces = views.NumFaces();
   result.consensus.resize(num_faces);

@@ -16,6 +16,7 @@
 #include "plugin/reconstruction_json.h"
 #include "plugin/report.h"
 #include "plugin/run_picture.h"
+#include "plugin/texturing.h"
 #include "plugin/verdict_json.h"
 #include "plugin/verdict_text.h"
 #include "plugin/workspace_options.h"
@@ -31,12 +32,16 @@ class OctahedralMesher : public Command {
  private:
   LevelObserver LevelWriter() const;
   void MakeMasks(const Context& context);
+  Json TextureMeshOf(const Scene& scene,
+                     const IndexedMesh& mesh,
+                     const Context& context) const;
 
   WorkspaceArguments workspace_;
   QualityOption quality_;
   ReconstructionOptions meshing_;
   std::filesystem::path levels_path_;
   bool picture_ = true;
+  bool texture_ = false;
   bool extract_masks_ = false;
   MaskExtractionOptions extraction_;
 };
@@ -56,6 +61,11 @@ void OctahedralMesher::DeclareOptions(OptionManager& options) {
           &picture_,
           "If 1, save a picture of a photograph and the mesh next to the mesh.")
       .ForExperts();
+  options.Add("texture",
+              &texture_,
+              "If 1, write a textured mesh (.glb) beside the mesh, or instead "
+              "of it if output_path ends with .glb, as mesh_texturer does with "
+              "its defaults.");
   options.Add("extract_masks",
               &extract_masks_,
               "If 1, make the masks first, as mask_extractor does.");
@@ -75,6 +85,28 @@ void OctahedralMesher::MakeMasks(const Context& context) {
   ExtractMasks(OpenWorkspace(workspace_.workspace_path, workspace, context),
                extraction_,
                context);
+}
+
+// Views that were left out, because they contradict the others, do not texture
+// the mesh either.
+Json OctahedralMesher::TextureMeshOf(const Scene& scene,
+                                     const IndexedMesh& mesh,
+                                     const Context& context) const {
+  PhotographOptions photographs;
+  photographs.workspace = workspace_.loading.workspace;
+  photographs.mask_geometry = workspace_.loading.mask_geometry;
+  photographs.original_path = workspace_.loading.original_path;
+  for (const View& view : scene.views) {
+    photographs.names.push_back(view.name);
+  }
+  TexturingArguments arguments;
+  arguments.output_path = workspace_.Beside(".glb");
+  return TextureAndWrite(mesh,
+                         workspace_.output_path.string(),
+                         workspace_.workspace_path,
+                         photographs,
+                         arguments,
+                         context);
 }
 
 LevelObserver OctahedralMesher::LevelWriter() const {
@@ -109,6 +141,10 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
     workspace_.CheckReportIsNot(picture_path, "the picture");
     CheckFilePath(picture_path);
   }
+  if (texture_) {
+    workspace_.CheckReportIsNot(workspace_.Beside(".glb"), "the textured mesh");
+    CheckTexturedMeshPath(workspace_.Beside(".glb"));
+  }
   workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
   workspace_.loading.fill_bites = meshing_.fill_false_gaps;
   CheckOption(extract_masks_ ||
@@ -139,6 +175,10 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   if (picture_) {
     WriteRunPicture(workspace_.Beside(".png"), loaded.scene, mesh, context);
   }
+  Json texture;
+  if (texture_) {
+    texture = TextureMeshOf(loaded.scene, mesh, context);
+  }
   const VerdictText words = DescribeVerdict(result.verdict, loaded.scene.views);
   ReportVerdict(words, context);
 
@@ -148,6 +188,9 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   report["reconstruction"] = ReconstructionToJson(result.summary);
   report["audit"] = AuditToJson(result.audit);
   report["verdict"] = VerdictToJson(result.verdict, words, loaded.scene.views);
+  if (texture_) {
+    report["texture"] = texture;
+  }
   WriteReport(workspace_.report_path, report);
   environment.out << fmt::format(
       "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s), "

@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# benchmark_texture.sh DATA MESHES [options]
+#
+# Textures meshes of data sets with each eighth photograph left out, and prints
+# the table of docs/texture.md: how well pictures of the textured mesh agree with
+# these photographs, against the vertex colours of the same mesh and of the full
+# one. DATA holds a folder for each set with images, masks and a sparse model.
+# MESHES holds SET.ply, the full mesh with vertex colours, and SET_100k.ply, the
+# same simplified to 100,000 triangles with its colours carried along. Nothing is
+# written to DATA and MESHES.
+#
+#   --sets LIST           comma-separated; default: all that are in both
+#   --work_path FOLDER    for textured meshes, pictures, reports; default
+#                         build/texture
+#   --view_blending NAME  best (default) or median
+#   --num_threads N       default 1
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+work=$root/build/texture
+threads=1
+blending=best
+sets=
+folders=()
+while (($#)); do
+  case $1 in
+    --help | -h)
+      sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "${BASH_SOURCE[0]}"
+      exit 0
+      ;;
+    --sets) sets=${2:?"$1 needs a value"} && shift 2 ;;
+    --work_path) work=${2:?"$1 needs a value"} && shift 2 ;;
+    --view_blending) blending=${2:?"$1 needs a value"} && shift 2 ;;
+    --num_threads) threads=${2:?"$1 needs a value"} && shift 2 ;;
+    -*)
+      echo "benchmark_texture: $1: no such option; --help lists them" >&2
+      exit 1
+      ;;
+    *) folders+=("$1") && shift ;;
+  esac
+done
+if [[ ${#folders[@]} -ne 2 || ! -d ${folders[0]} || ! -d ${folders[1]} ]]; then
+  echo "benchmark_texture: the folders DATA and MESHES are needed; --help says more" >&2
+  exit 1
+fi
+data=${folders[0]}
+meshes=${folders[1]}
+octacut=$("$root/workflows/find_octacut.sh")
+mkdir -p "$work"
+
+if [[ -z $sets ]]; then
+  for mesh in "$meshes"/*_100k.ply; do
+    name=$(basename "$mesh" _100k.ply)
+    [[ -d $data/$name ]] && sets+=${sets:+,}$name
+  done
+fi
+
+echo "| set | PSNR, dB: texture | vertex colours, same mesh | full mesh | SSIM: texture | same mesh | full mesh | seams, grey levels: before | after | charts | pages | CPU s | GB |"
+echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+for name in ${sets//,/ }; do
+  # The cameras in whose frame the meshes are.
+  model=$data/$name/sparse
+  [[ -d $data/$name/sparse_gt ]] && model=$data/$name/sparse_gt
+  TIMEFORMAT=%U
+  { time "$octacut" mesh_texturer --workspace_path "$data/$name" \
+    --input_path "$model" --mesh_path "$meshes/${name}_100k.ply" \
+    --output_path "$work/$name.glb" --report_path "$work/$name.json" \
+    --picture_path "$work/$name.png" --view_blending "$blending" --hold_out 8 \
+    --compare_path "$meshes/$name.ply" --num_threads "$threads" \
+    >"$work/$name.log" 2>&1; } 2>"$work/$name.cpu" || {
+    echo "benchmark_texture: $name: $(tail -n 1 "$work/$name.log")" >&2
+    exit 1
+  }
+  jq -r --arg name "$name" --arg cpu "$(tail -n 1 "$work/$name.cpu")" '
+    def fixed(n): . * pow(10; n) | round / pow(10; n) | tostring;
+    .peak_memory_bytes as $bytes | .texture as $t
+    | [$name]
+      + [$t.held_out.meshes[].psnr | fixed(2)]
+      + [$t.held_out.meshes[].ssim | fixed(3)]
+      + [$t.seams.mean_jump_before, $t.seams.mean_jump_after | fixed(2)]
+      + [$t.charts, $t.pages | tostring]
+      + [$cpu, ($bytes / 1e9 | fixed(1))]
+    | "| " + join(" | ") + " |"' "$work/$name.json"
+done

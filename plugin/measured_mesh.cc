@@ -27,8 +27,7 @@ MeasuredMesh MeasureMesh(const fs::path& path,
     context.Info(fmt::format("{}: {}", path.string(), note));
   }
   const bool is_cloud = file.mesh.triangles.empty();
-  if (is_cloud &&
-      (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {
+  if (is_cloud && (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {
     throw InputError(fmt::format("{}: the mesh has no faces, only {} vertices",
                                  path.string(),
                                  file.mesh.positions.size()));

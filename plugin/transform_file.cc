@@ -85,7 +85,8 @@ Json TransformToJson(const Similarity3d& transform) {
   const Eigen::Matrix4d matrix = MatrixOf(transform);
   Json rows = Json::array();
   for (int row = 0; row < 4; ++row) {
-    rows.push_back({matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3)});
+    rows.push_back(
+        {matrix(row, 0), matrix(row, 1), matrix(row, 2), matrix(row, 3)});
   }
   return rows;
 }

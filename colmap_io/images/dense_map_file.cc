@@ -40,10 +40,10 @@ cv::Mat ReadDenseMap(const std::filesystem::path& path) {
   if (!(stream >> width >> mark[0] >> height >> mark[1] >> num_channels) ||
       !stream.get(mark[2]) || mark[0] != '&' || mark[1] != '&' ||
       mark[2] != '&') {
-    throw InputError(fmt::format(
-        "{}: no depth or normal map of COLMAP: the header must be "
-        "width&height&channels&",
-        path.string()));
+    throw InputError(
+        fmt::format("{}: no depth or normal map of COLMAP: the header must be "
+                    "width&height&channels&",
+                    path.string()));
   }
   if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide ||
       (num_channels != 1 && num_channels != 3)) {

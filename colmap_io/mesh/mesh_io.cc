@@ -126,8 +126,7 @@ void WriteMeshWithValues(const std::filesystem::path& path,
                          std::string_view name) {
   mesh.confidence = std::move(values);
   CheckSizes(mesh);
-  WriteFile(path,
-            [&](std::ostream& stream) { WritePly(mesh, stream, name); });
+  WriteFile(path, [&](std::ostream& stream) { WritePly(mesh, stream, name); });
 }
 
 void WriteMesh(std::ostream& stream,

@@ -39,9 +39,8 @@ class Aligner {
           "align with");
     }
     mesh_samples_ =
-        IsCloud(mesh)
-            ? SampleCloud(mesh, count)
-            : SampleSurface(mesh, count, context.Seed() + 2, context);
+        IsCloud(mesh) ? SampleCloud(mesh, count)
+                      : SampleSurface(mesh, count, context.Seed() + 2, context);
     reference_samples_ =
         SampleSurface(reference, count, context.Seed() + 3, context);
     DropFilteredSamples();

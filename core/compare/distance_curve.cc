@@ -6,9 +6,8 @@
 namespace octacut {
 
 double CurveThreshold(int i) {
-  return std::pow(10.0,
-                  static_cast<double>(i) / kCurveStepsPerDecade -
-                      kCurveDecades);
+  return std::pow(
+      10.0, static_cast<double>(i) / kCurveStepsPerDecade - kCurveDecades);
 }
 
 std::vector<double> DistanceCurve(const std::vector<double>& sorted,

@@ -102,10 +102,10 @@ std::vector<float> SignedDistances(const std::vector<Eigen::Vector3d>& points,
     for (size_t i = begin; i < end; ++i) {
       const RayScene::Closest closest = rays.ClosestPoint(points[i]);
       const bool counts = !filter || filter(closest.triangle, closest.point);
-      distances[i] =
-          counts ? static_cast<float>(sides.SignAt(closest, points[i]) *
-                                      closest.distance)
-                 : std::numeric_limits<float>::quiet_NaN();
+      distances[i] = counts
+                         ? static_cast<float>(sides.SignAt(closest, points[i]) *
+                                              closest.distance)
+                         : std::numeric_limits<float>::quiet_NaN();
     }
     phase.Advance(end - begin);
   });

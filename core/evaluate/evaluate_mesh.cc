@@ -45,12 +45,11 @@ MeshEvaluation EvaluateMesh(const IndexedMesh& mesh,
     if (options.reprojection.keep_maps) {
       evaluation.view_support = MeasureViewSupport(
           views, evaluation.reprojection->maps, options.reprojection, context);
-      evaluation.vertex_support =
-          SupportOfPoints(mesh.positions,
-                          views,
-                          depths,
-                          evaluation.reprojection->maps,
-                          context);
+      evaluation.vertex_support = SupportOfPoints(mesh.positions,
+                                                  views,
+                                                  depths,
+                                                  evaluation.reprojection->maps,
+                                                  context);
     }
   }
   return evaluation;

@@ -61,8 +61,8 @@ std::array<uint8_t, 3> MeanColorOf(
   size_t count = 0;
   for (const auto& [minus_cosine, i] : candidates) {
     const auto color = ColorAt(views[i], point);
-    if (color && !rays.IsOccluded(
-                     centers[i], point - centers[i], 0, 1 - kClearance)) {
+    if (color &&
+        !rays.IsOccluded(centers[i], point - centers[i], 0, 1 - kClearance)) {
       sum += *color;
       if (++count == kMostViews) {
         break;

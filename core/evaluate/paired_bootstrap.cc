@@ -42,12 +42,11 @@ BootstrapDifference PairedBootstrap(std::span<const double> a,
   std::sort(means.begin(), means.end());
   result.low = means[size_t(0.025 * kResamples)];
   result.high = means[size_t(0.975 * kResamples) - 1];
-  const auto not_above = size_t(
-      std::upper_bound(means.begin(), means.end(), 0.0) - means.begin());
-  const auto below = size_t(
-      std::lower_bound(means.begin(), means.end(), 0.0) - means.begin());
-  const size_t other_sign =
-      result.mean > 0 ? not_above : kResamples - below;
+  const auto not_above =
+      size_t(std::upper_bound(means.begin(), means.end(), 0.0) - means.begin());
+  const auto below =
+      size_t(std::lower_bound(means.begin(), means.end(), 0.0) - means.begin());
+  const size_t other_sign = result.mean > 0 ? not_above : kResamples - below;
   result.p_value = std::min(1.0, 2 * double(other_sign) / double(kResamples));
   return result;
 }

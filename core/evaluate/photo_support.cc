@@ -47,8 +47,7 @@ cv::Mat TexturedPixels(const View& view, const ReprojectionOptions& options) {
   grey.convertTo(grey, CV_64F);
   const int radius = options.window_radius;
   const cv::Mat mean = BoxMean(grey, radius);
-  const cv::Mat variance =
-      BoxMean(grey.mul(grey), radius) - mean.mul(mean);
+  const cv::Mat variance = BoxMean(grey.mul(grey), radius) - mean.mul(mean);
   cv::Mat textured = (variance > options.min_contrast * options.min_contrast) &
                      (view.mask >= kObjectThreshold);
   cv::Mat inner = cv::Mat::zeros(textured.size(), CV_8UC1);
@@ -127,9 +126,9 @@ std::vector<bool> ContradictingViews(const std::vector<ViewSupport>& support) {
   for (const double value : values) {
     deviations.push_back(std::abs(value - median));
   }
-  const double limit =
-      median - std::max(kLeastContradiction,
-                        kContradictionSigmas * kSigmaOfMad * Median(deviations));
+  const double limit = median - std::max(kLeastContradiction,
+                                         kContradictionSigmas * kSigmaOfMad *
+                                             Median(deviations));
   for (size_t i = 0; i < support.size(); ++i) {
     contradicts[i] =
         support[i].textured_pixels > 0 && support[i].support < limit;

@@ -41,8 +41,8 @@ struct Reprojection {
   // Of the mesh's pixels those that are in the middle of a whole window with
   // at least one neighbour.
   double compared_fraction = 0;
-  // One a view, of its size, CV_32FC1: the mean correlation of the window around
-  // each pixel over the neighbours; not a number where there is none.
+  // One a view, of its size, CV_32FC1: the mean correlation of the window
+  // around each pixel over the neighbours; not a number where there is none.
   std::vector<cv::Mat> maps;
 };
 

@@ -56,9 +56,9 @@ cv::Mat DepthsOfView(const View& view,
   for (int y = 0; y < depths.rows; ++y) {
     for (int x = 0; x < depths.cols; ++x) {
       if (view.mask.at<uint8_t>(y, x) >= kObjectThreshold) {
-        depths.at<float>(y, x) = float(
-            unit * InterpolatedDepth(
-                       map, float(x) + 0.5f, float(y) + 0.5f, tolerance));
+        depths.at<float>(y, x) =
+            float(unit * InterpolatedDepth(
+                             map, float(x) + 0.5f, float(y) + 0.5f, tolerance));
       }
     }
   }

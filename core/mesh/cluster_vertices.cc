@@ -152,8 +152,7 @@ class Clustering {
         const uint32_t cluster = cluster_of_[corner];
         Quadric& quadric = quadrics_[cluster];
         quadric.a += normal * normal.transpose();
-        quadric.b +=
-            normal * normal.dot(mesh_.positions[a] - means_[cluster]);
+        quadric.b += normal * normal.dot(mesh_.positions[a] - means_[cluster]);
       }
     }
   }
@@ -174,9 +173,9 @@ class Clustering {
       }
     }
     const Eigen::Vector3d place = mean + step;
-    const bool is_inside = (grid_.Coordinates(place).array() ==
-                            grid_.Coordinates(mean).array())
-                               .all();
+    const bool is_inside =
+        (grid_.Coordinates(place).array() == grid_.Coordinates(mean).array())
+            .all();
     return is_inside ? place : mean;
   }
 

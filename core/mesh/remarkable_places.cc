@@ -35,10 +35,8 @@ std::vector<RemarkablePlace> FindRemarkablePlaces(
           return (place.position - position).norm() < distance;
         });
     if (!is_near) {
-      places.push_back({vertex,
-                        values[vertex],
-                        position,
-                        normals[vertex].cast<double>()});
+      places.push_back(
+          {vertex, values[vertex], position, normals[vertex].cast<double>()});
     }
   }
   return places;

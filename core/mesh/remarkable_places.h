@@ -27,8 +27,8 @@ std::vector<RemarkablePlace> FindRemarkablePlaces(
     size_t count,
     double distance);
 
-// Each vertex gets the mean of the values in its cell of a cubic grid, so that a
-// single vertex makes no place; not a number in cells of fewer than
+// Each vertex gets the mean of the values in its cell of a cubic grid, so that
+// a single vertex makes no place; not a number in cells of fewer than
 // `least_count` values, and where the vertex itself has none.
 std::vector<float> CellMeans(const IndexedMesh& mesh,
                              const std::vector<float>& values,

@@ -36,8 +36,7 @@ std::optional<Eigen::Vector3d> PlaneNormal(const cv::Mat& depth,
   const double limit = kSteepest * (radius + 1) * middle / camera.fx;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
-  const Eigen::Vector3d origin =
-      middle * camera.Unproject({x + 0.5, y + 0.5});
+  const Eigen::Vector3d origin = middle * camera.Unproject({x + 0.5, y + 0.5});
   int count = 0;
   for (int v = std::max(0, y - radius);
        v <= std::min(depth.rows - 1, y + radius);
@@ -107,20 +106,21 @@ DepthAndNormals FitNormals(const cv::Mat& depth,
                            int radius,
                            const Context& context) {
   DepthAndNormals result = Empty(depth.cols, depth.rows);
-  ParallelFor(context, size_t(depth.rows), kRows, [&](size_t begin, size_t end) {
-    for (int y = int(begin); y < int(end); ++y) {
-      for (int x = 0; x < depth.cols; ++x) {
-        if (!(depth.at<float>(y, x) > 0)) {
-          continue;
+  ParallelFor(
+      context, size_t(depth.rows), kRows, [&](size_t begin, size_t end) {
+        for (int y = int(begin); y < int(end); ++y) {
+          for (int x = 0; x < depth.cols; ++x) {
+            if (!(depth.at<float>(y, x) > 0)) {
+              continue;
+            }
+            if (const auto normal = PlaneNormal(depth, camera, x, y, radius)) {
+              result.depth.at<float>(y, x) = depth.at<float>(y, x);
+              result.normals.at<cv::Vec3f>(y, x) =
+                  FacingCamera(*normal, camera.Unproject({x + 0.5, y + 0.5}));
+            }
+          }
         }
-        if (const auto normal = PlaneNormal(depth, camera, x, y, radius)) {
-          result.depth.at<float>(y, x) = depth.at<float>(y, x);
-          result.normals.at<cv::Vec3f>(y, x) =
-              FacingCamera(*normal, camera.Unproject({x + 0.5, y + 0.5}));
-        }
-      }
-    }
-  });
+      });
   return result;
 }
 

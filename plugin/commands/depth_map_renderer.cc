@@ -63,12 +63,13 @@ class DepthMapRenderer : public Command {
 
 void DepthMapRenderer::DeclareOptions(OptionManager& options) {
   DeclareLoadingOptions(options, &workspace_path_, &loading_);
-  options.AddEnum("source",
-                  &source_,
-                  {{"mesh", DepthSource::kMesh}, {"sweep", DepthSource::kSweep}},
-                  "Where depths come from: the mesh of mesh_path, or "
-                  "octacut's own depth sweep, which knows of no mesh and needs "
-                  "masks.");
+  options.AddEnum(
+      "source",
+      &source_,
+      {{"mesh", DepthSource::kMesh}, {"sweep", DepthSource::kSweep}},
+      "Where depths come from: the mesh of mesh_path, or "
+      "octacut's own depth sweep, which knows of no mesh and needs "
+      "masks.");
   options.Add("mesh_path",
               &mesh_path_,
               "Mesh to render (.ply, .obj, .off or .stl), in the frame of the "
@@ -161,12 +162,8 @@ void DepthMapRenderer::Sweep(const Workspace& workspace,
   // A sample of the sweep is half a voxel: the images need be no finer.
   const LoadedScene loaded =
       LoadScene(workspace_path_, loading_, sweep_.level + 1, context);
-  const std::vector<cv::Mat> depths =
-      SweepDenseDepths(loaded.scene,
-                       loaded.region.cube,
-                       loaded.region.box,
-                       sweep_,
-                       context);
+  const std::vector<cv::Mat> depths = SweepDenseDepths(
+      loaded.scene, loaded.region.cube, loaded.region.box, sweep_, context);
   Phase phase(context, "Depth maps of the sweep", images.size());
   for (const SparseImage* image : images) {
     const PinholeCamera camera =

@@ -95,10 +95,11 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
               &html_path_,
               "HTML page to write, in which the meshes and their distances can "
               "be looked at. Default: none.");
-  options.Add("transform_path",
-              &transform_path_,
-              "Text file with a 4 x 4 matrix, row by row, by which the compared "
-              "meshes are moved first. Default: none.");
+  options.Add(
+      "transform_path",
+      &transform_path_,
+      "Text file with a 4 x 4 matrix, row by row, by which the compared "
+      "meshes are moved first. Default: none.");
   options
       .Add("transform_output_path",
            &transform_output_path_,
@@ -272,8 +273,7 @@ void MeshComparer::ShowDistances(const MeasuredMesh& measured,
   if (html_path_.empty()) {
     return;
   }
-  PageMesh page =
-      MakePageMesh(name, moved, input_paths_.size() + 1, context);
+  PageMesh page = MakePageMesh(name, moved, input_paths_.size() + 1, context);
   FindDistancePlaces(
       moved, distances, comparison.reference_diagonal, context, &page);
   AddDistances(reference.result.name, distances, &page);
@@ -364,9 +364,10 @@ std::vector<std::string> MeshComparer::Protocol(
     }
   }
   if (!transform_path_.empty()) {
-    lines.push_back(fmt::format("Transform: the compared meshes were moved by "
-                                "the matrix in {}.",
-                                transform_path_.string()));
+    lines.push_back(
+        fmt::format("Transform: the compared meshes were moved by "
+                    "the matrix in {}.",
+                    transform_path_.string()));
   }
   if (!compare_.align) {
     lines.emplace_back("Alignment: none, the meshes are compared as they are.");

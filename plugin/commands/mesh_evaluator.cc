@@ -198,7 +198,8 @@ void MeshEvaluator::WritePage(const CommandEnvironment& environment,
   page_.protocol = ProtocolOfRun(environment);
   page_.protocol.push_back(fmt::format(
       "Photographs: {} views of {}, at the resolution of (2^{})^3 voxels. Each "
-      "is compared with up to {} neighbours at {:g} to {:g} degrees by zero-mean "
+      "is compared with up to {} neighbours at {:g} to {:g} degrees by "
+      "zero-mean "
       "normalised cross-correlation in windows of {} x {} pixels.",
       views.size(),
       workspace_path_.string(),
@@ -245,8 +246,8 @@ void CompareWithFirst(std::vector<JudgedMesh>* meshes, const Context& context) {
   for (size_t i = 1; i < meshes->size(); ++i) {
     MeasuredMesh& measured = (*meshes)[i].measured;
     const Phase phase(context, fmt::format("Compare {}", measured.result.name));
-    measured.json["comparison"] = DistancesToJson(
-        CompareMeshes(measured.mesh, first, options, context));
+    measured.json["comparison"] =
+        DistancesToJson(CompareMeshes(measured.mesh, first, options, context));
   }
 }
 
@@ -297,16 +298,16 @@ void PrintRanking(const Json& ranking, std::ostream& out) {
   for (const Json& pair : ranking["pairs"]) {
     const std::string better = pair["better"];
     const std::string worse = pair["worse"];
-    const std::string figures =
-        fmt::format("{:.4f}, 95 %: {:.4f} to {:.4f}",
-                    pair["mean"].get<double>(),
-                    pair["low"].get<double>(),
-                    pair["high"].get<double>());
+    const std::string figures = fmt::format("{:.4f}, 95 %: {:.4f} to {:.4f}",
+                                            pair["mean"].get<double>(),
+                                            pair["low"].get<double>(),
+                                            pair["high"].get<double>());
     out << (pair["more_than_chance"].get<bool>()
-                ? fmt::format("The photographs support {} better than {} ({}).\n",
-                              better,
-                              worse,
-                              figures)
+                ? fmt::format(
+                      "The photographs support {} better than {} ({}).\n",
+                      better,
+                      worse,
+                      figures)
                 : fmt::format("The photographs do not decide between {} and {} "
                               "({}).\n",
                               better,

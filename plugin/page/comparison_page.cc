@@ -153,9 +153,8 @@ void WriteComparisonPage(const fs::path& html_path,
       WriteScript(stream,
                   " type=\"application/json\" id=\"report\"",
                   ScriptJson(page.report));
-      WriteScript(stream,
-                  " type=\"application/json\" id=\"page\"",
-                  ScriptJson(json));
+      WriteScript(
+          stream, " type=\"application/json\" id=\"page\"", ScriptJson(json));
       for (size_t i = 0; i < blobs.Texts().size(); ++i) {
         WriteScript(stream,
                     fmt::format(" type=\"text/plain\" id=\"blob-{}\"", i),

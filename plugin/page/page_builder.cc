@@ -22,9 +22,9 @@ constexpr size_t kLeastVertices = 5;
 
 std::string Quoted(const std::string& text) {
   const bool is_plain =
-      !text.empty() &&
-      text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWX"
-                             "YZ0123456789_-./,=:+@") == std::string::npos;
+      !text.empty() && text.find_first_not_of(
+                           "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWX"
+                           "YZ0123456789_-./,=:+@") == std::string::npos;
   if (is_plain) {
     return text;
   }
@@ -99,8 +99,8 @@ void FindUnsupportedPlaces(const IndexedMesh& mesh,
                            double diagonal,
                            const Context& context,
                            PageMesh* page) {
-  std::vector<float> means = CellMeans(
-      mesh, values, kPlaceDistance / 2 * diagonal, kLeastVertices);
+  std::vector<float> means =
+      CellMeans(mesh, values, kPlaceDistance / 2 * diagonal, kLeastVertices);
   for (float& mean : means) {
     mean = -mean;
   }
@@ -119,8 +119,10 @@ void PaintFromPhotographs(const IndexedMesh& mesh,
                           const std::vector<View>& views,
                           const Context& context,
                           PageMesh* page) {
-  const bool has_images = std::all_of(
-      views.begin(), views.end(), [](const View& v) { return !v.image.empty(); });
+  const bool has_images =
+      std::all_of(views.begin(), views.end(), [](const View& v) {
+        return !v.image.empty();
+      });
   if (views.empty() || !has_images) {
     return;
   }

@@ -18,10 +18,9 @@ std::vector<uint16_t> Quantise(const std::vector<Eigen::Vector3d>& positions,
   quantised.reserve(3 * positions.size());
   for (const Eigen::Vector3d& position : positions) {
     for (int axis = 0; axis < 3; ++axis) {
-      const double part =
-          sizes[axis] > 0
-              ? (position[axis] - box.min()[axis]) / sizes[axis]
-              : 0;
+      const double part = sizes[axis] > 0
+                              ? (position[axis] - box.min()[axis]) / sizes[axis]
+                              : 0;
       quantised.push_back(static_cast<uint16_t>(std::lround(kSteps * part)));
     }
   }

@@ -28,8 +28,7 @@ cv::Size ReducedSize(const cv::Mat& image, int longest) {
 
 Bytes EncodeReduced(const cv::Mat& image, int longest) {
   cv::Mat reduced;
-  cv::resize(
-      image, reduced, ReducedSize(image, longest), 0, 0, cv::INTER_AREA);
+  cv::resize(image, reduced, ReducedSize(image, longest), 0, 0, cv::INTER_AREA);
   Bytes bytes;
   cv::imencode(
       ".jpg", reduced, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});

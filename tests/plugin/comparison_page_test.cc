@@ -1,5 +1,5 @@
-// The HTML pages of mesh_comparer and mesh_evaluator: what is in the file, and, where
-// Chromium is installed, how the page behaves.
+// The HTML pages of mesh_comparer and mesh_evaluator: what is in the file, and,
+// where Chromium is installed, how the page behaves.
 #include "plugin/page/comparison_page.h"
 
 #include <fmt/format.h>
@@ -21,8 +21,8 @@ using ::testing::Not;
 using ::testing::ThrowsMessage;
 
 bool HasTools() {
-  return std::system(
-             "command -v node chromedriver chromium >/dev/null 2>&1") == 0;
+  return std::system("command -v node chromedriver chromium >/dev/null 2>&1") ==
+         0;
 }
 
 // The content of the script element of that id.
@@ -75,14 +75,13 @@ class ComparisonPageTest : public SmallWorkspaceTest {
   }
   std::string Hull() const {
     const std::string path = (folder_ / "hull.ply").string();
-    const ProgramResult result =
-        RunOctacut({"visual_hull_mesher",
-                    "--workspace_path",
-                    Workspace().string(),
-                    "--OctahedralMeshing.hull_level",
-                    "6",
-                    "--output_path",
-                    path});
+    const ProgramResult result = RunOctacut({"visual_hull_mesher",
+                                             "--workspace_path",
+                                             Workspace().string(),
+                                             "--OctahedralMeshing.hull_level",
+                                             "6",
+                                             "--output_path",
+                                             path});
     EXPECT_EQ(result.exit_code, 0) << result.err;
     return path;
   }
@@ -92,13 +91,13 @@ class ComparisonPageTest : public SmallWorkspaceTest {
                       "(workflows/setup.sh --with_test_tools 1)";
     }
     const fs::path log = folder_ / "browser.log";
-    const std::string command =
-        fmt::format("node '{}/tests/page/page_test.mjs' '{}' '{}' {} >'{}' 2>&1",
-                    OCTACUT_SOURCE_DIR,
-                    Page().string(),
-                    Report().string(),
-                    kind,
-                    log.string());
+    const std::string command = fmt::format(
+        "node '{}/tests/page/page_test.mjs' '{}' '{}' {} >'{}' 2>&1",
+        OCTACUT_SOURCE_DIR,
+        Page().string(),
+        Report().string(),
+        kind,
+        log.string());
     const int status = std::system(command.c_str());
     EXPECT_EQ(status, 0) << ReadFile(log);
   }
@@ -127,8 +126,7 @@ TEST(CheckPagePath, SaysWhichPackageIsMissing) {
 
 TEST_F(ComparisonPageTest, ComparesWithATruth) {
   const std::string hull = Hull();
-  const ProgramResult result =
-      Compare({"--input_path", hull + "," + Truth()});
+  const ProgramResult result = Compare({"--input_path", hull + "," + Truth()});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string page = ReadFile(Page());
   EXPECT_LT(page.size(), 15'000'000u);
@@ -145,10 +143,10 @@ TEST_F(ComparisonPageTest, ComparesWithATruth) {
   const auto& places = report["meshes"][0]["places"];
   ASSERT_GE(places.size(), 2u);
   // The worst place is the maximum of the distances, which include vertices.
-  EXPECT_NEAR(std::abs(places[0]["distance"].get<double>()),
-              report["meshes"][0]["comparison"]["to_reference"]["max"],
-              0.3 * double(report["meshes"][0]["comparison"]["to_reference"]
-                                 ["max"]));
+  EXPECT_NEAR(
+      std::abs(places[0]["distance"].get<double>()),
+      report["meshes"][0]["comparison"]["to_reference"]["max"],
+      0.3 * double(report["meshes"][0]["comparison"]["to_reference"]["max"]));
   LookAt("truth");
 }
 
@@ -158,8 +156,7 @@ TEST_F(ComparisonPageTest, JudgesByPhotographsAlone) {
   const auto report = nlohmann::json::parse(ReadFile(Report()));
   EXPECT_EQ(report["ranking"]["order"][0], "reference.ply");
   EXPECT_FALSE(report["meshes"][1]["comparison"].contains("scores"));
-  const auto shown =
-      nlohmann::json::parse(Embedded(ReadFile(Page()), "page"));
+  const auto shown = nlohmann::json::parse(Embedded(ReadFile(Page()), "page"));
   EXPECT_EQ(shown["has_truth"], false);
   EXPECT_EQ(shown["photographs"].size(), size_t(kSmallViews));
   LookAt("photographs");

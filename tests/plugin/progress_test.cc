@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "core/base/error.h"
+
 namespace octacut {
 namespace {
 

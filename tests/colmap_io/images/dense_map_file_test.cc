@@ -46,9 +46,10 @@ TEST(DenseMapFile, DamagedFilesAreNamed) {
   folder.Write("header.bin", "3x2&1&");
   folder.Write("short.bin", "3&2&1&abcd");
   folder.Write("large.bin", "300000&2&1&");
-  for (const auto& [name, message] :
-       {std::pair("header.bin", "header"), std::pair("short.bin", "ends early"),
-        std::pair("large.bin", "300000 x 2"), std::pair("gone.bin", "header")}) {
+  for (const auto& [name, message] : {std::pair("header.bin", "header"),
+                                      std::pair("short.bin", "ends early"),
+                                      std::pair("large.bin", "300000 x 2"),
+                                      std::pair("gone.bin", "header")}) {
     EXPECT_THAT([&, file = name] { ReadDenseMap(folder / file); },
                 ThrowsMessage<InputError>(
                     ::testing::AllOf(HasSubstr(name), HasSubstr(message))));

@@ -14,9 +14,9 @@ TEST(SignedDistances, AroundACube) {
   const IndexedMesh cube = Cube(3);
   const double third = 1 / std::sqrt(3.0);
   const std::vector<float> distances =
-      SignedDistances({{0.5, 0.5, 1.25},        // above a face
-                       {0.5, 0.5, 0.75},        // inside
-                       {1.2, 1.2, 0.4},         // beside an edge
+      SignedDistances({{0.5, 0.5, 1.25},                   // above a face
+                       {0.5, 0.5, 0.75},                   // inside
+                       {1.2, 1.2, 0.4},                    // beside an edge
                        {1 + third, 1 + third, 1 + third},  // off a corner
                        {1 - 0.1, 1 - 0.2, 1 - 0.3}},       // inside a corner
                       cube,

@@ -135,11 +135,8 @@ TEST_F(PhotoSupportTest, HalfAMeshHasHalfTheSupport) {
 
 TEST_F(PhotoSupportTest, MeanColorsAreThoseOfTheObject) {
   const IndexedMesh& mesh = synthetic_->reference;
-  const auto colors = MeanColors(mesh.positions,
-                                 mesh.normals,
-                                 RayScene(mesh),
-                                 scene_->views,
-                                 Context(2));
+  const auto colors = MeanColors(
+      mesh.positions, mesh.normals, RayScene(mesh), scene_->views, Context(2));
   // Against one view, at pixels well inside of the object.
   const View& view = scene_->views[3];
   const RayScene rays(mesh);
@@ -149,16 +146,13 @@ TEST_F(PhotoSupportTest, MeanColorsAreThoseOfTheObject) {
     const Eigen::Vector3d to_view =
         (view.Center() - mesh.positions[i]).normalized();
     if (mesh.normals[i].cast<double>().dot(to_view) < 0.8 ||
-        rays.IsOccluded(view.Center(),
-                        mesh.positions[i] - view.Center(),
-                        0,
-                        0.99)) {
+        rays.IsOccluded(
+            view.Center(), mesh.positions[i] - view.Center(), 0, 0.99)) {
       continue;
     }
     const Eigen::Vector2d pixel =
         view.camera.Project(view.cam_from_world * mesh.positions[i]);
-    const auto& bgr =
-        view.image.at<cv::Vec3b>(int(pixel.y()), int(pixel.x()));
+    const auto& bgr = view.image.at<cv::Vec3b>(int(pixel.y()), int(pixel.x()));
     sum += std::abs(double(bgr[2]) - colors[i][0]) / 255;
     ++count;
   }

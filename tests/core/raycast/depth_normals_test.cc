@@ -11,8 +11,7 @@ namespace {
 
 // A field z = 0.5 x over [0, 1]^2, seen from below along +z, 4 units away.
 struct TiltedField {
-  IndexedMesh mesh =
-      HeightField(4, [](double x, double) { return 0.5 * x; });
+  IndexedMesh mesh = HeightField(4, [](double x, double) { return 0.5 * x; });
   PinholeCamera camera{40, 40, 100, 100, 20, 20};
   Rigid3d cam_from_world{Eigen::Matrix3d::Identity(),
                          Eigen::Vector3d(-0.5, -0.5, 4)};

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
 
 #include "core/raycast/render.h"
 #include "core/synthetic/synthetic_scene.h"

@@ -13,10 +13,11 @@
 namespace octacut {
 
 struct DenseDepthsOptions {
-  // Level of the visual hull in which depths are looked for. A sample of the
-  // sweep is half a voxel of (2^level)^3 across: at level 8 as fine as images
-  // of an object of 500 pixels.
-  int level = 8;
+  // Level of the visual hull in which depths are looked for. Samples of the
+  // sweep are half a voxel of (2^level)^3 apart, and depths are refined between
+  // them. A finer level has smaller windows: of the temple, level 8 finds a
+  // quarter fewer depths than level 7, in six times the time.
+  int level = 7;
   double mask_tolerance = 2;   // as in ReconstructionOptions
   int min_agreeing_views = 2;  // as in InsideEvidenceOptions
   DepthSweepOptions sweep;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -35,6 +36,30 @@ std::vector<std::string> NamesOf(const std::vector<ComparedMesh>& meshes) {
     names.push_back(mesh.name);
   }
   return names;
+}
+
+Eigen::AlignedBox3d BoxOf(const IndexedMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    box.extend(position);
+  }
+  return box;
+}
+
+// Distances between meshes of different frames mean nothing.
+void CheckOverlap(const fs::path& path,
+                  const IndexedMesh& mesh,
+                  const fs::path& reference_path,
+                  const IndexedMesh& reference) {
+  const Eigen::AlignedBox3d box = BoxOf(reference);
+  const double diagonal = box.diagonal().norm();
+  if (box.exteriorDistance(BoxOf(mesh)) > diagonal) {
+    throw InputError(fmt::format(
+        "{}: the mesh does not overlap {}: it is more than a diagonal away; is "
+        "it in another frame?",
+        path.string(),
+        reference_path.string()));
+  }
 }
 
 class MeshComparer : public Command {
@@ -226,6 +251,7 @@ Json MeshComparer::CompareOne(const fs::path& path,
                               const Context& context) {
   MeasuredMesh measured = Measure(path, context);
   measured.mesh = TransformMesh(std::move(measured.mesh), given_transform_);
+  CheckOverlap(path, measured.mesh, reference_path_, reference.mesh);
   const Phase phase(context, fmt::format("Compare {}", measured.result.name));
   measured.result.comparison =
       CompareMeshes(measured.mesh, reference.mesh, compare_, context);

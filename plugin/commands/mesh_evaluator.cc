@@ -24,6 +24,19 @@
 namespace octacut {
 namespace {
 
+void CheckIsSeen(const std::filesystem::path& path,
+                 const SilhouetteAgreement& silhouettes) {
+  for (const ViewSilhouette& view : silhouettes.views) {
+    if (view.mesh_pixels > 0) {
+      return;
+    }
+  }
+  throw InputError(
+      fmt::format("{}: no view shows the mesh; is it in another frame than the "
+                  "sparse model?",
+                  path.string()));
+}
+
 struct JudgedMesh {
   MeasuredMesh measured;
   MeshEvaluation evaluation;
@@ -148,6 +161,7 @@ std::vector<JudgedMesh> MeshEvaluator::Judge(const std::vector<View>& views,
                       fmt::format("Evaluate {}", mesh.measured.result.name));
     mesh.evaluation =
         EvaluateMesh(mesh.measured.mesh, views, evaluate_, context);
+    CheckIsSeen(path, mesh.evaluation.silhouettes);
     if (mesh.evaluation.reprojection) {
       mesh.evaluation.reprojection->maps.clear();
     }

@@ -121,7 +121,7 @@ async function checkPhotographs() {
   await changes('a photograph', () => browser.click('#next-photograph'));
   await browser.waitFor('the photograph is shown', `
     const viewer = Octacut.viewer;
-    return viewer.camera.photograph && viewer.textures.get(viewer.camera.photograph)`);
+    return Boolean(viewer.camera.photograph && viewer.textures.get(viewer.camera.photograph));`);
   const blend = amount => browser.run(`
     const slider = document.getElementById('blend');
     slider.value = arguments[0];

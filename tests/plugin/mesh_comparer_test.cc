@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/plugin/run_octacut.h"
 
@@ -166,6 +167,101 @@ TEST_F(MeshComparerTest, SameReportForAnyNumberOfThreads) {
   EXPECT_EQ(meshes[0], meshes[2]);
 }
 
+TEST_F(MeshComparerTest, CloudsAreComparedPointByPoint) {
+  const std::string reference = folder_.Write("ref.off", Square(0));
+  // Two points above the square at 0.01, one beside it at 0.5.
+  const std::string cloud = folder_.Write(
+      "cloud.obj", "v 0.2 0.2 0.01\nv 0.8 0.5 0.01\nv 1.5 0.5 0\n");
+  const ProgramResult result = Compare({"--input_path",
+                                        cloud,
+                                        "--reference_path",
+                                        reference,
+                                        "--output_path",
+                                        folder_ / "out.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json to = Report()["meshes"][0]["comparison"]["to_reference"];
+  EXPECT_EQ(to["samples"], 3);
+  EXPECT_NEAR(to["mean"].get<double>(), (0.01 + 0.01 + 0.5) / 3, 1e-9);
+  EXPECT_NEAR(to["max"].get<double>(), 0.5, 1e-9);
+  // A cloud as the reference.
+  ASSERT_EQ(Compare({"--input_path",
+                     reference,
+                     "--reference_path",
+                     cloud,
+                     "--output_path",
+                     folder_ / "out.json"})
+                .exit_code,
+            0);
+  const nlohmann::json from =
+      Report()["meshes"][0]["comparison"]["from_reference"];
+  EXPECT_NEAR(from["mean"].get<double>(), (0.01 + 0.01 + 0.5) / 3, 1e-9);
+}
+
+TEST_F(MeshComparerTest, MatricesAreWrittenAndRead) {
+  const std::string reference = folder_.Write("tetra.ply", kTetrahedron);
+  // The tetrahedron, twice as large and moved by (3, 0, 0).
+  const std::string moved =
+      folder_.Write("moved.obj",
+                    "v 3 0 0\nv 5 0 0\nv 3 2 0\nv 3 0 2\nf 1 3 2\nf 1 2 4\nf 2 "
+                    "3 4\nf 1 4 3\n");
+  const std::string matrix = folder_.Write(
+      "matrix.txt", "0.5 0 0 -1.5\n0 0.5 0 0\n0 0 0.5 0\n0 0 0 1\n");
+  const ProgramResult result = Compare({"--input_path",
+                                        moved,
+                                        "--reference_path",
+                                        reference,
+                                        "--transform_path",
+                                        matrix,
+                                        "--align",
+                                        "1",
+                                        "--transform_output_path",
+                                        folder_ / "found.txt",
+                                        "--distance_path",
+                                        folder_.Path().string(),
+                                        "--output_path",
+                                        folder_ / "out.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_LT(Report()["meshes"][0]["comparison"]["to_reference"]["max"], 1e-6);
+  std::istringstream found(ReadFile(folder_ / "found.txt"));
+  const double expected[16] = {
+      0.5, 0, 0, -1.5, 0, 0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 1};
+  for (const double value : expected) {
+    double number = 9;
+    ASSERT_TRUE(found >> number);
+    EXPECT_NEAR(number, value, 1e-4);
+  }
+  EXPECT_THAT(ReadFile(folder_ / "moved-distance.ply"),
+              HasSubstr("property float quality\n"));
+  const std::string skewed =
+      folder_.Write("skewed.txt", "1 0.5 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1\n");
+  EXPECT_THAT(Compare({"--input_path",
+                       moved,
+                       "--reference_path",
+                       reference,
+                       "--transform_path",
+                       skewed})
+                  .err,
+              HasSubstr("skewed.txt: the first three rows"));
+}
+
+TEST_F(MeshComparerTest, WithoutATruthThereAreNoScores) {
+  const std::string reference = folder_.Write("ref.off", Square(0));
+  const std::string above = folder_.Write("above.off", Square(0.01));
+  const ProgramResult result = Compare({"--input_path",
+                                        above,
+                                        "--reference_path",
+                                        reference,
+                                        "--reference_is_truth",
+                                        "0",
+                                        "--output_path",
+                                        folder_ / "out.json"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, Not(HasSubstr("precision")));
+  const nlohmann::json comparison = Report()["meshes"][0]["comparison"];
+  EXPECT_FALSE(comparison.contains("scores"));
+  EXPECT_TRUE(comparison.contains("curves"));
+}
+
 TEST_F(MeshComparerTest, MistakesAreNamed) {
   const std::string mesh = folder_.Write("mesh.ply", kTetrahedron);
   const std::string points = folder_.Write("points.obj", "v 0 0 0\nv 1 1 1\n");
@@ -180,8 +276,18 @@ TEST_F(MeshComparerTest, MistakesAreNamed) {
       {{"--reference_path", mesh}, "input_path"},
       {{"--input_path", folder_ / "gone.ply", "--reference_path", mesh},
        "gone.ply: cannot be opened"},
-      {{"--input_path", mesh, "--reference_path", points},
+      {{"--input_path",
+        mesh,
+        "--reference_path",
+        points,
+        "--distance_path",
+        folder_.Path().string()},
        "points.obj: the mesh has no faces, only 2 vertices"},
+      {{"--input_path",
+        folder_.Write("far.off", Square(50)),
+        "--reference_path",
+        mesh},
+       "far.off: the mesh does not overlap"},
       {{"--input_path", broken, "--reference_path", mesh}, "broken.ply: "},
       {{"--input_path", mesh, "--reference_path", mesh, "--thresholds", "2"},
        "--thresholds = 2: must be"},

@@ -61,6 +61,10 @@ TEST_F(MeshEvaluatorTest, MistakesAreNamed) {
   EXPECT_THAT(Evaluate({}).err, HasSubstr("mesh_path"));
   EXPECT_THAT(Evaluate({"--mesh_path", points}).err,
               HasSubstr("points.obj: the mesh has no faces"));
+  const std::string away =
+      folder_.Write("away.obj", "v 900 0 0\nv 901 0 0\nv 900 1 0\nf 1 2 3\n");
+  EXPECT_THAT(Evaluate({"--mesh_path", away}).err,
+              HasSubstr("away.obj: no view shows the mesh"));
   EXPECT_THAT(Evaluate({"--mesh_path", Truth(), "--output_path", Truth()}).err,
               HasSubstr("--output_path = "));
   EXPECT_THAT(Evaluate({"--mesh_path", Truth(), "--image_level", "0"}).err,

@@ -160,7 +160,8 @@
     }));
     const sentences = ranking.pairs.map(pair => {
       const interval = '95 % of resampled differences lie in ' + pair.low.toFixed(4)
-        + ' … ' + pair.high.toFixed(4) + ', p = ' + pair.p_value.toPrecision(2);
+        + ' … ' + pair.high.toFixed(4)
+      + (pair.p_value < 0.001 ? ', p < 0.001' : ', p = ' + pair.p_value.toPrecision(2));
       return make('li', {}, pair.more_than_chance
         ? pair.better + ' is supported better than ' + pair.worse + ' by '
           + pair.mean.toFixed(4) + ' (' + interval + ').'

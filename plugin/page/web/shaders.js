@@ -40,7 +40,8 @@
         base = vValue > 1e29 ? vec3(0.45)
                              : texture2D(scale, vec2(t, 0.5)).rgb;
       }
-      if (!gl_FrontFacing) {
+      bool isCut = dot(cut.xyz, cut.xyz) > 0.0;
+      if (isCut && !gl_FrontFacing) {
         // Where the surface is cut one sees its inside, which is shown flat.
         gl_FragColor = vec4(mix(sectionColor, base, 0.15), 1.0);
         return;

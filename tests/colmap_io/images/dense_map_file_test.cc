@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <opencv2/core.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/error.h"
 #include "tests/colmap_io/files/temporary_folder.h"
@@ -46,13 +50,16 @@ TEST(DenseMapFile, DamagedFilesAreNamed) {
   folder.Write("header.bin", "3x2&1&");
   folder.Write("short.bin", "3&2&1&abcd");
   folder.Write("large.bin", "300000&2&1&");
-  for (const auto& [name, message] : {std::pair("header.bin", "header"),
-                                      std::pair("short.bin", "ends early"),
-                                      std::pair("large.bin", "300000 x 2"),
-                                      std::pair("gone.bin", "header")}) {
-    EXPECT_THAT([&, file = name] { ReadDenseMap(folder / file); },
-                ThrowsMessage<InputError>(
-                    ::testing::AllOf(HasSubstr(name), HasSubstr(message))));
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"header.bin", "header"},
+      {"short.bin", "ends early"},
+      {"large.bin", "300000 x 2"},
+      {"gone.bin", "header"}};
+  for (const auto& [name, message] : cases) {
+    const std::filesystem::path path = folder / name;
+    const std::string& expected = message;
+    EXPECT_THAT([&] { ReadDenseMap(path); },
+                ThrowsMessage<InputError>(HasSubstr(expected)));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/core.hpp>
 
 #include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/raycast/render.h"

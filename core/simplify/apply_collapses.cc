@@ -79,18 +79,23 @@ CollapsedMesh CollapseReplay::Run(size_t num_triangles,
   SurfaceMesh surface = surface_;
   std::vector<uint32_t> targets(full_.positions.size());
   std::iota(targets.begin(), targets.end(), 0u);
+  std::vector<uint32_t> moved_at(full_.positions.size(), 0);
   size_t num_left = full_.triangles.size();
+  uint32_t number = 0;
   for (const Collapse& collapse : collapses_) {
+    ++number;
     if (num_left <= num_triangles) {
       break;
     }
     if ((held.empty() || held[collapse.from] == 0) &&
         Apply(collapse, held.empty(), &surface)) {
       targets[collapse.from] = collapse.to;
+      moved_at[collapse.from] = number;
       num_left -= 2;
     }
   }
   CollapsedMesh result;
+  result.moved_at = std::move(moved_at);
   const std::vector<uint32_t> numbers =
       KeepVertices(surface, full_, &result.mesh);
   for (uint32_t t = 0; t < full_.triangles.size(); ++t) {

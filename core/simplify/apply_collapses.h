@@ -20,6 +20,9 @@ struct CollapsedMesh {
   std::vector<uint32_t> source_triangles;
   // For each vertex of the full mesh the one of `mesh` that it was moved onto.
   std::vector<uint32_t> owners;
+  // For each vertex of the full mesh that was moved the number of its collapse,
+  // from 1; 0 for those that are left.
+  std::vector<uint32_t> moved_at;
 };
 
 class CollapseReplay {

@@ -31,10 +31,38 @@ bool IsUntouched(const CollapsedMesh& collapsed,
   });
 }
 
-// Marks the vertices of the full mesh that were moved onto corners of
-// triangles that intersect. Returns how many pairs are the full mesh's own.
+// Of the vertices that were moved onto each marked corner, those `count` that
+// were moved last stay from now on: what was moved before does less harm.
+void HoldLast(const CollapsedMesh& collapsed,
+              const std::vector<uint8_t>& is_corner,
+              size_t count,
+              std::vector<uint8_t>* held) {
+  struct Moved {
+    uint32_t owner;
+    uint32_t when;
+    uint32_t vertex;
+  };
+  std::vector<Moved> moved;
+  for (uint32_t v = 0; v < collapsed.owners.size(); ++v) {
+    if (is_corner[collapsed.owners[v]] != 0 && collapsed.moved_at[v] > 0) {
+      moved.push_back({collapsed.owners[v], collapsed.moved_at[v], v});
+    }
+  }
+  std::sort(moved.begin(), moved.end(), [](const Moved& a, const Moved& b) {
+    return a.owner != b.owner ? a.owner < b.owner : a.when > b.when;
+  });
+  for (size_t i = 0; i < moved.size(); ++i) {
+    if (i < count || moved[i - count].owner != moved[i].owner) {
+      (*held)[moved[i].vertex] = 1;
+    }
+  }
+}
+
+// Holds vertices that went into triangles that intersect, `count` for each of
+// their corners. Returns how many pairs are the full mesh's own.
 size_t HoldIntersecting(const CollapsedMesh& collapsed,
                         const IndexedMesh& full,
+                        size_t count,
                         const Context& context,
                         std::vector<uint8_t>* held) {
   const SelfIntersections found = FindSelfIntersections(
@@ -55,9 +83,7 @@ size_t HoldIntersecting(const CollapsedMesh& collapsed,
   }
   if (found.examples.size() > num_old) {
     held->resize(full.positions.size());
-    for (size_t v = 0; v < held->size(); ++v) {
-      (*held)[v] |= is_corner[collapsed.owners[v]];
-    }
+    HoldLast(collapsed, is_corner, count, held);
   }
   return num_old;
 }
@@ -93,8 +119,11 @@ SimplifiedMesh SimplifyTo(size_t num_triangles,
   while (true) {
     CollapsedMesh collapsed = replay.Run(num_triangles, held);
     const auto num_held = std::count(held.begin(), held.end(), 1);
+    // Twice as many each time, so that it takes few of them.
+    const size_t count = size_t{1}
+                         << std::min<size_t>(result.summary.num_repairs, 31);
     result.summary.num_old_intersections =
-        HoldIntersecting(collapsed, replay.Full(), context, &held);
+        HoldIntersecting(collapsed, replay.Full(), count, context, &held);
     if (std::count(held.begin(), held.end(), 1) == num_held) {
       result.summary.num_held = size_t(num_held);
       result.mesh = std::move(collapsed.mesh);

@@ -173,10 +173,10 @@ class Clustering {
       }
     }
     const Eigen::Vector3d place = mean + step;
-    const bool is_inside =
-        (grid_.Coordinates(place).array() == grid_.Coordinates(mean).array())
-            .all();
-    return is_inside ? place : mean;
+    const Eigen::Vector3d low =
+        grid_.origin + grid_.edge * grid_.Coordinates(mean);
+    return place.cwiseMax(low).cwiseMin(low +
+                                        Eigen::Vector3d::Constant(grid_.edge));
   }
 
   // Each triangle of clusters once; of two sides that fell together, both.

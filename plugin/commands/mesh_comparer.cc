@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -21,6 +20,7 @@
 #include "plugin/comparison_tables.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
+#include "plugin/page/comparison_protocol.h"
 #include "plugin/page/page_builder.h"
 #include "plugin/report.h"
 #include "plugin/transform_file.h"
@@ -29,38 +29,6 @@ namespace octacut {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> NamesOf(const std::vector<ComparedMesh>& meshes) {
-  std::vector<std::string> names;
-  for (const ComparedMesh& mesh : meshes) {
-    names.push_back(mesh.name);
-  }
-  return names;
-}
-
-Eigen::AlignedBox3d BoxOf(const IndexedMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    box.extend(position);
-  }
-  return box;
-}
-
-// Distances between meshes of different frames mean nothing.
-void CheckOverlap(const fs::path& path,
-                  const IndexedMesh& mesh,
-                  const fs::path& reference_path,
-                  const IndexedMesh& reference) {
-  const Eigen::AlignedBox3d box = BoxOf(reference);
-  const double diagonal = box.diagonal().norm();
-  if (box.exteriorDistance(BoxOf(mesh)) > diagonal) {
-    throw InputError(fmt::format(
-        "{}: the mesh does not overlap {}: it is more than a diagonal away; is "
-        "it in another frame?",
-        path.string(),
-        reference_path.string()));
-  }
-}
 
 class MeshComparer : public Command {
  public:
@@ -398,25 +366,10 @@ std::vector<std::string> MeshComparer::Protocol(
   if (!compare_.align) {
     lines.emplace_back("Alignment: none, the meshes are compared as they are.");
   }
-  std::string crop = "Crop: ";
-  if (!compare_.reference_filter) {
-    crop += "none, all of the reference counts.";
-  } else {
-    if (!bounding_box_.empty()) {
-      crop += "inside the bounding box; ";
-    }
-    if (!views_path_.empty()) {
-      crop += fmt::format(
-          "where at least {} cameras of {} see the reference at {:g} degrees "
-          "or less to its normal; ",
-          seen_.min_views,
-          views_path_.string(),
-          seen_.max_angle);
-    }
-    crop += fmt::format("{:.1f} % of the reference's area counts.",
-                        100 * results_.front().comparison->judged_share);
-  }
-  lines.push_back(std::move(crop));
+  lines.push_back(CropLine({bounding_box_.empty(),
+                            views_path_.string(),
+                            seen_,
+                            results_.front().comparison->judged_share}));
   lines.emplace_back(
       "Signs: positive is outside of the other surface, by the orientation of "
       "its triangles. Coloured values are those of the full mesh's vertices.");

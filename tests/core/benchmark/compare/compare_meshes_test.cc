@@ -306,9 +306,12 @@ TEST(CompareMeshes, AligningFirstRemovesASimilarity) {
 TEST(CompareMeshes, RefusesWhatHasNoSurface) {
   IndexedMesh points;
   points.positions = {{0, 0, 0}, {1, 1, 1}};
-  EXPECT_THAT([&] { Compare(points, Cube(1)); },
-              ThrowsMessage<InputError>(HasSubstr("2 vertices but no tri")));
-  EXPECT_THAT([&] { Compare(Cube(1), points); },
+  // A cloud is no surface, but it has distances.
+  EXPECT_EQ(Compare(points, Cube(1)).to_reference.max, 0);
+  EXPECT_THAT(
+      [&] { Compare({}, Cube(1)); },
+      ThrowsMessage<InputError>(HasSubstr("neither triangles nor points")));
+  EXPECT_THAT([&] { Compare(Cube(1), {}); },
               ThrowsMessage<InputError>(HasSubstr("reference")));
   IndexedMesh line = points;
   line.triangles = {{0, 1, 1}};

@@ -1,0 +1,33 @@
+// Lines of a comparison's protocol, and checks of what is compared.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/benchmark/compare/seen_reference.h"
+#include "core/mesh/indexed_mesh.h"
+#include "plugin/comparison_tables.h"
+
+namespace octacut {
+
+std::vector<std::string> NamesOf(const std::vector<ComparedMesh>& meshes);
+
+// Distances between meshes of different frames mean nothing: throws InputError
+// when the boxes are more than the reference's diagonal apart.
+void CheckOverlap(const std::filesystem::path& path,
+                  const IndexedMesh& mesh,
+                  const std::filesystem::path& reference_path,
+                  const IndexedMesh& reference);
+
+// Which part of a reference counts.
+struct CropOfReference {
+  bool is_whole_box = true;  // no bounding box
+  std::string views_path;    // empty: no cameras
+  SeenReferenceOptions seen;
+  double judged_share = 1;
+};
+
+std::string CropLine(const CropOfReference& crop);
+
+}  // namespace octacut

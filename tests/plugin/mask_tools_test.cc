@@ -131,8 +131,6 @@ class TurntableModeTest : public SmallWorkspaceTest {
                                               "25",
                                               "--Scene.stand",
                                               "1",
-                                              "--Scene.background",
-                                              "room",
                                               "--reference_resolution",
                                               "40"});
     EXPECT_EQ(example.exit_code, 0) << example.err;

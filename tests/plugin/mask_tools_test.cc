@@ -180,7 +180,7 @@ TEST_F(TurntableModeTest, MasksOfWhatTurnsLeadToMasksOfTheObject) {
   for (int i = 0; i < kSmallViews; ++i) {
     EXPECT_GT(
         OverlapOf(ReadGrey(found / Mask(i).filename()), ReadGrey(Mask(i))),
-        0.93)
+        0.96)
         << i;
   }
 }

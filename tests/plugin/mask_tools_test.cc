@@ -131,8 +131,6 @@ class TurntableModeTest : public SmallWorkspaceTest {
                                               "25",
                                               "--Scene.stand",
                                               "1",
-                                              "--Scene.background",
-                                              "room",
                                               "--reference_resolution",
                                               "40"});
     EXPECT_EQ(example.exit_code, 0) << example.err;
@@ -182,7 +180,7 @@ TEST_F(TurntableModeTest, MasksOfWhatTurnsLeadToMasksOfTheObject) {
   for (int i = 0; i < kSmallViews; ++i) {
     EXPECT_GT(
         OverlapOf(ReadGrey(found / Mask(i).filename()), ReadGrey(Mask(i))),
-        0.93)
+        0.96)
         << i;
   }
 }

@@ -8,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "core/texture/fill_gaps.h"
 #include "core/texture/pixel_sampler.h"
+#include "core/texture/texel_colors.h"
 #include "core/texture/triangle_raster.h"
 
 namespace octacut {
@@ -17,190 +18,6 @@ constexpr size_t kFacesPerChunk = 1024;
 // The chosen view counts at least this much, so that a texel that no other view
 // may show has a colour.
 constexpr float kLeastOwnWeight = 1e-3f;
-// More than this many views do not change a median.
-constexpr int kMedianViews = 7;
-
-// Levels by which the photographs of a page differ at a texel, at least: those
-// of rounding.
-constexpr float kLeastNoise = 0.5f;
-// What views of full weight count as samples, in the units of Sample::weight.
-constexpr float kFullWeight = 64;
-
-uint8_t ToByte(float value) {
-  return uint8_t(std::clamp(int(std::lround(value)), 0, 255));
-}
-
-// Colours that photographs have at one texel.
-struct TexelSamples {
-  struct Sample {
-    std::array<uint8_t, 3> color;
-    uint8_t weight;
-  };
-  std::array<Sample, kMedianViews> all;
-  uint8_t count = 0;
-
-  // Keeps those of most weight.
-  void Add(const Sample& sample) {
-    if (count < kMedianViews) {
-      all[count++] = sample;
-      return;
-    }
-    const auto least = std::min_element(
-        all.begin(), all.end(), [](const auto& a, const auto& b) {
-          return a.weight < b.weight;
-        });
-    if (least->weight < sample.weight) {
-      *least = sample;
-    }
-  }
-
-  // The middle of the distribution; between two samples linear in the weights,
-  // so that the median changes gradually over the surface.
-  uint8_t WeightedMedian(size_t channel) const {
-    std::array<Sample, kMedianViews> sorted;
-    float total = 0;
-    for (size_t i = 0; i < count; ++i) {
-      size_t place = i;
-      for (; place > 0 &&
-             sorted[place - 1].color[channel] > all[i].color[channel];
-           --place) {
-        sorted[place] = sorted[place - 1];
-      }
-      sorted[place] = all[i];
-      total += float(all[i].weight);
-    }
-    float before = 0;
-    float last_middle = 0;
-    for (size_t i = 0; i < count; ++i) {
-      const float middle = before + float(sorted[i].weight) / 2;
-      if (middle >= total / 2) {
-        if (i == 0) {
-          return sorted[0].color[channel];
-        }
-        const float part = (total / 2 - last_middle) / (middle - last_middle);
-        return ToByte((1 - part) * float(sorted[i - 1].color[channel]) +
-                      part * float(sorted[i].color[channel]));
-      }
-      last_middle = middle;
-      before += float(sorted[i].weight);
-    }
-    return sorted[count - 1].color[channel];
-  }
-
-  // The median of the differences from the median, as a standard deviation of
-  // one sample; mean of the channels.
-  float Deviation() const {
-    float sum = 0;
-    for (size_t c = 0; c < 3; ++c) {
-      const float median = float(WeightedMedian(c));
-      std::array<float, kMedianViews> differences{};
-      for (size_t i = 0; i < count; ++i) {
-        differences[i] = std::abs(float(all[i].color[c]) - median);
-      }
-      const auto middle = differences.begin() + count / 2;
-      std::nth_element(
-          differences.begin(), middle, differences.begin() + count);
-      sum += 1.48f * *middle;
-    }
-    return sum / 3;
-  }
-};
-
-// Collects the colours of texels from one view after another.
-class Accumulator {
- public:
-  explicit Accumulator(const cv::Size& size)
-      : width_(size.width),
-        sums_(size, CV_32FC4, cv::Scalar::all(0)),
-        samples_(size_t(size.area())) {}
-
-  // Adds to the mean that is the texel's colour.
-  void Add(int x, int y, const Eigen::Vector3f& color, float weight) {
-    sums_.at<cv::Vec4f>(y, x) += cv::Vec4f(
-        weight * color[0], weight * color[1], weight * color[2], weight);
-  }
-
-  // Adds to what other views say.
-  void AddSample(int x, int y, const Eigen::Vector3f& color, float weight) {
-    // At least one, so that a sample counts at all.
-    const int rounded = std::clamp(int(std::lround(255 * weight)), 1, 255);
-    At(x, y).Add({{ToByte(color[0]), ToByte(color[1]), ToByte(color[2])},
-                  uint8_t(rounded)});
-  }
-
-  // The median of the samples; false where there is none.
-  bool Median(int x, int y, cv::Vec3b* pixel) const {
-    const TexelSamples& samples = At(x, y);
-    for (int c = 0; c < 3 && samples.count > 0; ++c) {
-      (*pixel)[c] = samples.WeightedMedian(size_t(c));
-    }
-    return samples.count > 0;
-  }
-
-  // The mean, and of the samples those that differ from it by noise alone:
-  // noise averages out, edges and highlights that views do not share stay out
-  // (a bilateral filter across views). False where there is no mean.
-  bool Mean(int x, int y, float noise, cv::Vec3b* pixel) const {
-    const cv::Vec4f& sum = sums_.at<cv::Vec4f>(y, x);
-    if (!(sum[3] > 0)) {
-      return false;
-    }
-    const Eigen::Vector3f mean =
-        Eigen::Vector3f(sum[0], sum[1], sum[2]) / sum[3];
-    Eigen::Vector3f total = kFullWeight * mean;
-    float weights = kFullWeight;
-    const TexelSamples& samples = At(x, y);
-    for (size_t i = 0; i < samples.count; ++i) {
-      const auto& bytes = samples.all[i].color;
-      const Eigen::Vector3f color{
-          float(bytes[0]), float(bytes[1]), float(bytes[2])};
-      // The difference of two samples has twice the variance of one.
-      const float relative =
-          (color - mean).squaredNorm() / (3 * 2 * noise * noise);
-      const float weight =
-          float(samples.all[i].weight) * std::exp(-relative / 4);
-      total += weight * color;
-      weights += weight;
-    }
-    for (int c = 0; c < 3; ++c) {
-      (*pixel)[c] = ToByte(total[c] / weights);
-    }
-    return true;
-  }
-
-  // Standard deviation of a photograph's colour at a texel: the median over the
-  // texels that three or more views show.
-  float Noise() const {
-    // Some hundred thousand texels do.
-    const size_t step = 1 + samples_.size() / 400000;
-    std::vector<float> deviations;
-    for (size_t i = 0; i < samples_.size(); i += step) {
-      if (samples_[i].count >= 3) {
-        deviations.push_back(samples_[i].Deviation());
-      }
-    }
-    if (deviations.empty()) {
-      return kLeastNoise;
-    }
-    const auto middle =
-        deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
-    std::nth_element(deviations.begin(), middle, deviations.end());
-    return std::max(kLeastNoise, *middle);
-  }
-
- private:
-  TexelSamples& At(int x, int y) {
-    return samples_[size_t(y) * size_t(width_) + size_t(x)];
-  }
-  const TexelSamples& At(int x, int y) const {
-    return samples_[size_t(y) * size_t(width_) + size_t(x)];
-  }
-
-  int width_;
-  cv::Mat sums_;
-  std::vector<TexelSamples> samples_;
-};
-
 // What one view adds to one triangle.
 struct ViewOnFace {
   bool is_own;
@@ -426,7 +243,7 @@ class PagePainter {
   const Photographs& photographs_;
   const Context& context_;
   const cv::Mat map_;
-  Accumulator colors_;
+  TexelColors colors_;
   const int num_samples_;
   std::vector<std::vector<uint32_t>> faces_of_view_;
   std::vector<uint32_t> unseen_;

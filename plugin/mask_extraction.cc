@@ -209,26 +209,19 @@ void Extractor::Write() {
 }  // namespace
 
 void DeclareMaskExtractionOptions(OptionManager& options,
-                                  OptionAudience audience,
                                   MaskExtractionOptions* extraction) {
-  options
-      .Add("given_masks_path",
-           &extraction->given_masks_path,
-           "Folder of finished masks for some images, which are used and "
-           "kept. Default: none.")
-      .audience = audience;
-  options
-      .Add("strokes_path",
-           &extraction->strokes_path,
-           "Folder of strokes for some images, named as masks: 0 is "
-           "background, 255 object, 128 says nothing. Default: none.")
-      .audience = audience;
-  options
-      .Add("on_stand",
-           &extraction->on_stand,
-           "If 1, the object stands on a plane that has sparse points; nothing "
-           "on or below it is object.")
-      .audience = audience;
+  options.Add("given_masks_path",
+              &extraction->given_masks_path,
+              "Folder of finished masks for some images, which are used and "
+              "kept. Default: none.");
+  options.Add("strokes_path",
+              &extraction->strokes_path,
+              "Folder of strokes for some images, named as masks: 0 is "
+              "background, 255 object, 128 says nothing. Default: none.");
+  options.Add("on_stand",
+              &extraction->on_stand,
+              "If 1, the object stands on a plane that has sparse points; "
+              "nothing on or below it is object.");
 }
 
 MaskExtraction ExtractMasks(const Workspace& workspace,

@@ -23,7 +23,6 @@ struct MaskExtractionOptions {
 
 // given_masks_path, strokes_path and on_stand.
 void DeclareMaskExtractionOptions(OptionManager& options,
-                                  OptionAudience audience,
                                   MaskExtractionOptions* extraction);
 
 struct MaskExtraction {

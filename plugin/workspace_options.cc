@@ -78,10 +78,12 @@ void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance) {
 }
 
 void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps) {
-  options.Add("OctahedralMeshing.fill_false_gaps",
-              fill_false_gaps,
-              "If 1, fill holes and bays of a mask where the other views show "
-              "the object.");
+  options
+      .Add("OctahedralMeshing.fill_false_gaps",
+           fill_false_gaps,
+           "If 1, fill holes and bays of a mask where the other views show "
+           "the object.")
+      .ForExperts();
 }
 
 void WorkspaceArguments::Declare(OptionManager& options) {

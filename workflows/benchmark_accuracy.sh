@@ -83,7 +83,6 @@ hard_data_sets=(
   "bird         bird        sparse/0  -           0 0"
   "ethiopian    ethiopian   sparse/0  -           0 0"
   "homer-exact  homer       sparse_gt gt/mesh.ply 0 0"
-  "homer-mapper homer       sparse/0  gt/mesh.ply 1 0"
   "cheburashka  cheburashka sparse_gt gt/mesh.ply 0 0"
 )
 # What is held against each other there; hull-default is visual_hull_mesher as

@@ -126,10 +126,12 @@ void DeclareSurface(OptionManager& options, SceneSpec* scene) {
           {{"plain", BackgroundKind::kPlain}, {"room", BackgroundKind::kRoom}},
           "Background behind the object.")
       .ForExperts();
-  options.Add("Scene.stand",
-              &scene->stand.is_there,
-              "If 1, the object stands on a round plate, which turns with it "
-              "and is not in the masks.");
+  options
+      .Add("Scene.stand",
+           &scene->stand.is_there,
+           "If 1, the object stands on a round plate, which turns with it "
+           "and is not in the masks.")
+      .ForExperts();
   options.Add("Scene.lights_fixed_to_camera",
               &scene->lighting.fixed_to_camera,
               "If 1, the lights move with the camera, as if the object stood "

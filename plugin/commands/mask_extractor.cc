@@ -69,8 +69,7 @@ void MaskExtractor::DeclareOptions(OptionManager& options) {
               &background_path_,
               "Folder of photographs of the empty set, for mode turntable. "
               "Default: none.");
-  DeclareMaskExtractionOptions(
-      options, OptionAudience::kEveryone, &extraction_);
+  DeclareMaskExtractionOptions(options, &extraction_);
   options.Add("OctahedralMeshing.bounding_box",
               &extraction_.bounding_box,
               "Bounding box x0,y0,z0,x1,y1,z1 of the object in the frame of "

@@ -69,7 +69,6 @@ void OctahedralMesher::DeclareOptions(OptionManager& options) {
   options.Add("extract_masks",
               &extract_masks_,
               "If 1, make the masks first, as mask_extractor does.");
-  DeclareMaskExtractionOptions(options, OptionAudience::kExperts, &extraction_);
   quality_.Declare(options);
   DeclareMeshingOptions(options, &meshing_);
 }
@@ -147,12 +146,6 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   }
   workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
   workspace_.loading.fill_bites = meshing_.fill_false_gaps;
-  CheckOption(extract_masks_ ||
-                  (extraction_.given_masks_path.empty() &&
-                   extraction_.strokes_path.empty() && !extraction_.on_stand),
-              "extract_masks",
-              extract_masks_,
-              "must be 1 for given_masks_path, strokes_path and on_stand");
   const LevelObserver observer = LevelWriter();
   if (extract_masks_) {
     MakeMasks(context);

@@ -163,7 +163,7 @@ TEST(Region, AsksForABoxWhenNothingBoundsTheObject) {
   // Every view is filled by the object up to its frame.
   const auto views = RenderAllAround({0, 0, 0}, 4, 900, Sphere({0, 0, 0}, 1));
   EXPECT_THAT(InputErrorOf([&] { EstimateRegion(views, {}, {}, Context(1)); }),
-              HasSubstr("--OctahedralMeshing.bounding_box"));
+              HasSubstr("Set `bounding_box` to x0,y0,z0,x1,y1,z1"));
   RegionOptions options;
   options.bounding_box = {Eigen::Vector3d(-1, -1, -1),
                           Eigen::Vector3d(1, 2, 1)};

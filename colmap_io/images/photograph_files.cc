@@ -54,7 +54,7 @@ class Reader {
         return kept->second;
       }
     }
-    const Photograph photograph = Read(files_[i]);
+    Photograph photograph = Read(files_[i]);
     const size_t bytes = 4 * photograph.image.total();
     const std::lock_guard lock(mutex_);
     if (bytes <= budget_ && kept_.emplace(i, photograph).second) {

@@ -59,7 +59,7 @@ class Sides {
     const Eigen::Vector3d& a = surface_.positions[triangle[0]];
     const Eigen::Vector3d& b = surface_.positions[triangle[1]];
     const Eigen::Vector3d& c = surface_.positions[triangle[2]];
-    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    Eigen::Vector3d normal = (b - a).cross(c - a);
     const double area = normal.squaredNorm();
     if (!(area > 0)) {
       return vertex_normals_[triangle[0]].cast<double>();

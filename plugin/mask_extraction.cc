@@ -13,9 +13,11 @@
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_folder.h"
 #include "colmap_io/images/reduced_view.h"
+#include "colmap_io/images/saliency_network.h"
 #include "colmap_io/images/segmentation_files.h"
 #include "core/base/error.h"
 #include "core/scene/region.h"
+#include "core/segment/labels.h"
 #include "core/segment/refine_border.h"
 #include "core/segment/stand_plane.h"
 #include "core/segment/view_confidence.h"
@@ -34,6 +36,10 @@ constexpr double kReach = 2;
 // Views in which a sparse point of the stand is seen, at least: of two, its
 // distance may be wrong.
 constexpr size_t kMinTrack = 3;
+// Saliency from which on a network's word is taken for object, and up to which
+// for surroundings; nothing is said between.
+constexpr double kSalient = 0.8;
+constexpr double kNotSalient = 0.2;
 
 class Extractor {
  public:
@@ -53,6 +59,9 @@ class Extractor {
     if (options.on_stand) {
       FindStand(workspace.model);
     }
+    if (!options.network_path.empty()) {
+      Propose();
+    }
     encoded_.resize(files_.files.size());
     reduced_.resize(files_.files.size());
   }
@@ -67,6 +76,7 @@ class Extractor {
 
  private:
   void FindStand(const SparseModel& model);
+  void Propose();
   void RefineAll();
   cv::Mat RefinedMask(size_t view) const;
   void Judge();
@@ -129,6 +139,33 @@ void Extractor::FindStand(const SparseModel& model) {
   files_.input.floor->offset() -= stand.tolerance;
   context_.Info(fmt::format(
       "The object stands on a plane with {} sparse points.", num_points));
+}
+
+// What the user's network takes for the object in each view.
+void Extractor::Propose() {
+  SaliencyNetwork network(options_.network_path);
+  Phase phase(context_, "proposals of the network", files_.input.views.size());
+  size_t num_views = 0;
+  for (UnsegmentedView& view : files_.input.views) {
+    const cv::Mat saliency = network.Saliency(view.image);
+    view.proposal = cv::Mat(saliency.size(), CV_8U, cv::Scalar(kNothingSaid));
+    view.proposal.setTo(kObject, saliency >= kSalient);
+    view.proposal.setTo(kSurroundings, saliency <= kNotSalient);
+    num_views += cv::countNonZero(view.proposal == kObject) > 0;
+    phase.Advance();
+  }
+  if (num_views == 0) {
+    throw InputError(fmt::format(
+        "network_path {}: the network finds no object in any photograph",
+        options_.network_path.string()));
+  }
+  context_.Info(
+      fmt::format("The network proposes an object in {} of {} photographs ({} "
+                  "x {} pixels).",
+                  num_views,
+                  files_.input.views.size(),
+                  network.InputSize().width,
+                  network.InputSize().height));
 }
 
 cv::Mat Extractor::RefinedMask(size_t view) const {
@@ -218,6 +255,11 @@ void DeclareMaskExtractionOptions(OptionManager& options,
               &extraction->strokes_path,
               "Folder of strokes for some images, named as masks: 0 is "
               "background, 255 object, 128 says nothing. Default: none.");
+  options.Add(
+      "network_path",
+      &extraction->network_path,
+      "Network in an ONNX file, such as U2-Net, that proposes where the "
+      "object is (docs/masks.md). Default: none.");
   options.Add("on_stand",
               &extraction->on_stand,
               "If 1, the object stands on a plane that has sparse points; "

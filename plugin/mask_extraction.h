@@ -16,12 +16,13 @@ struct MaskExtractionOptions {
   std::filesystem::path output_path;  // folder of the masks
   std::filesystem::path given_masks_path;
   std::filesystem::path strokes_path;
+  std::filesystem::path network_path;  // ONNX file; empty: none
   bool skip_missing_images = false;
   bool on_stand = false;  // the plane is found from the sparse points
   std::vector<double> bounding_box;  // empty, or x0,y0,z0,x1,y1,z1
 };
 
-// given_masks_path, strokes_path and on_stand.
+// given_masks_path, strokes_path, network_path and on_stand.
 void DeclareMaskExtractionOptions(OptionManager& options,
                                   MaskExtractionOptions* extraction);
 

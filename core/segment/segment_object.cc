@@ -217,8 +217,9 @@ bool Segmenter::FindObject(double middle) {
   Phase phase(context_, "finding the object", kCoarseRounds + kFineRounds);
   const bool is_said = IsObjectSaid();
   ForEachView([&](size_t i) {
-    labels_[i] = FirstLabels(i, middle);
-    if (is_said) {  // better than a guess
+    const cv::Mat& proposal = input_.views[i].proposal;
+    labels_[i] = proposal.empty() ? FirstLabels(i, middle) : proposal.clone();
+    if (is_said && proposal.empty()) {  // better than a guess
       labels_[i].setTo(kNothingSaid, labels_[i] == kObject);
     }
     ApplySaid(i, &labels_[i]);

@@ -263,6 +263,10 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
     report_path_ = fs::path(output_path_).replace_extension(".json");
   }
   CheckMeshPath(output_path_);
+  CheckOption(MeshFormatOf(output_path_) != MeshFormat::kGlb,
+              "output_path",
+              output_path_.string(),
+              "must not be a .glb file, whose units are metres");
   CheckFilePath(report_path_);
   CheckIsAnotherFile(
       "report_path", report_path_, input_path_, "the mesh to export");

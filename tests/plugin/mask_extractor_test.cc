@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/colmap_io/images/tiny_network.h"
 #include "tests/plugin/small_workspace.h"
 
 namespace octacut::testing {
@@ -55,6 +56,40 @@ TEST_F(MaskExtractorTest, FindsTheSilhouettes) {
   EXPECT_GT(list["views"][3]["confidence"], 0.5);
   EXPECT_FALSE(
       cv::imread((Extracted() / "contact_sheet.jpg").string()).empty());
+}
+
+// Salient is what is warmer than the background, which is bluish: red less blue
+// in [0, 1], undone what the network gets normalised.
+TinyNetwork WarmThings(float sharpness) {
+  return {.weights = {sharpness * 0.229f, 0, -sharpness * 0.225f},
+          .bias = sharpness * (0.485f - 0.406f)};
+}
+
+TEST_F(MaskExtractorTest, ANetworkProposesTheObject) {
+  const fs::path path = folder_ / "warm.onnx";
+  folder_.Write(path.filename(), OnnxWriter::Write(WarmThings(60)));
+  const ProgramResult result = Extract({"--network_path", path.string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err,
+              HasSubstr("The network proposes an object in 12 of 12 "
+                        "photographs (48 x 32 pixels)."));
+  for (int i = 0; i < kSmallViews; ++i) {
+    EXPECT_GT(Overlap(Found(i), Mask(i)), 0.96) << i;
+  }
+}
+
+TEST_F(MaskExtractorTest, NetworksThatFindNothingOrAreNoneAreNamed) {
+  const fs::path path = folder_ / "n.onnx";
+  folder_.Write(path.filename(), OnnxWriter::Write({.bias = -20}));
+  EXPECT_THAT(Extract({"--network_path", path.string()}).err,
+              HasSubstr("finds no object in any photograph"));
+  folder_.Write(path.filename(), OnnxWriter::Write({.num_outputs = 2}));
+  EXPECT_THAT(Extract({"--network_path", path.string()}).err,
+              HasSubstr("1 x 2 x 32 x 48"));
+  folder_.Write(path.filename(), "junk");
+  EXPECT_THAT(Extract({"--network_path", path.string()}).err,
+              HasSubstr("n.onnx"));
+  EXPECT_FALSE(fs::exists(Extracted()));
 }
 
 TEST_F(MaskExtractorTest, SameBytesForAnyNumberOfThreads) {

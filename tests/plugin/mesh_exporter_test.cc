@@ -196,6 +196,7 @@ TEST_F(MeshExporterTest, MistakesAreNamed) {
       {{"--flat_base", "1", "--base_depth", "9"}, "--base_depth = 9: must be"},
       {{"--output_path", Path("mesh.ply")}, "--output_path = "},
       {{"--output_path", Path("x.glc")}, "unknown mesh extension"},
+      {{"--output_path", Path("x.glb")}, "units are metres"},
       {{"--aruco_side",
         "25",
         "--aruco_dictionary",

@@ -97,8 +97,9 @@ echo
 echo "== Reconstructing the mesh"
 if [[ $with_masks == 0 ]]; then
   # The example's cameras say only in which frame the mesh is to be compared.
+  # Matching the 8192 features that COLMAP takes by default needs too long here.
   "$root/workflows/images_to_mesh.sh" "$workspace/images" "$result" --on_stand 1 \
-    --reference_path "$workspace/sparse/0" "${options[@]}"
+    --max_num_features 2000 --reference_path "$workspace/sparse/0" "${options[@]}"
 else
   "$octacut" octahedral_mesher --workspace_path "$result" "${options[@]}"
 fi

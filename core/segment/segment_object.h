@@ -29,8 +29,8 @@ struct UnsegmentedView {
   // CV_8UC1 of that size: 0 background, 255 object, 128 where nothing is said;
   // empty when nothing is said at all.
   cv::Mat labels;
-  // CV_8UC1 of that size, as labels: what may be the object, from elsewhere. The
-  // first colours are learned from it; empty: from where the cameras look.
+  // CV_8UC1 of that size, as labels: what may be the object, from elsewhere.
+  // The first colours are learned from it; empty: from where the cameras look.
   cv::Mat proposal;
   // Pixels that show surroundings near the object, such as points of the stand:
   // their colours are learned.

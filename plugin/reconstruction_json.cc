@@ -66,6 +66,7 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
             {"split_vertices", summary.extraction.num_split_vertices},
             {"fans", summary.extraction.num_fans},
             {"removed_components", summary.num_removed_components},
+            {"vertices_moved_to_hull", summary.num_moved_to_hull},
             {"removed_handles", summary.handles.num_removed},
             {"refused_handle_loops", summary.handles.num_refused},
             {"seconds", summary.meshing_seconds}}},

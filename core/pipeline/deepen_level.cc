@@ -47,15 +47,15 @@ std::vector<FaceLabels> CutByFinerDepths(const LevelInputs& inputs,
 }
 
 // The second cut: photo-consistency, and the free space of finer depths.
-LabeledVoxels CutByPhotographs(const LevelInputs& inputs,
-                               Crust crust,
-                               const std::vector<FaceLabels>& first,
-                               const std::vector<float>& finer,
-                               LevelSteps* steps) {
+SolvedLevel CutByPhotographs(const LevelInputs& inputs,
+                             Crust crust,
+                             const std::vector<FaceLabels>& first,
+                             const std::vector<float>& finer,
+                             LevelSteps* steps) {
   VoxelTerms terms;
   steps->ExtendTerms(
       steps->EstimateVisibility(crust.voxels, first), crust, &terms);
-  const Decision decision = DecideByPhotographs(
+  Decision decision = DecideByPhotographs(
       crust, terms.phi, inputs.evidence.depth_confidence, inputs.context);
   CutTerms energy{DecidedWeights(decision, terms.phi, inputs.options),
                   terms.evidence};
@@ -67,19 +67,20 @@ LabeledVoxels CutByPhotographs(const LevelInputs& inputs,
   OctahedralCutState state;
   OctahedralCut cut = steps->Cut(crust, energy, &state);
   steps->CoverSilhouettes(crust, {{}, terms.hull_depth}, &energy, &state, &cut);
-  return steps->Finish(decision, std::move(crust), std::move(cut));
+  return steps->Finish(std::move(decision), std::move(crust), std::move(cut));
 }
 
 }  // namespace
 
-LabeledVoxels DeepenLevel(const LevelInputs& inputs,
-                          const LabelHierarchy& hierarchy,
-                          LabeledVoxels solved,
-                          LevelSummary* summary) {
-  LevelSteps steps(inputs, solved.voxels.Level(), summary);
+SolvedLevel DeepenLevel(const LevelInputs& inputs,
+                        const LabelHierarchy& hierarchy,
+                        SolvedLevel solved,
+                        LevelSummary* summary) {
+  const LabeledVoxels& present = solved.surface;
+  LevelSteps steps(inputs, present.voxels.Level(), summary);
   const FinerEvidence finer = steps.OnCrust([&] {
     return FindFinerDepths(inputs.views,
-                           solved,
+                           present,
                            inputs.evidence.depth_confidence,
                            inputs.options.evidence,
                            inputs.context);
@@ -90,11 +91,11 @@ LabeledVoxels DeepenLevel(const LevelInputs& inputs,
   inputs.context.Info(
       fmt::format("Level {}: depths measured near the surface lead into it; "
                   "its crust grows from {} to {} voxels.",
-                  solved.voxels.Level(),
-                  solved.voxels.Size(),
+                  present.voxels.Level(),
+                  present.voxels.Size(),
                   finer.voxels.Size()));
   Crust crust = steps.OnCrust([&] {
-    return WidenCrust(hierarchy, solved, finer.voxels, inputs.context);
+    return WidenCrust(hierarchy, present, finer.voxels, inputs.context);
   });
   const std::vector<FaceLabels> first =
       CutByFinerDepths(inputs, crust, finer.values, &steps);

@@ -10,9 +10,9 @@ namespace octacut {
 
 // `solved` with the folds that FindFinerDepths finds; `hierarchy` holds the
 // levels before it. Adds its seconds and figures to `summary`.
-LabeledVoxels DeepenLevel(const LevelInputs& inputs,
-                          const LabelHierarchy& hierarchy,
-                          LabeledVoxels solved,
-                          LevelSummary* summary);
+SolvedLevel DeepenLevel(const LevelInputs& inputs,
+                        const LabelHierarchy& hierarchy,
+                        SolvedLevel solved,
+                        LevelSummary* summary);
 
 }  // namespace octacut

@@ -59,9 +59,9 @@ void AdoptFirstCut(const std::vector<FaceLabels>& labels,
 
 }  // namespace
 
-LabeledVoxels SolveInitialLevel(const LevelInputs& inputs,
-                                const VoxelGrid& hull,
-                                LevelSummary* summary) {
+SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
+                              const VoxelGrid& hull,
+                              LevelSummary* summary) {
   const ViewSet& views = inputs.views;
   const InsideEvidence& evidence = inputs.evidence;
   const ReconstructionOptions& options = inputs.options;
@@ -82,19 +82,19 @@ LabeledVoxels SolveInitialLevel(const LevelInputs& inputs,
   VoxelTerms terms;
   steps.ExtendTerms(
       steps.EstimateVisibility(crust.voxels, first.labels), crust, &terms);
-  const Decision decision =
+  Decision decision =
       DecideByPhotographs(crust, terms.phi, evidence.depth_confidence, context);
   CutTerms energy{DecidedWeights(decision, terms.phi, options),
                   std::move(inside)};
   OctahedralCutState state;
   OctahedralCut cut = steps.Cut(crust, energy, &state);
   steps.CoverSilhouettes(crust, {{}, terms.hull_depth}, &energy, &state, &cut);
-  return steps.Finish(decision, std::move(crust), std::move(cut));
+  return steps.Finish(std::move(decision), std::move(crust), std::move(cut));
 }
 
-LabeledVoxels SolveFinerLevel(const LevelInputs& inputs,
-                              const LabelHierarchy& hierarchy,
-                              LevelSummary* summary) {
+SolvedLevel SolveFinerLevel(const LevelInputs& inputs,
+                            const LabelHierarchy& hierarchy,
+                            LevelSummary* summary) {
   const ReconstructionOptions& options = inputs.options;
   const Context& context = inputs.context;
   const LabeledVoxels& coarse = hierarchy.Finest();
@@ -108,7 +108,7 @@ LabeledVoxels SolveFinerLevel(const LevelInputs& inputs,
   OctahedralCutState* kept = options.max_grow_rounds > 0 ? &state : nullptr;
   for (int round = 0;; ++round) {
     steps.ExtendTerms(visibility, crust, &terms);
-    const Decision decision = DecideByPhotographs(
+    Decision decision = DecideByPhotographs(
         crust, terms.phi, inputs.evidence.depth_confidence, context);
     CutTerms energy{DecidedWeights(decision, terms.phi, options),
                     terms.evidence};
@@ -119,7 +119,8 @@ LabeledVoxels SolveFinerLevel(const LevelInputs& inputs,
     if (!steps.GrowCrust(hierarchy, cut, round, &crust)) {
       steps.CoverSilhouettes(
           crust, {{}, terms.hull_depth}, &energy, kept, &cut);
-      return steps.Finish(decision, std::move(crust), std::move(cut));
+      return steps.Finish(
+          std::move(decision), std::move(crust), std::move(cut));
     }
   }
 }

@@ -11,15 +11,15 @@ namespace octacut {
 
 // The labelling of l0: a first cut by the evidence alone gives a surface that
 // visibility can be estimated from, the second one the labelling.
-LabeledVoxels SolveInitialLevel(const LevelInputs& inputs,
-                                const VoxelGrid& hull,
-                                LevelSummary* summary);
+SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
+                              const VoxelGrid& hull,
+                              LevelSummary* summary);
 
 // The labelling of the level after hierarchy.Finest(); its crust is grown
 // where the cut touches its border.
-LabeledVoxels SolveFinerLevel(const LevelInputs& inputs,
-                              const LabelHierarchy& hierarchy,
-                              LevelSummary* summary);
+SolvedLevel SolveFinerLevel(const LevelInputs& inputs,
+                            const LabelHierarchy& hierarchy,
+                            LevelSummary* summary);
 
 // Bytes that a level will need at its peak, roughly.
 size_t EstimateLevelBytes(int level, const ReconstructionOptions& options);

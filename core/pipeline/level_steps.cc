@@ -151,11 +151,12 @@ bool LevelSteps::GrowCrust(const LabelHierarchy& hierarchy,
   });
 }
 
-LabeledVoxels LevelSteps::Finish(const Decision& decision,
-                                 Crust crust,
-                                 OctahedralCut cut) {
+SolvedLevel LevelSteps::Finish(Decision decision,
+                               Crust crust,
+                               OctahedralCut cut) {
   summary_.decided_share = DecidedShare(cut.labels, decision);
-  return {std::move(crust.voxels), std::move(cut.labels)};
+  return {{std::move(crust.voxels), std::move(cut.labels)},
+          std::move(decision.here)};
 }
 
 }  // namespace octacut

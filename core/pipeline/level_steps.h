@@ -36,6 +36,13 @@ struct CutTerms {
   std::vector<float> evidence;  // for inside (> 0) or outside, in their units
 };
 
+// What a level comes to.
+struct SolvedLevel {
+  LabeledVoxels surface;
+  // How far the photographs decide on it, 0 .. 1, one element a voxel.
+  std::vector<float> decided;
+};
+
 class LevelSteps {
  public:
   // Keeps references to what it is given.
@@ -80,10 +87,7 @@ class LevelSteps {
                  int round,
                  Crust* crust);
 
-  // The level's labelling.
-  LabeledVoxels Finish(const Decision& decision,
-                       Crust crust,
-                       OctahedralCut cut);
+  SolvedLevel Finish(Decision decision, Crust crust, OctahedralCut cut);
 
  private:
   LevelInputs inputs_;

@@ -13,6 +13,7 @@
 #include "core/hull/hull_surface.h"
 #include "core/pipeline/deepen_level.h"
 #include "core/pipeline/finish_mesh.h"
+#include "core/pipeline/hull_border.h"
 #include "core/pipeline/level_step.h"
 #include "core/views/border_edges.h"
 #include "core/views/view_set.h"
@@ -124,20 +125,22 @@ InsideEvidence EstimateEvidence(const ViewSet& views,
 }
 
 // Crust, visibility, photo-consistency and cut of the level after those in
-// `hierarchy`; the first one begins with the hull.
-void AddLevel(const LevelInputs& inputs,
-              const VoxelGrid& hull,
-              LabelHierarchy* hierarchy,
-              ReconstructionSummary* summary) {
+// `hierarchy`; the first one begins with the hull. Returns how far photographs
+// decide on it, as SolvedLevel has it.
+std::vector<float> AddLevel(const LevelInputs& inputs,
+                            const VoxelGrid& hull,
+                            LabelHierarchy* hierarchy,
+                            ReconstructionSummary* summary) {
   LevelSummary& level = summary->levels.emplace_back();
-  LabeledVoxels solved = hierarchy->Empty()
-                             ? SolveInitialLevel(inputs, hull, &level)
-                             : SolveFinerLevel(inputs, *hierarchy, &level);
-  if (solved.voxels.Level() == hull.Level() + 1) {
+  SolvedLevel solved = hierarchy->Empty()
+                           ? SolveInitialLevel(inputs, hull, &level)
+                           : SolveFinerLevel(inputs, *hierarchy, &level);
+  if (solved.surface.voxels.Level() == hull.Level() + 1) {
     solved = DeepenLevel(inputs, *hierarchy, std::move(solved), &level);
   }
-  hierarchy->Add(std::move(solved));
+  hierarchy->Add(std::move(solved.surface));
   ReportLevel(level, inputs.context);
+  return std::move(solved.decided);
 }
 
 IndexedMesh Refine(IndexedMesh mesh,
@@ -197,8 +200,10 @@ Reconstruction Reconstruct(const Scene& scene,
       EstimateEvidence(views, options, context, &hull, &summary);
 
   LabelHierarchy hierarchy;
+  std::vector<float> decided;
   for (int level = hull.Level(); level <= options.target_level; ++level) {
-    AddLevel({views, evidence, options, context}, hull, &hierarchy, &summary);
+    decided = AddLevel(
+        {views, evidence, options, context}, hull, &hierarchy, &summary);
     if (observer) {
       observer(level, PositionedMesh(hierarchy.Finest(), region.cube, context));
     }
@@ -207,6 +212,14 @@ Reconstruction Reconstruct(const Scene& scene,
   FinishedMesh finished = Timed(&summary.meshing_seconds, [&] {
     return FinalMesh(
         views, hierarchy.Finest(), region.cube, options, context, &summary);
+  });
+  Timed(&summary.meshing_seconds, [&] {
+    summary.num_moved_to_hull =
+        MoveToHullBorder({views, evidence.mask_confidence, region.cube},
+                         {hierarchy.Finest().voxels, decided},
+                         options.smoothing.min_height,
+                         context,
+                         &finished.mesh);
   });
   if (options.refine) {
     finished.mesh = Refine(std::move(finished.mesh),

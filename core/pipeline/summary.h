@@ -51,6 +51,7 @@ struct ReconstructionSummary {
   std::vector<LevelSummary> levels;
   ExtractSurfaceSummary extraction;
   size_t num_removed_components = 0;
+  size_t num_moved_to_hull = 0;  // vertices, MoveToHullBorder
   RemoveHandlesSummary handles;
   std::optional<RefineSummary> refinement;  // where options.refine says so
   double prepare_seconds = 0;

@@ -15,6 +15,10 @@ constexpr float kSmallestGradient = 1e-4f;
 // 1/voxel: more is the noise of voxels, a ball of some two voxels is not shown
 // by blurred values.
 constexpr float kLargestCurvature = 0.4f;
+// The cosine between the normals of neighbours of one surface of at most that
+// curvature, a cylinder. Normals that differ more are of the two sides of thin
+// matter, or of none.
+constexpr float kSameSide = 0.7f;
 
 using NeighborValues = std::array<float, kNumFaces>;
 
@@ -50,7 +54,8 @@ Eigen::Vector3f OutwardNormal(const NeighborValues& across) {
 }
 
 // Half of the divergence of the normals around a voxel. Where there is no
-// neighbour with a normal, the normal is taken to go on as it is.
+// neighbour on the same side of the object, the normal is taken to go on as it
+// is.
 float MeanCurvature(const std::vector<Eigen::Vector3f>& normals,
                     const VoxelWalk& walk,
                     const VoxelSlot& slot) {
@@ -60,7 +65,8 @@ float MeanCurvature(const std::vector<Eigen::Vector3f>& normals,
     int num_steps = 0;
     for (const int side : {0, 1}) {
       const VoxelGrid::Index n = walk.Neighbor(slot, 2 * axis + side);
-      if (n != VoxelGrid::kNone && !normals[n].isZero()) {
+      if (n != VoxelGrid::kNone &&
+          normals[n].dot(normals[slot.index]) > kSameSide) {
         const float step = normals[n][axis] - normals[slot.index][axis];
         difference += side == 0 ? -step : step;
         ++num_steps;

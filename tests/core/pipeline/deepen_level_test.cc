@@ -42,12 +42,12 @@ class DeepenLevelTest : public ::testing::Test {
     evidence_.values.assign(hull.Size(), 0.1f);
     evidence_.mask_confidence.assign(test_.views.size(), 1.0f);
     evidence_.depth_confidence = {hull, std::vector<float>(hull.Size(), 1.0f)};
-    hierarchy_.Add(SolveInitialLevel(inputs_, hull, &summary_));
+    hierarchy_.Add(SolveInitialLevel(inputs_, hull, &summary_).surface);
     solved_ = SolveFinerLevel(inputs_, hierarchy_, &summary_);
   }
 
   LabeledVoxels Deepen() {
-    return DeepenLevel(inputs_, hierarchy_, solved_, &summary_);
+    return DeepenLevel(inputs_, hierarchy_, solved_, &summary_).surface;
   }
 
   SampleCounts Count(const LabeledVoxels& surface) const {
@@ -61,14 +61,14 @@ class DeepenLevelTest : public ::testing::Test {
   Context context_{2};
   LevelInputs inputs_{test_.views, evidence_, options_, context_};
   LabelHierarchy hierarchy_;
-  LabeledVoxels solved_;
+  SolvedLevel solved_;
   LevelSummary summary_;
 };
 
 TEST_F(DeepenLevelTest, OpensWhatIsFilledAndCoversTheSilhouettes) {
   const LabeledVoxels deepened = Deepen();
   EXPECT_EQ(summary_.num_crust_voxels, deepened.voxels.Size());
-  ASSERT_GT(deepened.voxels.Size(), solved_.voxels.Size());
+  ASSERT_GT(deepened.voxels.Size(), solved_.surface.voxels.Size());
   const double voxel = test_.VoxelSize(6);
   const double top = (kCupDepth + 0.15) / 2;
   size_t num_cavity = 0;
@@ -86,15 +86,15 @@ TEST_F(DeepenLevelTest, OpensWhatIsFilledAndCoversTheSilhouettes) {
   EXPECT_GT(double(num_open), 0.7 * double(num_cavity));
   const SampleCounts counts = Count(deepened);
   EXPECT_LE(counts.num_uncovered,
-            Count(solved_).num_uncovered + counts.num_sure / 1000);
+            Count(solved_.surface).num_uncovered + counts.num_sure / 1000);
 }
 
 TEST_F(DeepenLevelTest, LeavesALevelAsItIsWhereDepthsAreNotReliedUpon) {
   evidence_.depth_confidence.values.assign(
       evidence_.depth_confidence.values.size(), 0.4f);
   const LabeledVoxels deepened = Deepen();
-  EXPECT_EQ(deepened.voxels.Codes(), solved_.voxels.Codes());
-  EXPECT_EQ(deepened.labels, solved_.labels);
+  EXPECT_EQ(deepened.voxels.Codes(), solved_.surface.voxels.Codes());
+  EXPECT_EQ(deepened.labels, solved_.surface.labels);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ class InitialLevelTest : public ::testing::Test {
     });
     options_.evidence.cover_rounds = cover_rounds;
     summary_ = {};
-    return SolveInitialLevel(inputs_, hull_, &summary_);
+    return SolveInitialLevel(inputs_, hull_, &summary_).surface;
   }
 
   double UncoveredShare(const LabeledVoxels& surface) const {

@@ -101,6 +101,33 @@ TEST(EstimateSurfaceShape, OfAPlaneAreExact) {
   }
 }
 
+// A leaf, two voxels thick: its sides are flat however near they are.
+TEST(EstimateSurfaceShape, OfALeafAreFlat) {
+  std::vector<MortonCode> codes;
+  for (int i = 0; i < 16 * 16; ++i) {
+    for (int z = 4; z < 12; ++z) {
+      codes.push_back(EncodeMorton(i % 16, i / 16, z));
+    }
+  }
+  const VoxelGrid slab = VoxelGrid::FromCodes(4, codes);
+  std::vector<FaceTies> ties(slab.Size(), 0);
+  std::vector<float> prior(slab.Size());
+  slab.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    const int z = DecodeMorton(code).z();
+    prior[index] = z == 7 || z == 8 ? 1 : 0;
+  });
+  const std::vector<SurfaceShape> shapes =
+      EstimateSurfaceShape(slab, ties, prior, 4, Context(1));
+  for (int z = 5; z < 11; ++z) {
+    const SurfaceShape& shape = shapes[slab.Find(Eigen::Vector3i(8, 8, z))];
+    EXPECT_LT(
+        (shape.normal - (z < 8 ? -1 : 1) * Eigen::Vector3f::UnitZ()).norm(),
+        1e-3)
+        << z;
+    EXPECT_NEAR(shape.curvature, 0, 1e-3) << z;
+  }
+}
+
 TEST(EstimateSurfaceShape, AreZeroWithoutAGradient) {
   std::vector<MortonCode> codes;
   for (MortonCode code = 0; code < 512; ++code) {

@@ -143,6 +143,24 @@ std::vector<float> AddLevel(const LevelInputs& inputs,
   return std::move(solved.decided);
 }
 
+// The mesh of the last level: the labelling's surface, smoothed, and where it
+// is near the hull's border moved towards that.
+FinishedMesh MeshOf(const LabeledVoxels& surface,
+                    const std::vector<float>& decided,
+                    const SilhouetteHull& hull,
+                    const ReconstructionOptions& options,
+                    const Context& context,
+                    ReconstructionSummary* summary) {
+  FinishedMesh finished =
+      FinalMesh(hull.views, surface, hull.cube, options, context, summary);
+  summary->num_moved_to_hull = MoveToHullBorder(hull,
+                                                {surface.voxels, decided},
+                                                options.smoothing.min_height,
+                                                context,
+                                                &finished.mesh);
+  return finished;
+}
+
 IndexedMesh Refine(IndexedMesh mesh,
                    const BoundingCube& cube,
                    const ReconstructionOptions& options,
@@ -210,16 +228,12 @@ Reconstruction Reconstruct(const Scene& scene,
   }
 
   FinishedMesh finished = Timed(&summary.meshing_seconds, [&] {
-    return FinalMesh(
-        views, hierarchy.Finest(), region.cube, options, context, &summary);
-  });
-  Timed(&summary.meshing_seconds, [&] {
-    summary.num_moved_to_hull =
-        MoveToHullBorder({views, evidence.mask_confidence, region.cube},
-                         {hierarchy.Finest().voxels, decided},
-                         options.smoothing.min_height,
-                         context,
-                         &finished.mesh);
+    return MeshOf(hierarchy.Finest(),
+                  decided,
+                  {views, evidence.mask_confidence, region.cube},
+                  options,
+                  context,
+                  &summary);
   });
   if (options.refine) {
     finished.mesh = Refine(std::move(finished.mesh),

@@ -79,22 +79,15 @@ double DecidedShare(const std::vector<FaceLabels>& labels,
   return sum / double(std::max<size_t>(count, 1));
 }
 
-void FlattenUndecidedWeights(const Decision& decision,
-                             const ReconstructionOptions& options,
-                             std::vector<float>* weights) {
-  const float unseen =
-      EdgeWeights({float(options.consistency.neutral)}, options.energy)[0];
-  for (size_t i = 0; i < weights->size(); ++i) {
-    float& weight = (*weights)[i];
-    weight = unseen + decision.here[i] * (weight - unseen);
-  }
-}
-
 std::vector<float> DecidedWeights(const Decision& decision,
                                   const std::vector<float>& phi,
                                   const ReconstructionOptions& options) {
+  const float unseen =
+      EdgeWeights({float(options.consistency.neutral)}, options.energy)[0];
   std::vector<float> weights = EdgeWeights(phi, options.energy);
-  FlattenUndecidedWeights(decision, options, &weights);
+  for (size_t i = 0; i < weights.size(); ++i) {
+    weights[i] = unseen + decision.here[i] * (weights[i] - unseen);
+  }
   return weights;
 }
 

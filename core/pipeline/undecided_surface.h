@@ -37,13 +37,9 @@ Decision DecideByPhotographs(const Crust& crust,
 double DecidedShare(const std::vector<FaceLabels>& labels,
                     const Decision& decision);
 
-// `weights`, as EdgeWeights makes them of photo-consistency, approach those of
-// voxels that nobody sees where nothing is decided.
-void FlattenUndecidedWeights(const Decision& decision,
-                             const ReconstructionOptions& options,
-                             std::vector<float>* weights);
-
-// The weights of `phi` with which the level is cut.
+// The weights with which the level is cut: those that EdgeWeights makes of
+// `phi`, which approach those of voxels that nobody sees where nothing is
+// decided.
 std::vector<float> DecidedWeights(const Decision& decision,
                                   const std::vector<float>& phi,
                                   const ReconstructionOptions& options);

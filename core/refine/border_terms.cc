@@ -89,8 +89,12 @@ void JudgeBorders(const std::vector<ContourTarget>& contours,
   summary->num_contour_targets = contours.size();
   summary->hull_tolerance = HullTolerance(contours, plan.scale);
   if (summary->KnowsMost()) {
-    summary->border_shift =
-        FindBorderShift(contours, surfaces, measurements, plan, border_noise);
+    // Offsets on dark and ruffled surfaces lie too far inside, and claim shifts
+    // that the edges contradict (docs/experiments/mask_borders.md).
+    summary->border_shift = std::clamp(
+        FindBorderShift(contours, surfaces, measurements, plan, border_noise),
+        plan.edge_shift - plan.edge_shift_error,
+        plan.edge_shift + plan.edge_shift_error);
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "core/base/context.h"
@@ -52,8 +53,10 @@ struct RoundPlan {
   // The shift of the masks' borders as found by the round before, pixels of the
   // views.
   double border_shift = 0;
-  // The shift of the borders from the edges of the photographs, pixels.
+  // The shift of the borders from the edges of the photographs, pixels, and by
+  // how much that may be wrong.
   double edge_shift = 0;
+  double edge_shift_error = std::numeric_limits<double>::infinity();
 };
 
 // What all rounds of a refinement share; unit coordinates.

@@ -152,10 +152,12 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   summary.agreement_before =
       MeanAgreement(*views, neighbors, pixel, options, context, &unit);
   const double edge_shift = views->front().border_shift;
+  const double edge_shift_error = views->front().border_shift_error;
   summary.border_shift = edge_shift;
   for (RoundPlan plan : PlanRounds(options)) {
     plan.aligns &= !summary.rounds.empty() && summary.rounds.back().KnowsMost();
     plan.edge_shift = edge_shift;
+    plan.edge_shift_error = edge_shift_error;
     plan.border_shift = summary.border_shift;
     RoundSummary round = RefineOnce(
         {start, neighbors, pixel, options}, plan, context, views, &unit);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -40,6 +41,10 @@ constexpr double kMinShare = 1.0 / 3;
 // lie pixels too far inside; larger shifts are left to the offsets of
 // refinement.
 constexpr float kMaxEdgeShift = 1;
+// The share of edges that agree, from which on their deviation says how well
+// the shift is known, and how many of these (1.3 standard deviations).
+constexpr double kMostEdges = 0.5;
+constexpr float kShiftDeviations = 2;
 
 constexpr int kNumSteps = int(2 * kRange / kStep) + 1;
 constexpr int kHalfEdge = int(kEdgeWidth / 2 / kStep);
@@ -291,10 +296,15 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
 std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
                                                ViewSet* views) {
   const std::optional<BorderEdges> edges = MeasureBorderEdges(*views, context);
+  const bool is_known = edges && edges->share >= kMostEdges &&
+                        std::abs(edges->shift) < kMaxEdgeShift;
   for (PreparedView& view : *views) {
     view.border_shift =
         edges ? std::clamp(float(edges->shift), -kMaxEdgeShift, kMaxEdgeShift)
               : 0;
+    view.border_shift_error = is_known
+                                  ? kShiftDeviations * float(edges->deviation)
+                                  : std::numeric_limits<float>::infinity();
   }
   return edges;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "core/base/context.h"
@@ -23,6 +24,8 @@ struct PreparedView {
   // Pixels by which the border of the mask lies outside the edges that the
   // photographs show (ShiftBordersToEdges).
   float border_shift = 0;
+  // Pixels by which that may be wrong.
+  float border_shift_error = std::numeric_limits<float>::infinity();
 
   // Pixels within the border of the mask's object from which on it is surely
   // object: what the mask is not known to, and a pixel for sampling, half for

@@ -77,6 +77,14 @@ float MeanCurvature(const std::vector<Eigen::Vector3f>& normals,
   return std::clamp(divergence / 2, -kLargestCurvature, kLargestCurvature);
 }
 
+template <typename Body>
+void ForEachSlot(const VoxelWalk& walk, const Context& context, Body&& body) {
+  ParallelFor(
+      context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+        walk.ForEach(begin, end, body);
+      });
+}
+
 // What is within so many 6-neighbour steps of some voxels.
 struct Rings {
   std::vector<VoxelSlot> slots;  // the nearer ones first
@@ -112,6 +120,24 @@ Rings RingsAround(const VoxelWalk& walk,
 
 }  // namespace
 
+std::vector<float> SmoothPrior(const VoxelGrid& voxels,
+                               const std::vector<FaceTies>& ties,
+                               const std::vector<float>& prior,
+                               int blur_steps,
+                               const Context& context) {
+  std::vector<float> values = prior;
+  std::vector<float> blurred(values.size());
+  const VoxelWalk walk(voxels, context);
+  for (int step = 0; step < blur_steps; ++step) {
+    ForEachSlot(walk, context, [&](const VoxelSlot& slot) {
+      blurred[slot.index] =
+          MeanWith(values[slot.index], ValuesAcross(values, ties, walk, slot));
+    });
+    values.swap(blurred);
+  }
+  return values;
+}
+
 std::vector<SurfaceShape> EstimateSurfaceShape(
     const VoxelGrid& voxels,
     const std::vector<FaceTies>& ties,
@@ -119,8 +145,6 @@ std::vector<SurfaceShape> EstimateSurfaceShape(
     int blur_steps,
     const Context& context,
     std::span<const uint8_t> wanted) {
-  std::vector<float> values = prior;
-  std::vector<float> blurred(values.size());
   const VoxelWalk walk(voxels, context);
   const Rings rings =
       wanted.empty() ? Rings() : RingsAround(walk, wanted, blur_steps + 1);
@@ -128,14 +152,9 @@ std::vector<SurfaceShape> EstimateSurfaceShape(
   // itself has the slots of its shapes.
   const auto for_all_within = [&](int num_steps, auto&& body) {
     if (wanted.empty()) {
-      ParallelFor(context,
-                  walk.NumBricks(),
-                  kBrickGrain,
-                  [&](size_t begin, size_t end) {
-                    walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
-                      body(slot.index, slot);
-                    });
-                  });
+      ForEachSlot(walk, context, [&](const VoxelSlot& slot) {
+        body(slot.index, slot);
+      });
       return;
     }
     ParallelFor(context,
@@ -147,14 +166,21 @@ std::vector<SurfaceShape> EstimateSurfaceShape(
                   }
                 });
   };
-  // What is k steps away is needed until there are k - 1 steps left, since
-  // curvature looks at the normals beside a voxel.
-  for (int step = 0; step < blur_steps; ++step) {
-    for_all_within(blur_steps + 1 - step, [&](size_t, const VoxelSlot& slot) {
-      blurred[slot.index] =
-          MeanWith(values[slot.index], ValuesAcross(values, ties, walk, slot));
-    });
-    values.swap(blurred);
+  std::vector<float> values;
+  if (wanted.empty()) {
+    values = SmoothPrior(voxels, ties, prior, blur_steps, context);
+  } else {
+    values = prior;
+    std::vector<float> blurred(values.size());
+    // What is k steps away is needed until there are k - 1 steps left, since
+    // curvature looks at the normals beside a voxel.
+    for (int step = 0; step < blur_steps; ++step) {
+      for_all_within(blur_steps + 1 - step, [&](size_t, const VoxelSlot& slot) {
+        blurred[slot.index] = MeanWith(values[slot.index],
+                                       ValuesAcross(values, ties, walk, slot));
+      });
+      values.swap(blurred);
+    }
   }
   std::vector<Eigen::Vector3f> normals(values.size());
   for_all_within(1, [&](size_t, const VoxelSlot& slot) {
@@ -166,27 +192,6 @@ std::vector<SurfaceShape> EstimateSurfaceShape(
     shapes[element] = {normals[slot.index], MeanCurvature(normals, walk, slot)};
   });
   return shapes;
-}
-
-std::vector<float> SmoothPrior(const VoxelGrid& voxels,
-                               const std::vector<FaceTies>& ties,
-                               const std::vector<float>& prior,
-                               int blur_steps,
-                               const Context& context) {
-  std::vector<float> values = prior;
-  std::vector<float> blurred(values.size());
-  const VoxelWalk walk(voxels, context);
-  for (int step = 0; step < blur_steps; ++step) {
-    ParallelFor(
-        context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
-          walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
-            blurred[slot.index] = MeanWith(
-                values[slot.index], ValuesAcross(values, ties, walk, slot));
-          });
-        });
-    values.swap(blurred);
-  }
-  return values;
 }
 
 }  // namespace octacut

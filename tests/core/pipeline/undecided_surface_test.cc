@@ -116,12 +116,14 @@ TEST(UndecidedSurface, GoesToTheBorderOfAHullThatIsNear) {
 
 TEST(UndecidedSurface, CostsWhatNobodySees) {
   const ReconstructionOptions options;
-  std::vector<float> weights = {0.9f, 0.001f, 0.9f, 0.001f};
+  const std::vector<float> phi = {0.9f, 0.1f, 0.9f, 0.1f};
   const Decision decision{{1, 1, 0, 0}, {1, 1, 0, 0}};
-  FlattenUndecidedWeights(decision, options, &weights);
-  const float unseen = EdgeWeights({0.5f}, options.energy)[0];
-  EXPECT_NEAR(weights[0], 0.9f, 1e-6f);
-  EXPECT_NEAR(weights[1], 0.001f, 1e-6f);
+  const std::vector<float> weights = DecidedWeights(decision, phi, options);
+  const std::vector<float> decided = EdgeWeights(phi, options.energy);
+  const float unseen =
+      EdgeWeights({float(options.consistency.neutral)}, options.energy)[0];
+  EXPECT_NEAR(weights[0], decided[0], 1e-6f);
+  EXPECT_NEAR(weights[1], decided[1], 1e-6f);
   EXPECT_NEAR(weights[2], unseen, 1e-6f);
   EXPECT_NEAR(weights[3], unseen, 1e-6f);
 }

@@ -95,7 +95,8 @@ TEST(RefineSurface, FindsOutThatMasksAreTooLargeOrTooSmall) {
 double BorderShiftAfter(double scale,
                         double known,
                         double border_noise,
-                        double edge_shift = 0) {
+                        double edge_shift = 0,
+                        double edge_shift_error = 9) {
   const RefineScene scene = testing::MakeSceneWithMasksOff(2);
   IndexedMesh mesh = scene.ToUnitMesh(BumpyMesh(scene));
   RefineOptions options;
@@ -111,7 +112,8 @@ double BorderShiftAfter(double scale,
                      .smooths = true,
                      .aligns = false,
                      .border_shift = known,
-                     .edge_shift = edge_shift},
+                     .edge_shift = edge_shift,
+                     .edge_shift_error = edge_shift_error},
                     Context(2),
                     &views,
                     &mesh)
@@ -156,6 +158,8 @@ TEST(RefineOnce, TrustsMasksThatItCouldOnlyMeasureBadly) {
 TEST(RefineOnce, StartsFromTheEdgesOfThePhotographs) {
   EXPECT_NEAR(BorderShiftAfter(2, 0.8, 1e6, 0.8), 0.8, 1e-6);
   EXPECT_NEAR(BorderShiftAfter(2, 0.8, 0.3, 0.8), 2, 0.5);
+  // Not beyond what they leave open.
+  EXPECT_NEAR(BorderShiftAfter(2, 0.8, 0.3, 0.8, 0.4), 1.2, 1e-6);
 }
 
 // Files keep floats; a mesh that is only valid in doubles may cross itself

@@ -96,14 +96,17 @@ TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
   ASSERT_TRUE(edges);
   for (const PreparedView& view : views) {
     EXPECT_FLOAT_EQ(view.border_shift, float(edges->shift));
+    EXPECT_FLOAT_EQ(view.border_shift_error, 2 * float(edges->deviation));
   }
   ViewSet large = {MakeView(3, 0.6, 0.1)};
   EXPECT_NEAR(ShiftBordersToEdges(Context(1), &large)->shift, 3, 0.2);
   EXPECT_EQ(large[0].border_shift, 1);
+  EXPECT_TRUE(std::isinf(large[0].border_shift_error));
   views[0].pyramid = ImagePyramid();
   views[1].pyramid = ImagePyramid();
   EXPECT_FALSE(ShiftBordersToEdges(Context(1), &views));
   EXPECT_EQ(views[0].border_shift, 0);
+  EXPECT_TRUE(std::isinf(views[0].border_shift_error));
 }
 
 }  // namespace

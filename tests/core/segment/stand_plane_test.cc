@@ -55,6 +55,15 @@ TEST_F(StandPlaneTest, IsThatOfThePlate) {
   EXPECT_NEAR(stand.plane.signedDistance(Eigen::Vector3d::Zero()), 0.5, 0.01);
 }
 
+TEST_F(StandPlaneTest, MayHaveFewOfThePoints) {
+  plate_.resize(45);  // of 645
+  std::vector<Eigen::Vector3d> points = object_;
+  points.insert(points.end(), plate_.begin(), plate_.end());
+  const StandPlane stand = FindStandPlane(points, poses_, region_);
+  EXPECT_GT(stand.plane.normal().dot(normal_), std::cos(0.01));
+  EXPECT_NEAR(stand.plane.signedDistance(Eigen::Vector3d::Zero()), 0.5, 0.01);
+}
+
 TEST_F(StandPlaneTest, ThereMustBeOne) {
   EXPECT_THROW(FindStandPlane(object_, poses_, region_), InputError);
   plate_.resize(20);

@@ -18,11 +18,12 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-// The toolbox passes (1e-6, 20) to Open3D's ICPConvergenceCriteria, whose second
-// parameter is not the number of iterations that was meant: Open3D then stops
-// at a change of fitness below 1e-6, after 30 iterations at most.
-constexpr int kMaxIterations = 30;
-constexpr double kFitnessTolerance = 1e-6;
+// run.py asks for 20 iterations and a tolerance of 1e-6. registration.py passes
+// the 20 to Open3D as the tolerance of the root mean square, so that the toolbox
+// stops as soon as the number of pairs stays the same; here both tolerances are
+// 1e-6, as meant.
+constexpr int kMaxIterations = 20;
+constexpr double kTolerance = 1e-6;
 constexpr double kMaxPoints = 4e6;
 constexpr size_t kGrain = 2048;
 
@@ -85,6 +86,7 @@ Similarity3d RunIcp(Points source,
   Phase phase(context, "Align points", kMaxIterations);
   Similarity3d total;
   double fitness = -1;
+  double rms = -1;
   for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
     std::vector<PointTree::Closest> closest(source.size());
     ParallelFor(context, source.size(), kGrain, [&](size_t begin, size_t end) {
@@ -106,13 +108,20 @@ Similarity3d RunIcp(Points source,
           "of the reference; is the rough alignment (transform_path) right?",
           max_distance));
     }
-    const double new_fitness =
-        static_cast<double>(from.size()) / static_cast<double>(source.size());
+    double sum_of_squares = 0;
+    for (size_t i = 0; i < from.size(); ++i) {
+      sum_of_squares += (from[i] - to[i]).squaredNorm();
+    }
+    const auto num_pairs = static_cast<double>(from.size());
+    const double new_fitness = num_pairs / static_cast<double>(source.size());
+    const double new_rms = std::sqrt(sum_of_squares / num_pairs);
     if (iteration == kMaxIterations ||
-        std::abs(new_fitness - fitness) < kFitnessTolerance) {
+        (std::abs(new_fitness - fitness) < kTolerance &&
+         std::abs(new_rms - rms) < kTolerance)) {
       break;
     }
     fitness = new_fitness;
+    rms = new_rms;
     const Similarity3d step = FitPairs(from, to);
     total = step * total;
     source = Move(step, std::move(source));

@@ -26,25 +26,35 @@ MeasuredMesh MeasureMesh(const fs::path& path,
   for (const std::string& note : file.notes) {
     context.Info(fmt::format("{}: {}", path.string(), note));
   }
-  const bool is_cloud = file.mesh.triangles.empty();
-  if (is_cloud && (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {
+  if (file.mesh.triangles.empty() &&
+      (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {
     throw InputError(fmt::format("{}: the mesh has no faces, only {} vertices",
                                  path.string(),
                                  file.mesh.positions.size()));
   }
+  MeasuredMesh measured = MeasureMesh(
+      std::move(file.mesh), path, name, self_intersections, context);
+  measured.json["notes"] = file.notes;
+  return measured;
+}
+
+MeasuredMesh MeasureMesh(IndexedMesh mesh,
+                         const fs::path& path,
+                         const std::string& name,
+                         bool self_intersections,
+                         const Context& context) {
   MeasuredMesh measured;
   measured.result.name = name;
-  measured.result.audit = AuditMesh(file.mesh, context);
+  measured.result.audit = AuditMesh(mesh, context);
   measured.json["path"] = path.string();
-  measured.json["notes"] = file.notes;
+  measured.json["notes"] = Json::array();
   measured.json["audit"] = AuditToJson(measured.result.audit);
-  if (self_intersections && !is_cloud) {
-    measured.result.self_intersections =
-        FindSelfIntersections(file.mesh, context);
+  if (self_intersections && !mesh.triangles.empty()) {
+    measured.result.self_intersections = FindSelfIntersections(mesh, context);
     measured.json["self_intersections"] =
         SelfIntersectionsToJson(*measured.result.self_intersections);
   }
-  measured.mesh = std::move(file.mesh);
+  measured.mesh = std::move(mesh);
   return measured;
 }
 

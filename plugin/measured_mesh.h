@@ -29,6 +29,13 @@ MeasuredMesh MeasureMesh(const std::filesystem::path& path,
                          const Context& context,
                          AllowClouds clouds = AllowClouds::kNo);
 
+// The same of a mesh that was read already.
+MeasuredMesh MeasureMesh(IndexedMesh mesh,
+                         const std::filesystem::path& path,
+                         const std::string& name,
+                         bool self_intersections,
+                         const Context& context);
+
 // The file's name, or the whole path where another of `paths` has the same.
 std::string NameAmong(const std::filesystem::path& path,
                       const std::vector<std::filesystem::path>& paths);

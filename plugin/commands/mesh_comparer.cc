@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -12,11 +13,13 @@
 #include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/read_sparse_model.h"
 #include "core/base/check_option.h"
+#include "core/benchmark/compare/cloud.h"
 #include "core/benchmark/compare/compare_meshes.h"
 #include "core/benchmark/compare/seen_reference.h"
 #include "core/benchmark/compare/signed_distance.h"
 #include "core/raycast/ray_scene.h"
 #include "core/scene/region.h"
+#include "plugin/benchmark_protocol.h"
 #include "plugin/comparison_tables.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
@@ -41,6 +44,10 @@ class MeshComparer : public Command {
   ReferenceFilter JudgedPart(const IndexedMesh& reference);
   ReferenceFilter SeenPart(const IndexedMesh& reference);
   MeasuredMesh Measure(const fs::path& path, const Context& context) const;
+  MeasuredMesh MeasureReference(const Context& context);
+  void MeasureByProtocol(const IndexedMesh& reference,
+                         const Context& context,
+                         MeasuredMesh* measured);
   Json CompareOne(const fs::path& path,
                   const MeasuredMesh& reference,
                   const Context& context);
@@ -51,6 +58,10 @@ class MeshComparer : public Command {
   void CheckPaths() const;
   void PrintTables(const ComparedMesh& reference, std::ostream& out) const;
   void WritePage(const CommandEnvironment& environment, const Json& report);
+  // A protocol has scores of its own.
+  bool HasScores() const {
+    return reference_is_truth_ && !protocol_run_->IsActive();
+  }
   std::vector<std::string> Protocol(
       const CommandEnvironment& environment) const;
 
@@ -62,6 +73,10 @@ class MeshComparer : public Command {
   SeenReferenceOptions seen_;
   std::vector<double> bounding_box_;
   CompareMeshesOptions compare_;
+  ProtocolOptions protocol_;
+  std::optional<ProtocolRun> protocol_run_;
+  // Of the compared meshes, where there is a protocol.
+  std::vector<std::pair<std::string, ProtocolResult>> protocol_results_;
   bool reference_is_truth_ = true;
   fs::path html_path_;
   fs::path transform_path_;
@@ -106,6 +121,7 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
            "distance to the reference at every vertex (.ply, property quality, "
            "for MeshLab and CloudCompare). Default: none.")
       .ForExperts();
+  DeclareProtocolOptions(options, &protocol_);
   options.Add("reference_is_truth",
               &reference_is_truth_,
               "If 0, the reference is one mesh among others: there are "
@@ -209,9 +225,32 @@ MeasuredMesh MeshComparer::Measure(const fs::path& path,
                      NameAmong(path, input_paths_),
                      self_intersections_,
                      context,
-                     html_path_.empty() && distance_path_.empty()
-                         ? AllowClouds::kYes
-                         : AllowClouds::kNo);
+                     AllowClouds::kYes);
+}
+
+MeasuredMesh MeshComparer::MeasureReference(const Context& context) {
+  std::optional<IndexedMesh> scans =
+      protocol_run_->ReadReference(reference_path_);
+  return scans ? MeasureMesh(std::move(*scans),
+                             reference_path_,
+                             NameAmong(reference_path_, input_paths_),
+                             self_intersections_,
+                             context)
+               : Measure(reference_path_, context);
+}
+
+// Moves the mesh where the protocol aligns it.
+void MeshComparer::MeasureByProtocol(const IndexedMesh& reference,
+                                     const Context& context,
+                                     MeasuredMesh* measured) {
+  ProtocolResult result =
+      protocol_run_->Measure(measured->mesh, reference, context);
+  measured->json["protocol"] = ProtocolResultToJson(result);
+  if (result.reference_from_mesh) {
+    measured->mesh =
+        TransformMesh(std::move(measured->mesh), *result.reference_from_mesh);
+  }
+  protocol_results_.emplace_back(measured->result.name, std::move(result));
 }
 
 Json MeshComparer::CompareOne(const fs::path& path,
@@ -221,10 +260,13 @@ Json MeshComparer::CompareOne(const fs::path& path,
   measured.mesh = TransformMesh(std::move(measured.mesh), given_transform_);
   CheckOverlap(path, measured.mesh, reference_path_, reference.mesh);
   const Phase phase(context, fmt::format("Compare {}", measured.result.name));
+  if (protocol_run_->IsActive()) {
+    MeasureByProtocol(reference.mesh, context, &measured);
+  }
   measured.result.comparison =
       CompareMeshes(measured.mesh, reference.mesh, compare_, context);
   const MeshComparison& comparison = *measured.result.comparison;
-  measured.json["comparison"] = reference_is_truth_
+  measured.json["comparison"] = HasScores()
                                     ? ComparisonToJson(comparison)
                                     : DistancesToJson(comparison);
   if (!html_path_.empty() || !distance_path_.empty()) {
@@ -234,9 +276,11 @@ Json MeshComparer::CompareOne(const fs::path& path,
     measured.json["places"] = PlacesToJson(page_.meshes.back());
   }
   if (!transform_output_path_.empty()) {
-    WriteTransform(
-        transform_output_path_,
-        comparison.alignment->reference_from_mesh * given_transform_);
+    WriteTransform(transform_output_path_,
+                   (comparison.alignment
+                        ? comparison.alignment->reference_from_mesh
+                        : *protocol_results_.back().second.reference_from_mesh) *
+                       given_transform_);
   }
   results_.push_back(std::move(measured.result));
   return std::move(measured.json);
@@ -252,10 +296,11 @@ void MeshComparer::ShowDistances(const MeasuredMesh& measured,
                           comparison.alignment->reference_from_mesh)
           : measured.mesh;
   const std::string& name = measured.result.name;
+  const IndexedMesh surface = PointsAsTriangles(reference.mesh);
   const std::vector<float> distances =
       SignedDistances(moved.positions,
-                      reference.mesh,
-                      RayScene(reference.mesh),
+                      surface,
+                      RayScene(surface),
                       context,
                       compare_.reference_filter);
   if (!distance_path_.empty()) {
@@ -273,9 +318,10 @@ void MeshComparer::ShowDistances(const MeasuredMesh& measured,
   AddDistances(reference.result.name, distances, &page);
   page_.meshes.push_back(std::move(page));
   if (reference_page_.values.empty()) {
+    const IndexedMesh other = PointsAsTriangles(moved);
     std::vector<float> back = SignedDistances(
-        reference.mesh.positions, moved, RayScene(moved), context);
-    DropUnjudged(reference.mesh, compare_.reference_filter, &back);
+        reference.mesh.positions, other, RayScene(other), context);
+    DropUnjudged(surface, compare_.reference_filter, &back);
     AddDistances(name, std::move(back), &reference_page_);
   }
   page_.diagonal = comparison.reference_diagonal;
@@ -292,10 +338,12 @@ void MeshComparer::CheckPaths() const {
   files_read.push_back(output_path_);
   CheckPagePath(html_path_, files_read);
   CheckOption(transform_output_path_.empty() ||
-                  (compare_.align && input_paths_.size() == 1),
+                  ((compare_.align || protocol_run_->Aligns()) &&
+                   input_paths_.size() == 1),
               "transform_output_path",
               transform_output_path_.string(),
-              "needs align = 1 and a single input_path");
+              "needs align = 1 or a protocol that aligns, and a single "
+              "input_path");
   if (!transform_output_path_.empty()) {
     CheckFilePath(transform_output_path_);
   }
@@ -317,6 +365,10 @@ void MeshComparer::PrintTables(const ComparedMesh& reference,
   std::vector<ComparedMesh> all = results_;
   all.push_back(reference);
   out << TopologyTable(all) << '\n';
+  if (protocol_run_->IsActive()) {
+    out << ProtocolTable(protocol_, protocol_results_);
+    return;
+  }
   const std::string alignment = AlignmentTable(results_);
   if (!alignment.empty()) {
     out << alignment << '\n';
@@ -338,6 +390,13 @@ void MeshComparer::PrintTables(const ComparedMesh& reference,
 std::vector<std::string> MeshComparer::Protocol(
     const CommandEnvironment& environment) const {
   std::vector<std::string> lines = ProtocolOfRun(environment);
+  if (protocol_run_->IsActive()) {
+    lines.push_back(ProtocolRules(protocol_));
+    lines.emplace_back(
+        "Distances, curves and places of this page are of the whole surfaces "
+        "and not part of the benchmark's protocol; they are measured as "
+        "follows.");
+  }
   lines.push_back(fmt::format(
       "Sampling: {} points on each surface, spread evenly by area; distances "
       "to the closest point of the other surface. Maxima include vertices.",
@@ -363,7 +422,9 @@ std::vector<std::string> MeshComparer::Protocol(
                     "the matrix in {}.",
                     transform_path_.string()));
   }
-  if (!compare_.align) {
+  if (protocol_run_->Aligns()) {
+    lines.emplace_back("Alignment: as the protocol has moved the meshes.");
+  } else if (!compare_.align) {
     lines.emplace_back("Alignment: none, the meshes are compared as they are.");
   }
   lines.push_back(CropLine({bounding_box_.empty(),
@@ -372,7 +433,8 @@ std::vector<std::string> MeshComparer::Protocol(
                             results_.front().comparison->judged_share}));
   lines.emplace_back(
       "Signs: positive is outside of the other surface, by the orientation of "
-      "its triangles. Coloured values are those of the full mesh's vertices.");
+      "its triangles; distances to point clouds have no sign. Coloured values "
+      "are those of the full mesh's vertices.");
   return lines;
 }
 
@@ -396,11 +458,14 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   compare_.Check();
   seen_.Check();
   input_paths_ = SplitPaths(input_paths_);
+  protocol_.crop_paths = SplitPaths(protocol_.crop_paths);
+  CheckProtocolOptions(protocol_, reference_path_, environment.options);
+  protocol_run_.emplace(protocol_);
   CheckPaths();
   if (!transform_path_.empty()) {
     given_transform_ = ReadTransform(transform_path_);
   }
-  MeasuredMesh reference = Measure(reference_path_, context);
+  MeasuredMesh reference = MeasureReference(context);
   compare_.reference_filter = JudgedPart(reference.mesh);
   if (!html_path_.empty()) {
     reference_page_ = MakePageMesh(reference.result.name,
@@ -420,6 +485,9 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
     Json report = MakeReport(environment);
     report["reference"] = std::move(reference.json);
     report["reference_is_truth"] = reference_is_truth_;
+    if (protocol_run_->IsActive()) {
+      report["protocol"] = ProtocolToJson(protocol_);
+    }
     report["meshes"] = std::move(meshes);
     if (!html_path_.empty()) {
       WritePage(environment, report);

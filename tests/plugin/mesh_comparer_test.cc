@@ -264,7 +264,7 @@ TEST_F(MeshComparerTest, WithoutATruthThereAreNoScores) {
 
 TEST_F(MeshComparerTest, MistakesAreNamed) {
   const std::string mesh = folder_.Write("mesh.ply", kTetrahedron);
-  const std::string points = folder_.Write("points.obj", "v 0 0 0\nv 1 1 1\n");
+  const std::string empty = folder_.Write("empty.obj", "# nothing\n");
   const std::string broken =
       folder_.Write("broken.ply", std::string(kTetrahedron, 150));
   struct Case {
@@ -276,13 +276,8 @@ TEST_F(MeshComparerTest, MistakesAreNamed) {
       {{"--reference_path", mesh}, "input_path"},
       {{"--input_path", folder_ / "gone.ply", "--reference_path", mesh},
        "gone.ply: cannot be opened"},
-      {{"--input_path",
-        mesh,
-        "--reference_path",
-        points,
-        "--distance_path",
-        folder_.Path().string()},
-       "points.obj: the mesh has no faces, only 2 vertices"},
+      {{"--input_path", empty, "--reference_path", mesh},
+       "empty.obj: the mesh has no faces, only 0 vertices"},
       {{"--input_path",
         folder_.Write("far.off", Square(50)),
         "--reference_path",

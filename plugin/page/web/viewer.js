@@ -138,7 +138,8 @@
       for (const surface of this.surfaces) {
         const uniforms = surface.material.uniforms;
         surface.object.visible = shown.includes(surface);
-        uniforms.lit.value = !comparing;
+        uniforms.lit.value = !comparing && !surface.isCloud;
+        uniforms.pointSize.value = 2 * this.ratio;
         this.paint(surface, comparing);
         if (together && shown.length > 1) {
           uniforms.tint.value.set(surface.mesh.tint);
@@ -149,7 +150,7 @@
         if (surface.lines) {
           this.scene.remove(surface.lines);
         }
-        if (wireframe && surface.object.visible && !comparing) {
+        if (wireframe && surface.object.visible && !comparing && !surface.isCloud) {
           this.scene.add(surface.wireframe());
         }
       }

@@ -157,6 +157,7 @@ void CheckExcludedOptions(const ProtocolTraits& traits,
                            "bounding_box",
                            "align",
                            "reference_is_truth",
+                           "Alignment.global_search",
                            "Alignment.num_samples",
                            "Alignment.estimate_scale"}) {
     if (options.IsSet(name)) {

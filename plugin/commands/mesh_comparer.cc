@@ -178,7 +178,8 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
   options.Add("align",
               &compare_.align,
               "If 1, register each mesh with the reference first (ICP). Both "
-              "must be nearly aligned already.");
+              "must be nearly aligned already, unless Alignment.global_search "
+              "is 1.");
   options
       .Add("Alignment.num_samples",
            &compare_.alignment.num_samples,
@@ -186,8 +187,14 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
       .ForExperts();
   options.AddConstant("Alignment.max_iterations",
                       compare_.alignment.max_iterations);
-  options.AddConstant("Alignment.kept_fraction",
-                      compare_.alignment.kept_fraction);
+  options.AddRemoved("Alignment.kept_fraction",
+                     "has gone: a robust loss leaves out what does not fit");
+  options
+      .Add("Alignment.global_search",
+           &compare_.alignment.global_search,
+           "If 1, search for rotation, scale and position first: the meshes "
+           "may be in frames of their own. Used with align.")
+      .ForExperts();
   options
       .Add("Alignment.estimate_scale",
            &compare_.alignment.estimate_scale,
@@ -258,7 +265,9 @@ Json MeshComparer::CompareOne(const fs::path& path,
                               const Context& context) {
   MeasuredMesh measured = Measure(path, context);
   measured.mesh = TransformMesh(std::move(measured.mesh), given_transform_);
-  CheckOverlap(path, measured.mesh, reference_path_, reference.mesh);
+  if (!(compare_.align && compare_.alignment.global_search)) {
+    CheckOverlap(path, measured.mesh, reference_path_, reference.mesh);
+  }
   const Phase phase(context, fmt::format("Compare {}", measured.result.name));
   if (protocol_run_->IsActive()) {
     MeasureByProtocol(reference.mesh, context, &measured);
@@ -404,16 +413,20 @@ std::vector<std::string> MeshComparer::Protocol(
   for (const ComparedMesh& mesh : results_) {
     if (const auto& alignment = mesh.comparison->alignment) {
       lines.push_back(fmt::format(
-          "Alignment: {} was registered with the reference (ICP, {}, {:g} % of "
-          "the pairs kept): root mean square {:.4g} % of the diagonal before, "
-          "{:.4g} % after {} iterations{}.",
+          "Alignment: {} was registered with the reference ({}ICP, {}, Tukey's "
+          "loss at 4.685 standard deviations, {:.1f} % of the pairs not "
+          "rejected): root mean square {:.4g} % of the diagonal before, {:.4g} "
+          "% after {} iterations{}{}.",
           mesh.name,
+          compare_.alignment.global_search ? "global search, then " : "",
           compare_.alignment.estimate_scale ? "similarity" : "rigid",
-          100 * compare_.alignment.kept_fraction,
+          100 * alignment->inliers,
           100 * alignment->rms_before / page_.diagonal,
           100 * alignment->rms_after / page_.diagonal,
           alignment->num_iterations,
-          alignment->converged ? "" : ", not converged"));
+          alignment->converged ? "" : ", not converged",
+          alignment->is_ambiguous ? "; another rotation fits about as well"
+                                  : ""));
     }
   }
   if (!transform_path_.empty()) {
@@ -462,6 +475,10 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   CheckProtocolOptions(protocol_, reference_path_, environment.options);
   protocol_run_.emplace(protocol_);
   CheckPaths();
+  CheckOption(compare_.align || !compare_.alignment.global_search,
+              "Alignment.global_search",
+              1,
+              "needs align = 1");
   if (!transform_path_.empty()) {
     given_transform_ = ReadTransform(transform_path_);
   }

@@ -15,7 +15,7 @@ namespace octacut {
 struct MeasuredMesh {
   IndexedMesh mesh;
   ComparedMesh result;  // named; without a comparison
-  // {"path", "notes", "audit", "self_intersections" if counted}
+  // {"name", "path", "notes", "audit", "self_intersections" if counted}
   Json json;
 };
 
@@ -37,6 +37,9 @@ MeasuredMesh MeasureMesh(IndexedMesh mesh,
                          const Context& context);
 
 // The file's name, or the whole path where another of `paths` has the same.
+// Meshes and clouds with the names that COLMAP gives them, in a workspace in
+// which depth_map_renderer has noted that the depth maps are octacut's, are
+// marked as such: they are not COLMAP's dense result.
 std::string NameAmong(const std::filesystem::path& path,
                       const std::vector<std::filesystem::path>& paths);
 

@@ -244,6 +244,32 @@ TEST_F(MeshComparerTest, MatricesAreWrittenAndRead) {
               HasSubstr("skewed.txt: the first three rows"));
 }
 
+TEST_F(MeshComparerTest, MeshesOfOctacutsDepthsAreNamedSo) {
+  std::filesystem::create_directory(folder_ / "stereo");
+  const std::string poisson = folder_.Write("meshed-poisson.ply", kTetrahedron);
+  const std::string own = folder_.Write("meshed-octahedral.ply", kTetrahedron);
+  const auto name_of_poisson = [&] {
+    const ProgramResult result = Compare({"--input_path",
+                                          poisson + "," + own,
+                                          "--reference_path",
+                                          own,
+                                          "--output_path",
+                                          folder_ / "out.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(Report()["meshes"][1]["name"], "meshed-octahedral.ply");
+    return Report()["meshes"][0]["name"].get<std::string>();
+  };
+  EXPECT_EQ(name_of_poisson(), "meshed-poisson.ply");
+  folder_.Write("stereo/octacut-depths.json",
+                R"({"source": "sweep", "kept_maps": 0})");
+  EXPECT_EQ(name_of_poisson(),
+            "meshed-poisson.ply (made from octacut's depths)");
+  folder_.Write("stereo/octacut-depths.json",
+                R"({"source": "sweep", "kept_maps": 3})");
+  EXPECT_EQ(name_of_poisson(),
+            "meshed-poisson.ply (made in part from octacut's depths)");
+}
+
 TEST_F(MeshComparerTest, WithoutATruthThereAreNoScores) {
   const std::string reference = folder_.Write("ref.off", Square(0));
   const std::string above = folder_.Write("above.off", Square(0.01));

@@ -62,6 +62,9 @@ async function checkRendering() {
   const pixels = await picture();
   const values = new Set(pixels.filter((_, i) => i % 4 !== 3));
   assert.ok(values.size > 20, `the picture shows something (${values.size} values)`);
+  assert.equal(await browser.run(
+    'return Octacut.viewer.renderer.getContext().getContextAttributes().antialias'), false,
+  'without graphics hardware there is no antialiasing');
   await changes('dragging', () => browser.drag('#viewer', 120, 40));
   await changes('an arrow key', () => browser.press('#viewer', arrowRight + arrowRight + arrowRight));
   await changes('the wheel', () => browser.wheel('#viewer', -400));

@@ -7,7 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/benchmark/compare/cloud.h"
+#include "core/mesh/cluster_vertices.h"
 
 namespace octacut {
 namespace {
@@ -20,16 +23,47 @@ struct Stage {
   size_t num_candidates;
   int64_t num_samples;
   int num_iterations;
+  bool is_coarse;  // on reduced surfaces
 };
 // 600 rotations are some 25 degrees from their neighbours, so that none is
 // more than 20 degrees off, from where ICP finds the way for most shapes.
 // Samples suffice to tell the right rotation (20 points would determine it);
 // the last stage is as fine as needed to tell symmetric solutions apart.
-constexpr Stage kStages[] = {{600, 150, 8}, {60, 400, 20}, {8, 2000, 40}};
+constexpr Stage kStages[] = {
+    {600, 150, 8, true}, {60, 400, 20, true}, {4, 2000, 25, false}};
+// Triangles or points of a reduced surface: details of 1 % of its size, which is
+// finer than the search, in a tree that fits into the cache.
+constexpr size_t kReducedSize = 10000;
 
 // Two solutions are the same where no point of the reference moves further from
 // one to the other, as a fraction of its size.
 constexpr double kSameSolution = 0.05;
+
+// What counts of a surface, reduced.
+IndexedMesh ReduceSurface(const IndexedMesh& mesh,
+                          const ReferenceFilter& filter,
+                          const Context& context) {
+  IndexedMesh reduced;
+  reduced.positions = mesh.positions;
+  for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    const Eigen::Vector3d center =
+        (mesh.positions[a] + mesh.positions[b] + mesh.positions[c]) / 3;
+    if (!filter || filter(i, center)) {
+      reduced.triangles.push_back(mesh.triangles[i]);
+    }
+  }
+  if (!IsCloud(mesh) && !reduced.triangles.empty()) {
+    return ClusterVertices(reduced, kReducedSize, context).mesh;
+  }
+  IndexedMesh points;
+  const size_t total = reduced.triangles.size();
+  for (size_t i = 0; i < std::min(kReducedSize, total); ++i) {
+    const size_t from = i * total / std::min(kReducedSize, total);
+    points.positions.push_back(mesh.positions[reduced.triangles[from][0]]);
+  }
+  return PointsAsTriangles(std::move(points));
+}
 
 struct Candidate {
   Similarity3d reference_from_mesh;
@@ -134,11 +168,28 @@ GlobalAlignment FindGlobalAlignment(const MeshWithScene& mesh,
   for (const Stage& stage : kStages) {
     total += stage.num_candidates;
   }
+  const IndexedMesh coarse_mesh = ReduceSurface(mesh.mesh, {}, context);
+  const IndexedMesh coarse_reference =
+      ReduceSurface(reference.mesh, filter, context);
+  if (coarse_reference.triangles.empty()) {
+    throw InputError(
+        "alignment: no part of the reference is selected for the comparison");
+  }
+  const RayScene coarse_mesh_scene(coarse_mesh);
+  const RayScene coarse_reference_scene(coarse_reference);
+  const ReferenceFilter all;
   Phase phase(context, "Search for the alignment", total);
   std::vector<Candidate> candidates;
   GlobalAlignment result;
   for (const Stage& stage : kStages) {
-    const SurfaceIcp icp(mesh, reference, filter, stage.num_samples, context);
+    const SurfaceIcp icp =
+        stage.is_coarse
+            ? SurfaceIcp({coarse_mesh, coarse_mesh_scene},
+                         {coarse_reference, coarse_reference_scene},
+                         all,
+                         stage.num_samples,
+                         context)
+            : SurfaceIcp(mesh, reference, filter, stage.num_samples, context);
     if (candidates.empty()) {
       candidates = Starts(icp, estimate_scale, stage.num_candidates);
     }

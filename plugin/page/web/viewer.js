@@ -156,7 +156,7 @@
         const uniforms = surface.material.uniforms;
         surface.object.visible = shown.includes(surface);
         uniforms.lit.value = !comparing && !surface.isCloud;
-        uniforms.pointSize.value = 2 * this.ratio;
+        uniforms.pointSize.value = 3 * this.ratio;
         this.paint(surface, comparing);
         if (together && shown.length > 1) {
           uniforms.tint.value.set(surface.mesh.tint);

@@ -130,11 +130,10 @@ void CheckCount(const char* option,
   if (count > range.second) {
     throw OptionError(
         range.second == 0
-            ? fmt::format(
-                  "{} = {}: is not used by the protocol {}",
-                  option,
-                  value,
-                  traits.name)
+            ? fmt::format("{} = {}: is not used by the protocol {}",
+                          option,
+                          value,
+                          traits.name)
             : fmt::format("{} = {}: the protocol {} takes at most {}: {}",
                           option,
                           value,

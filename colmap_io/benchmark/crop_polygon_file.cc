@@ -17,8 +17,7 @@ using nlohmann::json;
 [[noreturn]] void Fail(const std::filesystem::path& path,
                        const std::string& field,
                        const std::string& problem) {
-  throw InputError(
-      fmt::format("{}: {}: {}", path.string(), field, problem));
+  throw InputError(fmt::format("{}: {}: {}", path.string(), field, problem));
 }
 
 double ReadNumber(const std::filesystem::path& path,
@@ -64,12 +63,13 @@ CropPolygon ReadCropPolygon(const std::filesystem::path& path) {
   const std::string name = axis.is_string() ? axis.get<std::string>() : "";
   const size_t index = std::string("XYZxyz").find(name);
   if (name.size() != 1 || index == std::string::npos) {
-    Fail(path, "orthogonal_axis", fmt::format("must be X, Y or Z, is {}", axis.dump()));
+    Fail(path,
+         "orthogonal_axis",
+         fmt::format("must be X, Y or Z, is {}", axis.dump()));
   }
   crop.axis = static_cast<int>(index % 3);
-  for (const auto& [field, value] :
-       {std::pair("axis_min", &crop.axis_min),
-        std::pair("axis_max", &crop.axis_max)}) {
+  for (const auto& [field, value] : {std::pair("axis_min", &crop.axis_min),
+                                     std::pair("axis_max", &crop.axis_max)}) {
     *value = ReadNumber(path, field, Member(path, document, field));
   }
   if (!(crop.axis_min < crop.axis_max)) {
@@ -81,7 +81,9 @@ CropPolygon ReadCropPolygon(const std::filesystem::path& path) {
   }
   for (const json& point : polygon) {
     if (!point.is_array() || point.size() != 3) {
-      Fail(path, "bounding_polygon", fmt::format("must hold points, has {}", point.dump()));
+      Fail(path,
+           "bounding_polygon",
+           fmt::format("must hold points, has {}", point.dump()));
     }
     Eigen::Vector3d& corner = crop.polygon.emplace_back();
     for (size_t i = 0; i < 3; ++i) {

@@ -275,9 +275,8 @@ Json MeshComparer::CompareOne(const fs::path& path,
   measured.result.comparison =
       CompareMeshes(measured.mesh, reference.mesh, compare_, context);
   const MeshComparison& comparison = *measured.result.comparison;
-  measured.json["comparison"] = HasScores()
-                                    ? ComparisonToJson(comparison)
-                                    : DistancesToJson(comparison);
+  measured.json["comparison"] =
+      HasScores() ? ComparisonToJson(comparison) : DistancesToJson(comparison);
   if (!html_path_.empty() || !distance_path_.empty()) {
     ShowDistances(measured, reference, context);
   }
@@ -285,11 +284,12 @@ Json MeshComparer::CompareOne(const fs::path& path,
     measured.json["places"] = PlacesToJson(page_.meshes.back());
   }
   if (!transform_output_path_.empty()) {
-    WriteTransform(transform_output_path_,
-                   (comparison.alignment
-                        ? comparison.alignment->reference_from_mesh
-                        : *protocol_results_.back().second.reference_from_mesh) *
-                       given_transform_);
+    WriteTransform(
+        transform_output_path_,
+        (comparison.alignment
+             ? comparison.alignment->reference_from_mesh
+             : *protocol_results_.back().second.reference_from_mesh) *
+            given_transform_);
   }
   results_.push_back(std::move(measured.result));
   return std::move(measured.json);

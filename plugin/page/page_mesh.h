@@ -13,8 +13,8 @@
 
 namespace octacut {
 
-// The most triangles, or points of clouds, of all meshes of a page together: what software rendering
-// turns smoothly, and what fits into the page.
+// The most triangles, or points of clouds, of all meshes of a page together:
+// what software rendering turns smoothly, and what fits into the page.
 inline constexpr size_t kPageTriangles = 300'000;
 
 // One value a vertex of the full mesh; not a number where there is none.

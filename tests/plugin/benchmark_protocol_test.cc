@@ -200,7 +200,8 @@ TEST_F(BenchmarkProtocolTest, WhatIsMissingOrExcludedIsNamed) {
        "--crop_path = : the protocol tanks_and_temples needs it: the scene's"},
       {{"--protocol", "tanks_and_temples", "--tolerances", "1,2"},
        "--tolerances = 1,2: the protocol tanks_and_temples takes at most 1"},
-      {{"--protocol", "middlebury"}, "--tolerances = : the protocol middlebury"},
+      {{"--protocol", "middlebury"},
+       "--tolerances = : the protocol middlebury"},
       {{"--protocol", "eth3d", "--tolerances", "0.1"},
        "the protocol eth3d needs the MeshLab project"},
       {{"--protocol", "eth3d", "--tolerances", "-0.1"},
@@ -219,9 +220,8 @@ TEST_F(BenchmarkProtocolTest, WhatIsMissingOrExcludedIsNamed) {
   for (const Case& mistake : cases) {
     std::vector<std::string> arguments = {
         "--input_path", above_, "--reference_path", square_};
-    arguments.insert(arguments.end(),
-                     mistake.arguments.begin(),
-                     mistake.arguments.end());
+    arguments.insert(
+        arguments.end(), mistake.arguments.begin(), mistake.arguments.end());
     const ProgramResult result = Compare(arguments);
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_THAT(result.err, HasSubstr(mistake.message));

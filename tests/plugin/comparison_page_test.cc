@@ -125,8 +125,8 @@ TEST(CheckPagePath, SaysWhichPackageIsMissing) {
 
 TEST_F(ComparisonPageTest, ComparesWithATruth) {
   const std::string hull = Hull();
-  const ProgramResult result = Compare(
-      {"--input_path", hull + "," + Truth(), "--num_samples", "20000"});
+  const ProgramResult result =
+      Compare({"--input_path", hull + "," + Truth(), "--num_samples", "20000"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string page = ReadFile(Page());
   EXPECT_LT(page.size(), 15'000'000u);

@@ -45,10 +45,10 @@ void ReportDoubts(const MeshAlignment& alignment,
     if (options.global_search) {
       throw InputError("alignment failed: " + problem);
     }
-    context.Warn(fmt::format(
-        "Alignment: {}; if the meshes were not nearly aligned, use "
-        "`alignment.global_search`",
-        problem));
+    context.Warn(
+        fmt::format("Alignment: {}; if the meshes were not nearly aligned, use "
+                    "`alignment.global_search`",
+                    problem));
   } else if (!alignment.converged) {
     context.Warn(
         fmt::format("Alignment: not converged after {} iterations; the root "
@@ -103,8 +103,7 @@ MeshAlignment AlignMeshes(const MeshWithScene& mesh,
                           const Context& context,
                           const ReferenceFilter& filter) {
   options.Check();
-  const SurfaceIcp icp(
-      mesh, reference, filter, options.num_samples, context);
+  const SurfaceIcp icp(mesh, reference, filter, options.num_samples, context);
   MeshAlignment alignment;
   Similarity3d start;
   if (options.global_search) {
@@ -113,9 +112,9 @@ MeshAlignment AlignMeshes(const MeshWithScene& mesh,
     start = found.reference_from_mesh;
     alignment.is_ambiguous =
         found.next_median <
-        std::max(kAmbiguous * found.median,
-                 found.median +
-                     kSameMedian * DiagonalOf(icp.ReferenceSamples()));
+        std::max(
+            kAmbiguous * found.median,
+            found.median + kSameMedian * DiagonalOf(icp.ReferenceSamples()));
   }
   const Phase phase(context, "Align");
   const IcpResult result = icp.Run(
@@ -129,8 +128,7 @@ MeshAlignment AlignMeshes(const MeshWithScene& mesh,
   alignment.rms_after = result.after.rms;
   alignment.median_after = result.after.median;
   alignment.inliers = result.after.inliers;
-  ReportDoubts(
-      alignment, options, DiagonalOf(icp.ReferenceSamples()), context);
+  ReportDoubts(alignment, options, DiagonalOf(icp.ReferenceSamples()), context);
   return alignment;
 }
 

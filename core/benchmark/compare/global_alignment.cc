@@ -31,8 +31,8 @@ struct Stage {
 // the last stage is as fine as needed to tell symmetric solutions apart.
 constexpr Stage kStages[] = {
     {600, 150, 8, true}, {60, 400, 20, true}, {4, 2000, 25, false}};
-// Triangles or points of a reduced surface: details of 1 % of its size, which is
-// finer than the search, in a tree that fits into the cache.
+// Triangles or points of a reduced surface: details of 1 % of its size, which
+// is finer than the search, in a tree that fits into the cache.
 constexpr size_t kReducedSize = 10000;
 
 // Two solutions are the same where no point of the reference moves further from
@@ -148,13 +148,12 @@ bool AreSame(const Similarity3d& a,
              const Similarity3d& b,
              const SurfaceIcp& icp,
              double size) {
-  return std::all_of(
-      icp.MeshSamples().begin(),
-      icp.MeshSamples().end(),
-      [&](const SurfaceSample& sample) {
-        return (a * sample.point - b * sample.point).norm() <=
-               kSameSolution * size;
-      });
+  return std::all_of(icp.MeshSamples().begin(),
+                     icp.MeshSamples().end(),
+                     [&](const SurfaceSample& sample) {
+                       return (a * sample.point - b * sample.point).norm() <=
+                              kSameSolution * size;
+                     });
 }
 
 }  // namespace

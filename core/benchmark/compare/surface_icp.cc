@@ -144,8 +144,8 @@ IcpResidual SurfaceIcp::WeighPairs(std::vector<AlignPair>* pairs) const {
   IcpResidual residual;
   residual.median = 0;
   residual.inliers = 1;
-  for (const auto& [begin, end] : {std::pair(pairs->begin(), middle),
-                                   std::pair(middle, pairs->end())}) {
+  for (const auto& [begin, end] :
+       {std::pair(pairs->begin(), middle), std::pair(middle, pairs->end())}) {
     const double median = MedianDistance(begin, end);
     const double limit = kTukey * kDeviationOfMedian * median;
     double sum = 0;
@@ -154,10 +154,9 @@ IcpResidual SurfaceIcp::WeighPairs(std::vector<AlignPair>* pairs) const {
     size_t num_inliers = 0;
     for (auto pair = begin; pair != end; ++pair) {
       // At a median of 0, only pairs of the same points are left.
-      const double ratio = limit > 0 ? pair->distance / limit
-                                     : pair->distance > 0;
-      pair->weight =
-          ratio < 1 ? (1 - ratio * ratio) * (1 - ratio * ratio) : 0;
+      const double ratio =
+          limit > 0 ? pair->distance / limit : pair->distance > 0;
+      pair->weight = ratio < 1 ? (1 - ratio * ratio) * (1 - ratio * ratio) : 0;
       num_counted += std::isfinite(pair->distance);
       if (pair->weight > 0) {
         ++num_inliers;
@@ -196,8 +195,8 @@ IcpResult SurfaceIcp::Run(const Similarity3d& start,
     if (best.converged || iteration == options.max_iterations) {
       break;
     }
-    const AlignStep step = SolveAlignStep(
-        pairs, center_, size_, options.estimate_scale, context);
+    const AlignStep step =
+        SolveAlignStep(pairs, center_, size_, options.estimate_scale, context);
     current = step.better_from_moved * current;
     best.converged = step.largest_motion < options.tolerance;
   }

@@ -17,8 +17,8 @@ using Points = std::vector<Eigen::Vector3d>;
 
 // Millimetres.
 constexpr double kSpacing = 0.2;
-constexpr double kBlock = 60;     // MaxDist of PointCompareMain.m
-constexpr double kOutlier = 20;   // MaxDist of ComputeStat_web.m
+constexpr double kBlock = 60;    // MaxDist of PointCompareMain.m
+constexpr double kOutlier = 20;  // MaxDist of ComputeStat_web.m
 
 // MaxDistCP.m walks over blocks of 60 mm that begin at the box's minimum and
 // cover its maximum. Points in none of them get 60 mm, so they are outliers.

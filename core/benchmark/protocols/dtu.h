@@ -29,7 +29,7 @@ namespace octacut {
 // ObsMask<scan>_10.mat: the cells that the cameras observe.
 struct ObservabilityMask {
   std::array<size_t, 3> size = {};
-  std::vector<uint8_t> cells;  // x fastest
+  std::vector<uint8_t> cells;                         // x fastest
   Eigen::Vector3d box_min = Eigen::Vector3d::Zero();  // BB
   Eigen::Vector3d box_max = Eigen::Vector3d::Zero();
   double cell_size = 0;  // Res

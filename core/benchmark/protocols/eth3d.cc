@@ -40,8 +40,7 @@ class ScanRays {
     const Eigen::Vector3d point = scan_from_world_ * world_point;
     const double range = point.norm();
     const double beam =
-        kBeamStartRadius +
-        range * std::tan(kBeamHalfAngle * kRadiansPerDegree);
+        kBeamStartRadius + range * std::tan(kBeamHalfAngle * kRadiansPerDegree);
     // Rays at `beam` or less from the point make at most this angle with it;
     // the chord between their unit directions follows.
     const double angle =
@@ -80,10 +79,10 @@ class ScanRays {
 
 // The mean over all cells of both grids of the fraction of their points that
 // are `good` among those that count; 0 where none does.
-double MeanOverCells(const std::vector<std::vector<std::pair<CellKey, size_t>>>&
-                         grids,
-                     const std::vector<bool>& counts,
-                     const std::vector<bool>& good) {
+double MeanOverCells(
+    const std::vector<std::vector<std::pair<CellKey, size_t>>>& grids,
+    const std::vector<bool>& counts,
+    const std::vector<bool>& good) {
   double sum = 0;
   size_t num_cells = 0;
   for (const auto& grid : grids) {

@@ -35,8 +35,7 @@ std::vector<double> MeasureVertices(const IndexedMesh& from,
   ParallelFor(context, points.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       distances[i] = surface.ClosestPoint(points[i]).distance;
-      if (filled &&
-          filled->ClosestPoint(points[i]).distance < distances[i]) {
+      if (filled && filled->ClosestPoint(points[i]).distance < distances[i]) {
         distances[i] = std::numeric_limits<double>::infinity();
       }
     }
@@ -68,8 +67,8 @@ ProtocolResult MeasureMiddlebury(const IndexedMesh& mesh,
   }
   const auto last =
       accuracy.begin() +
-      static_cast<std::ptrdiff_t>(std::ceil(
-          kAccuracyFraction * static_cast<double>(accuracy.size()))) -
+      static_cast<std::ptrdiff_t>(
+          std::ceil(kAccuracyFraction * static_cast<double>(accuracy.size()))) -
       1;
   std::nth_element(accuracy.begin(), last, accuracy.end());
   const std::vector<double> back =

@@ -85,9 +85,10 @@ std::vector<size_t> PointTree::FindWithin(const Eigen::Vector3d& query,
   return indices;
 }
 
-std::vector<double> ClosestDistances(const std::vector<Eigen::Vector3d>& queries,
-                                     const PointTree& tree,
-                                     const Context& context) {
+std::vector<double> ClosestDistances(
+    const std::vector<Eigen::Vector3d>& queries,
+    const PointTree& tree,
+    const Context& context) {
   std::vector<double> distances(queries.size());
   Phase phase(context, "Distances between points", queries.size());
   ParallelFor(context, queries.size(), kGrain, [&](size_t begin, size_t end) {

@@ -38,8 +38,9 @@ class PointTree {
 };
 
 // The distance of each query to the closest point.
-std::vector<double> ClosestDistances(const std::vector<Eigen::Vector3d>& queries,
-                                     const PointTree& tree,
-                                     const Context& context);
+std::vector<double> ClosestDistances(
+    const std::vector<Eigen::Vector3d>& queries,
+    const PointTree& tree,
+    const Context& context);
 
 }  // namespace octacut

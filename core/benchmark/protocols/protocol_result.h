@@ -41,7 +41,8 @@ inline ProtocolScore MakeScore(double tolerance,
                                double precision,
                                double recall) {
   const double sum = precision + recall;
-  return {tolerance, precision, recall, sum > 0 ? 2 * precision * recall / sum : 0};
+  return {
+      tolerance, precision, recall, sum > 0 ? 2 * precision * recall / sum : 0};
 }
 
 }  // namespace octacut

@@ -20,10 +20,9 @@ double AreaOf(const IndexedMesh& mesh) {
   double area = 0;
   for (const auto& [a, b, c] : mesh.triangles) {
     const Eigen::Vector3d& origin = mesh.positions[a];
-    area += (mesh.positions[b] - origin)
-                .cross(mesh.positions[c] - origin)
-                .norm() /
-            2;
+    area +=
+        (mesh.positions[b] - origin).cross(mesh.positions[c] - origin).norm() /
+        2;
   }
   return area;
 }
@@ -115,8 +114,8 @@ CellKey CellOf(const Eigen::Vector3d& point,
                const Eigen::Vector3d& shift) {
   CellKey key;
   for (int axis = 0; axis < 3; ++axis) {
-    key[static_cast<size_t>(axis)] = static_cast<int64_t>(
-        std::floor(point[axis] / cell_size + shift[axis]));
+    key[static_cast<size_t>(axis)] =
+        static_cast<int64_t>(std::floor(point[axis] / cell_size + shift[axis]));
   }
   return key;
 }
@@ -132,10 +131,10 @@ std::vector<Eigen::Vector3d> AverageInCells(
   }
   std::vector<std::pair<CellKey, size_t>> cells(points.size());
   for (size_t i = 0; i < points.size(); ++i) {
-    cells[i] = {CellOf(points[i] - box.min(),
-                       cell_size,
-                       Eigen::Vector3d::Constant(0.5)),
-                i};
+    cells[i] = {
+        CellOf(
+            points[i] - box.min(), cell_size, Eigen::Vector3d::Constant(0.5)),
+        i};
   }
   std::sort(cells.begin(), cells.end());
   std::vector<Eigen::Vector3d> means;

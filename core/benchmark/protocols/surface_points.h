@@ -38,8 +38,8 @@ std::vector<Eigen::Vector3d> ThinPoints(std::vector<Eigen::Vector3d> points,
 std::vector<Eigen::Vector3d> AverageInCells(
     const std::vector<Eigen::Vector3d>& points, double cell_size);
 
-// The cell of a grid of `cell_size` in which a point lies; `shift` moves the grid
-// by that part of a cell.
+// The cell of a grid of `cell_size` in which a point lies; `shift` moves the
+// grid by that part of a cell.
 using CellKey = std::array<int64_t, 3>;
 CellKey CellOf(const Eigen::Vector3d& point,
                double cell_size,

@@ -19,9 +19,9 @@ namespace {
 using Points = std::vector<Eigen::Vector3d>;
 
 // run.py asks for 20 iterations and a tolerance of 1e-6. registration.py passes
-// the 20 to Open3D as the tolerance of the root mean square, so that the toolbox
-// stops as soon as the number of pairs stays the same; here both tolerances are
-// 1e-6, as meant.
+// the 20 to Open3D as the tolerance of the root mean square, so that the
+// toolbox stops as soon as the number of pairs stays the same; here both
+// tolerances are 1e-6, as meant.
 constexpr int kMaxIterations = 20;
 constexpr double kTolerance = 1e-6;
 constexpr double kMaxPoints = 4e6;
@@ -35,9 +35,8 @@ Points Move(const Similarity3d& transform, Points points) {
 }
 
 Points Crop(Points points, const CropPolygon& crop, const char* which) {
-  std::erase_if(points, [&](const Eigen::Vector3d& p) {
-    return !crop.Contains(p);
-  });
+  std::erase_if(points,
+                [&](const Eigen::Vector3d& p) { return !crop.Contains(p); });
   if (points.empty()) {
     throw InputError(
         fmt::format("tanks_and_temples: no point of the {} is inside the crop "
@@ -145,8 +144,7 @@ ProtocolResult MeasureTanksAndTemples(const IndexedMesh& mesh,
                                       const CropPolygon& crop,
                                       double tau,
                                       const Context& context) {
-  const Points source =
-      PointsOfSurface(mesh, tau / 2, context.Seed(), context);
+  const Points source = PointsOfSurface(mesh, tau / 2, context.Seed(), context);
   const Points target =
       Crop(PointsOfSurface(reference, tau / 2, context.Seed() + 1, context),
            crop,

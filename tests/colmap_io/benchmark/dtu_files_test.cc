@@ -56,15 +56,24 @@ TEST_F(ReadDtuCropTest, MistakesAreNamed) {
               ThrowsMessage<OptionError>(HasSubstr("Plane<scan>.mat")));
   EXPECT_THAT([&] { ReadDtuCrop({Plane()}); },
               ThrowsMessage<OptionError>(HasSubstr("ObsMask<scan>_10.mat")));
-  EXPECT_THAT([&] { ReadDtuCrop({Plane(), Plane()}); },
-              ThrowsMessage<InputError>(HasSubstr("may be given once")));
-  EXPECT_THAT([&] { ReadDtuCrop({Plane({1, 2, 3})}); },
-              ThrowsMessage<InputError>(
-                  HasSubstr("Plane1.mat: variable P: must have 4 numbers")));
-  EXPECT_THAT([&] { ReadDtuCrop({Mask(0), Plane()}); },
-              ThrowsMessage<InputError>(HasSubstr("variable Res")));
-  for (const std::filesystem::path& path : {folder_.Write("text.mat", "no MATLAB file"),
-                                  folder_ / "gone.mat"}) {
+  EXPECT_THAT(
+      [&] {
+        ReadDtuCrop({Plane(), Plane()});
+      },
+      ThrowsMessage<InputError>(HasSubstr("may be given once")));
+  EXPECT_THAT(
+      [&] {
+        ReadDtuCrop({Plane({1, 2, 3})});
+      },
+      ThrowsMessage<InputError>(
+          HasSubstr("Plane1.mat: variable P: must have 4 numbers")));
+  EXPECT_THAT(
+      [&] {
+        ReadDtuCrop({Mask(0), Plane()});
+      },
+      ThrowsMessage<InputError>(HasSubstr("variable Res")));
+  for (const std::filesystem::path& path :
+       {folder_.Write("text.mat", "no MATLAB file"), folder_ / "gone.mat"}) {
     EXPECT_THAT([&] { ReadDtuCrop({path}); },
                 ThrowsMessage<InputError>(HasSubstr(path.string())));
   }

@@ -30,8 +30,8 @@ TEST(ReadLaserScans, ScansWithTheirPoses) {
   folder.Write("a.obj", "v 1 2 3\n");
   folder.Write("b.obj", "v 1 0 0\nv 0 1 0\n");
   // A quarter of a turn about z, then a shift.
-  const std::string path = folder.Write(
-      "scans.mlp", Project("0 -1 0 10 1 0 0 20 0 0 1 30 0 0 0 1"));
+  const std::string path =
+      folder.Write("scans.mlp", Project("0 -1 0 10 1 0 0 20 0 0 1 30 0 0 0 1"));
   const std::vector<LaserScan> scans = ReadLaserScans(path);
   ASSERT_EQ(scans.size(), 2u);
   const std::vector<Eigen::Vector3d> merged = MergeScans(scans);

@@ -123,7 +123,8 @@ IndexedMesh WithPlate(const IndexedMesh& mesh, double share) {
   const double side = std::sqrt(area * share / (1 - share));
   IndexedMesh plate = HeightField(20, [](double, double) { return 0.0; });
   for (Eigen::Vector3d& p : plate.positions) {
-    p = side * (p - Eigen::Vector3d(0.2, 0.4, 0)) + Eigen::Vector3d(0.3, 0, 0.9);
+    p = side * (p - Eigen::Vector3d(0.2, 0.4, 0)) +
+        Eigen::Vector3d(0.3, 0, 0.9);
   }
   return Joined(mesh, plate);
 }
@@ -131,8 +132,11 @@ IndexedMesh WithPlate(const IndexedMesh& mesh, double share) {
 TEST(AlignMeshes, WrongPartsAreRejected) {
   const IndexedMesh whole = Potato(24);
   const Similarity3d moved = TestSimilarity(0.1, 1.04, 0.04);
-  const MeshAlignment result = AlignMeshes(
-      TransformMesh(WithPlate(whole, 0.2), moved), whole, FewSamples(), Context(2));
+  const MeshAlignment result =
+      AlignMeshes(TransformMesh(WithPlate(whole, 0.2), moved),
+                  whole,
+                  FewSamples(),
+                  Context(2));
   EXPECT_LT(Misplacement(whole, moved, result.reference_from_mesh), 1e-4);
   EXPECT_LT(result.inliers, 0.9);
   EXPECT_GT(result.inliers, 0.7);
@@ -143,8 +147,8 @@ TEST(AlignMeshes, ACloudTakesTheNormalsOfTheMesh) {
   IndexedMesh cloud;
   cloud.positions = Potato(37).positions;
   const Similarity3d moved = TestSimilarity(0.1, 1.04, 0.04);
-  const MeshAlignment result = AlignMeshes(
-      TransformMesh(mesh, moved), cloud, FewSamples(), Context(2));
+  const MeshAlignment result =
+      AlignMeshes(TransformMesh(mesh, moved), cloud, FewSamples(), Context(2));
   EXPECT_LT(Misplacement(mesh, moved, result.reference_from_mesh), 0.01);
   EXPECT_THROW(AlignMeshes(cloud, cloud, FewSamples(), Context(2)), InputError);
 }
@@ -195,8 +199,8 @@ TEST_F(GlobalSearchTest, FindsAnyRotationWithNoiseAndWrongParts) {
       p += Eigen::Vector3d(normal(random), normal(random), normal(random));
     }
     const Similarity3d moved = FarAway(angle);
-    const MeshAlignment result = AlignMeshes(
-        TransformMesh(mesh, moved), torus, Options(), Context(2));
+    const MeshAlignment result =
+        AlignMeshes(TransformMesh(mesh, moved), torus, Options(), Context(2));
     // The noise is 0.3 % of the diagonal.
     EXPECT_LT(Misplacement(torus, moved, result.reference_from_mesh), 0.01)
         << angle;
@@ -254,11 +258,10 @@ TEST_F(GlobalSearchTest, SymmetricShapesAndFailuresAreReported) {
   for (Eigen::Vector3d& p : brick.positions) {
     p = p.cwiseProduct(Eigen::Vector3d(3, 2, 1));
   }
-  EXPECT_TRUE(AlignMeshes(TransformMesh(brick, FarAway(1)),
-                          brick,
-                          Options(),
-                          Context(2, &sink))
-                  .is_ambiguous);
+  EXPECT_TRUE(
+      AlignMeshes(
+          TransformMesh(brick, FarAway(1)), brick, Options(), Context(2, &sink))
+          .is_ambiguous);
   EXPECT_THAT(sink.Text(), ::testing::HasSubstr("symmetric"));
   // Other shapes.
   EXPECT_THAT(

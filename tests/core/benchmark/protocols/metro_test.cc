@@ -19,9 +19,13 @@ IndexedMesh SquareAt(double height, double width) {
 TEST(Metro, ParallelSquaresAreTheirDistanceApart) {
   const ProtocolResult result =
       MeasureMetro(SquareAt(0.25, 1), SquareAt(0, 1), Context(2));
-  for (const char* name :
-       {"forward mean", "forward rms", "forward max", "backward mean",
-        "backward rms", "backward max", "Hausdorff"}) {
+  for (const char* name : {"forward mean",
+                           "forward rms",
+                           "forward max",
+                           "backward mean",
+                           "backward rms",
+                           "backward max",
+                           "Hausdorff"}) {
     EXPECT_NEAR(Figure(result, name), 0.25, 1e-12) << name;
   }
   // 800 triangles on each side.

@@ -79,9 +79,10 @@ TEST(TanksAndTemples, PrecisionAndRecallByCounting) {
                                 mesh.num_missing / (kSize / 2));
   EXPECT_NEAR(
       result.scores[0].recall, covered / double(all.points.size()), 1e-12);
-  EXPECT_NEAR(result.scores[0].f_score,
-              2 / (1 / result.scores[0].precision + 1 / result.scores[0].recall),
-              1e-12);
+  EXPECT_NEAR(
+      result.scores[0].f_score,
+      2 / (1 / result.scores[0].precision + 1 / result.scores[0].recall),
+      1e-12);
 }
 
 TEST(TanksAndTemples, AlignsWithScale) {
@@ -89,8 +90,8 @@ TEST(TanksAndTemples, AlignsWithScale) {
   // No point moves further than half a step.
   Similarity3d moved;
   moved.scale = 1.002;
-  moved.rotation = Eigen::AngleAxisd(0.002, Eigen::Vector3d(1, 2, 2) / 3)
-                       .toRotationMatrix();
+  moved.rotation =
+      Eigen::AngleAxisd(0.002, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();
   moved.translation = Eigen::Vector3d(0.002, -0.003, 0.002);
   std::vector<Eigen::Vector3d> points = corner.points;
   for (Eigen::Vector3d& point : points) {
@@ -117,9 +118,9 @@ TEST(TanksAndTemples, CropsBothClouds) {
   // Only y up to the middle between two rows.
   crop.axis_max = 20.5 * kStep;
   const auto inside = std::count_if(
-      corner.points.begin(), corner.points.end(), [&](const Eigen::Vector3d& p) {
-        return p.y() <= crop.axis_max;
-      });
+      corner.points.begin(),
+      corner.points.end(),
+      [&](const Eigen::Vector3d& p) { return p.y() <= crop.axis_max; });
   const ProtocolResult result = MeasureTanksAndTemples(
       Cloud(corner.points), Cloud(corner.points), crop, kTau, Context(2));
   EXPECT_EQ(Figure(result, "points"), double(inside));

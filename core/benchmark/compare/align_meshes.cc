@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/base/check_option.h"
-#include "core/benchmark/compare/cloud.h"
 #include "core/benchmark/compare/global_alignment.h"
+#include "core/mesh/cloud.h"
 
 namespace octacut {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/benchmark/compare/cloud.h"
+#include "core/mesh/cloud.h"
 #include "core/mesh/cluster_vertices.h"
 
 namespace octacut {
@@ -156,6 +156,53 @@ bool AreSame(const Similarity3d& a,
                      });
 }
 
+// Moves each candidate to where ICP leads from it, and sorts them.
+void RunIcpFromAll(const SurfaceIcp& icp,
+                   const Stage& stage,
+                   bool estimate_scale,
+                   const Context& context,
+                   Phase* phase,
+                   std::vector<Candidate>* candidates) {
+  IcpOptions options;
+  options.max_iterations = stage.num_iterations;
+  options.estimate_scale = estimate_scale;
+  options.tolerance = 1e-4;
+  ParallelFor(context, candidates->size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      Candidate& candidate = (*candidates)[i];
+      const IcpResult aligned =
+          icp.Run(candidate.reference_from_mesh, options, context);
+      candidate = {aligned.reference_from_mesh, aligned.after.median};
+    }
+    phase->Advance(end - begin);
+  });
+  std::stable_sort(candidates->begin(),
+                   candidates->end(),
+                   [](const Candidate& a, const Candidate& b) {
+                     return a.median < b.median;
+                   });
+}
+
+// Many rotations lead to the same solution: the first of each.
+std::vector<Candidate> KeepDistinct(const std::vector<Candidate>& candidates,
+                                    const SurfaceIcp& icp) {
+  const double size = 2 * SpreadOf(icp.ReferenceSamples()).radius;
+  std::vector<Candidate> distinct;
+  for (const Candidate& candidate : candidates) {
+    const bool is_new = std::none_of(
+        distinct.begin(), distinct.end(), [&](const Candidate& other) {
+          return AreSame(candidate.reference_from_mesh,
+                         other.reference_from_mesh,
+                         icp,
+                         size);
+        });
+    if (is_new) {
+      distinct.push_back(candidate);
+    }
+  }
+  return distinct;
+}
+
 }  // namespace
 
 GlobalAlignment FindGlobalAlignment(const MeshWithScene& mesh,
@@ -193,39 +240,8 @@ GlobalAlignment FindGlobalAlignment(const MeshWithScene& mesh,
       candidates = Starts(icp, estimate_scale, stage.num_candidates);
     }
     candidates.resize(std::min(candidates.size(), stage.num_candidates));
-    IcpOptions options;
-    options.max_iterations = stage.num_iterations;
-    options.estimate_scale = estimate_scale;
-    options.tolerance = 1e-4;
-    ParallelFor(context, candidates.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const IcpResult aligned =
-            icp.Run(candidates[i].reference_from_mesh, options, context);
-        candidates[i] = {aligned.reference_from_mesh, aligned.after.median};
-      }
-      phase.Advance(end - begin);
-    });
-    std::stable_sort(candidates.begin(),
-                     candidates.end(),
-                     [](const Candidate& a, const Candidate& b) {
-                       return a.median < b.median;
-                     });
-    // Many rotations lead to the same solution.
-    const double size = 2 * SpreadOf(icp.ReferenceSamples()).radius;
-    std::vector<Candidate> distinct;
-    for (const Candidate& candidate : candidates) {
-      const bool is_new = std::none_of(
-          distinct.begin(), distinct.end(), [&](const Candidate& other) {
-            return AreSame(candidate.reference_from_mesh,
-                           other.reference_from_mesh,
-                           icp,
-                           size);
-          });
-      if (is_new) {
-        distinct.push_back(candidate);
-      }
-    }
-    candidates = std::move(distinct);
+    RunIcpFromAll(icp, stage, estimate_scale, context, &phase, &candidates);
+    candidates = KeepDistinct(candidates, icp);
     result.reference_from_mesh = candidates[0].reference_from_mesh;
     result.median = candidates[0].median;
     result.next_median = candidates.size() > 1

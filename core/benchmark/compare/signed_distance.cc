@@ -8,7 +8,7 @@
 #include <span>
 
 #include "core/base/parallel.h"
-#include "core/benchmark/compare/cloud.h"
+#include "core/mesh/cloud.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/vertex_corners.h"
 

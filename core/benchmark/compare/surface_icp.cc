@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/benchmark/compare/cloud.h"
+#include "core/mesh/cloud.h"
 
 namespace octacut {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/benchmark/compare/cloud.h"
 #include "core/benchmark/protocols/surface_points.h"
+#include "core/mesh/cloud.h"
 #include "core/mesh/surface_samples.h"
 #include "core/raycast/ray_scene.h"
 

@@ -8,9 +8,9 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/benchmark/compare/cloud.h"
 #include "core/benchmark/protocols/surface_points.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/cloud.h"
 #include "core/raycast/ray_scene.h"
 
 namespace octacut {

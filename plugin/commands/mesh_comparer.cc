@@ -20,6 +20,7 @@
 #include "core/raycast/ray_scene.h"
 #include "core/scene/region.h"
 #include "plugin/benchmark_protocol.h"
+#include "plugin/comparison_options.h"
 #include "plugin/comparison_tables.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
@@ -126,29 +127,7 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
               &reference_is_truth_,
               "If 0, the reference is one mesh among others: there are "
               "distances, but no scores.");
-  options
-      .Add("num_samples",
-           &compare_.num_samples,
-           "Number of points on each surface whose distances are measured.")
-      .ForExperts();
-  options
-      .Add("thresholds",
-           &compare_.thresholds,
-           "Distance thresholds of precision, recall and F-score, as "
-           "fractions of the reference's bounding box diagonal.")
-      .ForExperts();
-  options
-      .Add("accuracy_fraction",
-           &compare_.accuracy_fraction,
-           "Fraction of a mesh that is used for its accuracy: accuracy is "
-           "the distance within which this fraction lies.")
-      .ForExperts();
-  options
-      .Add("completeness_threshold",
-           &compare_.completeness_threshold,
-           "Distance threshold of completeness, as a fraction of the "
-           "reference's bounding box diagonal.")
-      .ForExperts();
+  DeclareMeasureOptions(options, &compare_);
   options
       .Add("self_intersections",
            &self_intersections_,
@@ -175,32 +154,7 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
               &bounding_box_,
               "Box x0,y0,z0,x1,y1,z1 in the frame of the reference. If given, "
               "only the part of the reference inside it is compared.");
-  options.Add("align",
-              &compare_.align,
-              "If 1, register each mesh with the reference first (ICP). Both "
-              "must be nearly aligned already, unless Alignment.global_search "
-              "is 1.");
-  options
-      .Add("Alignment.num_samples",
-           &compare_.alignment.num_samples,
-           "Number of points on each surface that are used for registration.")
-      .ForExperts();
-  options.AddConstant("Alignment.max_iterations",
-                      compare_.alignment.max_iterations);
-  options.AddRemoved("Alignment.kept_fraction",
-                     "has gone: a robust loss leaves out what does not fit");
-  options
-      .Add("Alignment.global_search",
-           &compare_.alignment.global_search,
-           "If 1, search for rotation, scale and position first: the meshes "
-           "may be in frames of their own. Used with align.")
-      .ForExperts();
-  options
-      .Add("Alignment.estimate_scale",
-           &compare_.alignment.estimate_scale,
-           "If 0, estimate only rotation and translation.")
-      .ForExperts();
-  options.AddConstant("Alignment.tolerance", compare_.alignment.tolerance);
+  DeclareAlignmentOptions(options, &compare_);
 }
 
 ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) {

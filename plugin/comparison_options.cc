@@ -29,6 +29,20 @@ void DeclareMeasureOptions(OptionManager& options,
       .ForExperts();
 }
 
+void DeclareSeenOptions(OptionManager& options, SeenReferenceOptions* seen) {
+  options
+      .Add("min_views",
+           &seen->min_views,
+           "Number of cameras that must see a point. Used with views_path.")
+      .ForExperts();
+  options
+      .Add("max_view_angle",
+           &seen->max_angle,
+           "Maximum angle in degrees between viewing direction and surface "
+           "normal. Used with views_path.")
+      .ForExperts();
+}
+
 void DeclareAlignmentOptions(OptionManager& options,
                              CompareMeshesOptions* compare) {
   options.Add("align",

@@ -139,17 +139,7 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
       &views_path_,
       "Folder of a sparse model in the frame of the reference. If given, only "
       "the part of the reference that its cameras see is compared.");
-  options
-      .Add("min_views",
-           &seen_.min_views,
-           "Number of cameras that must see a point. Used with views_path.")
-      .ForExperts();
-  options
-      .Add("max_view_angle",
-           &seen_.max_angle,
-           "Maximum angle in degrees between viewing direction and surface "
-           "normal. Used with views_path.")
-      .ForExperts();
+  DeclareSeenOptions(options, &seen_);
   options.Add("bounding_box",
               &bounding_box_,
               "Box x0,y0,z0,x1,y1,z1 in the frame of the reference. If given, "
@@ -360,27 +350,11 @@ std::vector<std::string> MeshComparer::Protocol(
         "and not part of the benchmark's protocol; they are measured as "
         "follows.");
   }
-  lines.push_back(fmt::format(
-      "Sampling: {} points on each surface, spread evenly by area; distances "
-      "to the closest point of the other surface. Maxima include vertices.",
-      compare_.num_samples));
+  lines.push_back(SamplingLine(compare_.num_samples));
   for (const ComparedMesh& mesh : results_) {
     if (const auto& alignment = mesh.comparison->alignment) {
-      lines.push_back(fmt::format(
-          "Alignment: {} was registered with the reference ({}ICP, {}, Tukey's "
-          "loss at 4.685 standard deviations, {:.1f} % of the pairs not "
-          "rejected): root mean square {:.4g} % of the diagonal before, {:.4g} "
-          "% after {} iterations{}{}.",
-          mesh.name,
-          compare_.alignment.global_search ? "global search, then " : "",
-          compare_.alignment.estimate_scale ? "similarity" : "rigid",
-          100 * alignment->inliers,
-          100 * alignment->rms_before / page_.diagonal,
-          100 * alignment->rms_after / page_.diagonal,
-          alignment->num_iterations,
-          alignment->converged ? "" : ", not converged",
-          alignment->is_ambiguous ? "; another rotation fits about as well"
-                                  : ""));
+      lines.push_back(AlignmentLine(
+          mesh.name, *alignment, compare_.alignment, page_.diagonal));
     }
   }
   if (!transform_path_.empty()) {
@@ -398,10 +372,7 @@ std::vector<std::string> MeshComparer::Protocol(
                             views_path_.string(),
                             seen_,
                             results_.front().comparison->judged_share}));
-  lines.emplace_back(
-      "Signs: positive is outside of the other surface, by the orientation of "
-      "its triangles; distances to point clouds have no sign. Coloured values "
-      "are those of the full mesh's vertices.");
+  lines.push_back(SignsLine());
   return lines;
 }
 

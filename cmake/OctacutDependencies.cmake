@@ -14,3 +14,7 @@ find_package(nlohmann_json REQUIRED)
 find_library(LIB3MF_LIBRARY 3MF REQUIRED)
 find_path(LIB3MF_INCLUDE_DIR Model/COM/NMR_DLLInterfaces.h PATH_SUFFIXES lib3mf
           REQUIRED)
+# What the protocols of benchmarks read and search with; linked by name.
+find_library(MATIO_LIBRARY matio REQUIRED)
+find_library(TINYXML2_LIBRARY tinyxml2 REQUIRED)
+find_path(NANOFLANN_INCLUDE_DIR nanoflann.hpp REQUIRED)

@@ -132,6 +132,7 @@ std::string AlignmentTable(std::span<const ComparedMesh> meshes) {
                    "rotation, degrees",
                    "rms before, % of diagonal",
                    "after",
+                   "inliers, %",
                    "iterations"});
   bool any = false;
   for (const ComparedMesh& mesh : meshes) {
@@ -148,9 +149,11 @@ std::string AlignmentTable(std::span<const ComparedMesh> meshes) {
          fmt::format("{:.4f}", turn.angle() * 180 / 3.14159265358979323846),
          Percent(alignment.rms_before / diagonal, 4),
          Percent(alignment.rms_after / diagonal, 4),
-         fmt::format("{}{}",
+         Percent(alignment.inliers, 1),
+         fmt::format("{}{}{}",
                      alignment.num_iterations,
-                     alignment.converged ? "" : " (not converged)")});
+                     alignment.converged ? "" : " (not converged)",
+                     alignment.is_ambiguous ? " (ambiguous)" : "")});
   }
   return any ? table.ToString() : "";
 }

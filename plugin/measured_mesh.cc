@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <sstream>
 #include <utility>
 
@@ -16,6 +17,34 @@ namespace octacut {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// What COLMAP makes of depth maps.
+bool HasDenseName(const fs::path& path) {
+  const std::string stem = path.stem().string();
+  return stem == "fused" || stem == "meshed-poisson" ||
+         stem == "meshed-delaunay" || stem == "meshed-advancing-front";
+}
+
+// Empty unless stereo/octacut-depths.json beside the file says that the depth
+// maps are octacut's.
+std::string MarkOfDepths(const fs::path& path) {
+  if (!HasDenseName(path)) {
+    return "";
+  }
+  std::ifstream stream(path.parent_path() / "stereo" / "octacut-depths.json");
+  if (!stream) {
+    return "";
+  }
+  const Json note = Json::parse(stream, nullptr, false);
+  const bool has_kept_others =
+      note.is_object() && note.value("kept_maps", Json(0)) != Json(0);
+  return has_kept_others ? " (made in part from octacut's depths)"
+                         : " (made from octacut's depths)";
+}
+
+}  // namespace
+
 MeasuredMesh MeasureMesh(const fs::path& path,
                          const std::string& name,
                          bool self_intersections,
@@ -26,25 +55,36 @@ MeasuredMesh MeasureMesh(const fs::path& path,
   for (const std::string& note : file.notes) {
     context.Info(fmt::format("{}: {}", path.string(), note));
   }
-  const bool is_cloud = file.mesh.triangles.empty();
-  if (is_cloud && (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {
+  if (file.mesh.triangles.empty() &&
+      (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {
     throw InputError(fmt::format("{}: the mesh has no faces, only {} vertices",
                                  path.string(),
                                  file.mesh.positions.size()));
   }
+  MeasuredMesh measured = MeasureMesh(
+      std::move(file.mesh), path, name, self_intersections, context);
+  measured.json["notes"] = file.notes;
+  return measured;
+}
+
+MeasuredMesh MeasureMesh(IndexedMesh mesh,
+                         const fs::path& path,
+                         const std::string& name,
+                         bool self_intersections,
+                         const Context& context) {
   MeasuredMesh measured;
   measured.result.name = name;
-  measured.result.audit = AuditMesh(file.mesh, context);
+  measured.result.audit = AuditMesh(mesh, context);
+  measured.json["name"] = name;
   measured.json["path"] = path.string();
-  measured.json["notes"] = file.notes;
+  measured.json["notes"] = Json::array();
   measured.json["audit"] = AuditToJson(measured.result.audit);
-  if (self_intersections && !is_cloud) {
-    measured.result.self_intersections =
-        FindSelfIntersections(file.mesh, context);
+  if (self_intersections && !mesh.triangles.empty()) {
+    measured.result.self_intersections = FindSelfIntersections(mesh, context);
     measured.json["self_intersections"] =
         SelfIntersectionsToJson(*measured.result.self_intersections);
   }
-  measured.mesh = std::move(file.mesh);
+  measured.mesh = std::move(mesh);
   return measured;
 }
 
@@ -54,7 +94,8 @@ std::string NameAmong(const fs::path& path,
   for (const fs::path& other : paths) {
     num_equal += other.filename() == path.filename();
   }
-  return num_equal > 1 ? path.string() : path.filename().string();
+  return (num_equal > 1 ? path.string() : path.filename().string()) +
+         MarkOfDepths(path);
 }
 
 std::vector<fs::path> SplitPaths(const std::vector<fs::path>& values) {

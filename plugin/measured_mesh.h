@@ -15,7 +15,7 @@ namespace octacut {
 struct MeasuredMesh {
   IndexedMesh mesh;
   ComparedMesh result;  // named; without a comparison
-  // {"path", "notes", "audit", "self_intersections" if counted}
+  // {"name", "path", "notes", "audit", "self_intersections" if counted}
   Json json;
 };
 
@@ -29,7 +29,17 @@ MeasuredMesh MeasureMesh(const std::filesystem::path& path,
                          const Context& context,
                          AllowClouds clouds = AllowClouds::kNo);
 
+// The same of a mesh that was read already.
+MeasuredMesh MeasureMesh(IndexedMesh mesh,
+                         const std::filesystem::path& path,
+                         const std::string& name,
+                         bool self_intersections,
+                         const Context& context);
+
 // The file's name, or the whole path where another of `paths` has the same.
+// Meshes and clouds with the names that COLMAP gives them, in a workspace in
+// which depth_map_renderer has noted that the depth maps are octacut's, are
+// marked as such: they are not COLMAP's dense result.
 std::string NameAmong(const std::filesystem::path& path,
                       const std::vector<std::filesystem::path>& paths);
 

@@ -48,6 +48,9 @@ Json AlignmentToJson(const MeshAlignment& alignment, double diagonal) {
   json["converged"] = alignment.converged;
   AddDistance("rms_before", alignment.rms_before, diagonal, &json);
   AddDistance("rms_after", alignment.rms_after, diagonal, &json);
+  AddDistance("median_after", alignment.median_after, diagonal, &json);
+  json["inliers"] = alignment.inliers;
+  json["ambiguous"] = alignment.is_ambiguous;
   return json;
 }
 

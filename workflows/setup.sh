@@ -31,6 +31,7 @@ packages=(
   libopencv-dev libopenmesh-dev libembree-dev libboost-dev
   libceres-dev
   lib3mf-dev
+  libmatio-dev libnanoflann-dev libtinyxml2-dev
   libjs-three
   libgtest-dev libgmock-dev
   colmap jq shellcheck imagemagick

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -15,8 +16,11 @@
 #include "core/benchmark/compare/compare_meshes.h"
 #include "core/benchmark/compare/seen_reference.h"
 #include "core/benchmark/compare/signed_distance.h"
+#include "core/mesh/cloud.h"
 #include "core/raycast/ray_scene.h"
 #include "core/scene/region.h"
+#include "plugin/benchmark_protocol.h"
+#include "plugin/comparison_options.h"
 #include "plugin/comparison_tables.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
@@ -41,6 +45,10 @@ class MeshComparer : public Command {
   ReferenceFilter JudgedPart(const IndexedMesh& reference);
   ReferenceFilter SeenPart(const IndexedMesh& reference);
   MeasuredMesh Measure(const fs::path& path, const Context& context) const;
+  MeasuredMesh MeasureReference(const Context& context);
+  void MeasureByProtocol(const IndexedMesh& reference,
+                         const Context& context,
+                         MeasuredMesh* measured);
   Json CompareOne(const fs::path& path,
                   const MeasuredMesh& reference,
                   const Context& context);
@@ -51,6 +59,10 @@ class MeshComparer : public Command {
   void CheckPaths() const;
   void PrintTables(const ComparedMesh& reference, std::ostream& out) const;
   void WritePage(const CommandEnvironment& environment, const Json& report);
+  // A protocol has scores of its own.
+  bool HasScores() const {
+    return reference_is_truth_ && !protocol_run_->IsActive();
+  }
   std::vector<std::string> Protocol(
       const CommandEnvironment& environment) const;
 
@@ -62,6 +74,10 @@ class MeshComparer : public Command {
   SeenReferenceOptions seen_;
   std::vector<double> bounding_box_;
   CompareMeshesOptions compare_;
+  ProtocolOptions protocol_;
+  std::optional<ProtocolRun> protocol_run_;
+  // Of the compared meshes, where there is a protocol.
+  std::vector<std::pair<std::string, ProtocolResult>> protocol_results_;
   bool reference_is_truth_ = true;
   fs::path html_path_;
   fs::path transform_path_;
@@ -106,33 +122,12 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
            "distance to the reference at every vertex (.ply, property quality, "
            "for MeshLab and CloudCompare). Default: none.")
       .ForExperts();
+  DeclareProtocolOptions(options, &protocol_);
   options.Add("reference_is_truth",
               &reference_is_truth_,
               "If 0, the reference is one mesh among others: there are "
               "distances, but no scores.");
-  options
-      .Add("num_samples",
-           &compare_.num_samples,
-           "Number of points on each surface whose distances are measured.")
-      .ForExperts();
-  options
-      .Add("thresholds",
-           &compare_.thresholds,
-           "Distance thresholds of precision, recall and F-score, as "
-           "fractions of the reference's bounding box diagonal.")
-      .ForExperts();
-  options
-      .Add("accuracy_fraction",
-           &compare_.accuracy_fraction,
-           "Fraction of a mesh that is used for its accuracy: accuracy is "
-           "the distance within which this fraction lies.")
-      .ForExperts();
-  options
-      .Add("completeness_threshold",
-           &compare_.completeness_threshold,
-           "Distance threshold of completeness, as a fraction of the "
-           "reference's bounding box diagonal.")
-      .ForExperts();
+  DeclareMeasureOptions(options, &compare_);
   options
       .Add("self_intersections",
            &self_intersections_,
@@ -144,40 +139,12 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
       &views_path_,
       "Folder of a sparse model in the frame of the reference. If given, only "
       "the part of the reference that its cameras see is compared.");
-  options
-      .Add("min_views",
-           &seen_.min_views,
-           "Number of cameras that must see a point. Used with views_path.")
-      .ForExperts();
-  options
-      .Add("max_view_angle",
-           &seen_.max_angle,
-           "Maximum angle in degrees between viewing direction and surface "
-           "normal. Used with views_path.")
-      .ForExperts();
+  DeclareSeenOptions(options, &seen_);
   options.Add("bounding_box",
               &bounding_box_,
               "Box x0,y0,z0,x1,y1,z1 in the frame of the reference. If given, "
               "only the part of the reference inside it is compared.");
-  options.Add("align",
-              &compare_.align,
-              "If 1, register each mesh with the reference first (ICP). Both "
-              "must be nearly aligned already.");
-  options
-      .Add("Alignment.num_samples",
-           &compare_.alignment.num_samples,
-           "Number of points on each surface that are used for registration.")
-      .ForExperts();
-  options.AddConstant("Alignment.max_iterations",
-                      compare_.alignment.max_iterations);
-  options.AddConstant("Alignment.kept_fraction",
-                      compare_.alignment.kept_fraction);
-  options
-      .Add("Alignment.estimate_scale",
-           &compare_.alignment.estimate_scale,
-           "If 0, estimate only rotation and translation.")
-      .ForExperts();
-  options.AddConstant("Alignment.tolerance", compare_.alignment.tolerance);
+  DeclareAlignmentOptions(options, &compare_);
 }
 
 ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) {
@@ -209,9 +176,32 @@ MeasuredMesh MeshComparer::Measure(const fs::path& path,
                      NameAmong(path, input_paths_),
                      self_intersections_,
                      context,
-                     html_path_.empty() && distance_path_.empty()
-                         ? AllowClouds::kYes
-                         : AllowClouds::kNo);
+                     AllowClouds::kYes);
+}
+
+MeasuredMesh MeshComparer::MeasureReference(const Context& context) {
+  std::optional<IndexedMesh> scans =
+      protocol_run_->ReadReference(reference_path_);
+  return scans ? MeasureMesh(std::move(*scans),
+                             reference_path_,
+                             NameAmong(reference_path_, input_paths_),
+                             self_intersections_,
+                             context)
+               : Measure(reference_path_, context);
+}
+
+// Moves the mesh where the protocol aligns it.
+void MeshComparer::MeasureByProtocol(const IndexedMesh& reference,
+                                     const Context& context,
+                                     MeasuredMesh* measured) {
+  ProtocolResult result =
+      protocol_run_->Measure(measured->mesh, reference, context);
+  measured->json["protocol"] = ProtocolResultToJson(result);
+  if (result.reference_from_mesh) {
+    measured->mesh =
+        TransformMesh(std::move(measured->mesh), *result.reference_from_mesh);
+  }
+  protocol_results_.emplace_back(measured->result.name, std::move(result));
 }
 
 Json MeshComparer::CompareOne(const fs::path& path,
@@ -219,14 +209,18 @@ Json MeshComparer::CompareOne(const fs::path& path,
                               const Context& context) {
   MeasuredMesh measured = Measure(path, context);
   measured.mesh = TransformMesh(std::move(measured.mesh), given_transform_);
-  CheckOverlap(path, measured.mesh, reference_path_, reference.mesh);
+  if (!(compare_.align && compare_.alignment.global_search)) {
+    CheckOverlap(path, measured.mesh, reference_path_, reference.mesh);
+  }
   const Phase phase(context, fmt::format("Compare {}", measured.result.name));
+  if (protocol_run_->IsActive()) {
+    MeasureByProtocol(reference.mesh, context, &measured);
+  }
   measured.result.comparison =
       CompareMeshes(measured.mesh, reference.mesh, compare_, context);
   const MeshComparison& comparison = *measured.result.comparison;
-  measured.json["comparison"] = reference_is_truth_
-                                    ? ComparisonToJson(comparison)
-                                    : DistancesToJson(comparison);
+  measured.json["comparison"] =
+      HasScores() ? ComparisonToJson(comparison) : DistancesToJson(comparison);
   if (!html_path_.empty() || !distance_path_.empty()) {
     ShowDistances(measured, reference, context);
   }
@@ -236,7 +230,10 @@ Json MeshComparer::CompareOne(const fs::path& path,
   if (!transform_output_path_.empty()) {
     WriteTransform(
         transform_output_path_,
-        comparison.alignment->reference_from_mesh * given_transform_);
+        (comparison.alignment
+             ? comparison.alignment->reference_from_mesh
+             : *protocol_results_.back().second.reference_from_mesh) *
+            given_transform_);
   }
   results_.push_back(std::move(measured.result));
   return std::move(measured.json);
@@ -252,10 +249,11 @@ void MeshComparer::ShowDistances(const MeasuredMesh& measured,
                           comparison.alignment->reference_from_mesh)
           : measured.mesh;
   const std::string& name = measured.result.name;
+  const IndexedMesh surface = PointsAsTriangles(reference.mesh);
   const std::vector<float> distances =
       SignedDistances(moved.positions,
-                      reference.mesh,
-                      RayScene(reference.mesh),
+                      surface,
+                      RayScene(surface),
                       context,
                       compare_.reference_filter);
   if (!distance_path_.empty()) {
@@ -273,9 +271,10 @@ void MeshComparer::ShowDistances(const MeasuredMesh& measured,
   AddDistances(reference.result.name, distances, &page);
   page_.meshes.push_back(std::move(page));
   if (reference_page_.values.empty()) {
+    const IndexedMesh other = PointsAsTriangles(moved);
     std::vector<float> back = SignedDistances(
-        reference.mesh.positions, moved, RayScene(moved), context);
-    DropUnjudged(reference.mesh, compare_.reference_filter, &back);
+        reference.mesh.positions, other, RayScene(other), context);
+    DropUnjudged(surface, compare_.reference_filter, &back);
     AddDistances(name, std::move(back), &reference_page_);
   }
   page_.diagonal = comparison.reference_diagonal;
@@ -292,10 +291,12 @@ void MeshComparer::CheckPaths() const {
   files_read.push_back(output_path_);
   CheckPagePath(html_path_, files_read);
   CheckOption(transform_output_path_.empty() ||
-                  (compare_.align && input_paths_.size() == 1),
+                  ((compare_.align || protocol_run_->Aligns()) &&
+                   input_paths_.size() == 1),
               "transform_output_path",
               transform_output_path_.string(),
-              "needs align = 1 and a single input_path");
+              "needs align = 1 or a protocol that aligns, and a single "
+              "input_path");
   if (!transform_output_path_.empty()) {
     CheckFilePath(transform_output_path_);
   }
@@ -317,6 +318,10 @@ void MeshComparer::PrintTables(const ComparedMesh& reference,
   std::vector<ComparedMesh> all = results_;
   all.push_back(reference);
   out << TopologyTable(all) << '\n';
+  if (protocol_run_->IsActive()) {
+    out << ProtocolTable(protocol_, protocol_results_);
+    return;
+  }
   const std::string alignment = AlignmentTable(results_);
   if (!alignment.empty()) {
     out << alignment << '\n';
@@ -338,23 +343,18 @@ void MeshComparer::PrintTables(const ComparedMesh& reference,
 std::vector<std::string> MeshComparer::Protocol(
     const CommandEnvironment& environment) const {
   std::vector<std::string> lines = ProtocolOfRun(environment);
-  lines.push_back(fmt::format(
-      "Sampling: {} points on each surface, spread evenly by area; distances "
-      "to the closest point of the other surface. Maxima include vertices.",
-      compare_.num_samples));
+  if (protocol_run_->IsActive()) {
+    lines.push_back(ProtocolRules(protocol_));
+    lines.emplace_back(
+        "Distances, curves and places of this page are of the whole surfaces "
+        "and not part of the benchmark's protocol; they are measured as "
+        "follows.");
+  }
+  lines.push_back(SamplingLine(compare_.num_samples));
   for (const ComparedMesh& mesh : results_) {
     if (const auto& alignment = mesh.comparison->alignment) {
-      lines.push_back(fmt::format(
-          "Alignment: {} was registered with the reference (ICP, {}, {:g} % of "
-          "the pairs kept): root mean square {:.4g} % of the diagonal before, "
-          "{:.4g} % after {} iterations{}.",
-          mesh.name,
-          compare_.alignment.estimate_scale ? "similarity" : "rigid",
-          100 * compare_.alignment.kept_fraction,
-          100 * alignment->rms_before / page_.diagonal,
-          100 * alignment->rms_after / page_.diagonal,
-          alignment->num_iterations,
-          alignment->converged ? "" : ", not converged"));
+      lines.push_back(AlignmentLine(
+          mesh.name, *alignment, compare_.alignment, page_.diagonal));
     }
   }
   if (!transform_path_.empty()) {
@@ -363,16 +363,16 @@ std::vector<std::string> MeshComparer::Protocol(
                     "the matrix in {}.",
                     transform_path_.string()));
   }
-  if (!compare_.align) {
+  if (protocol_run_->Aligns()) {
+    lines.emplace_back("Alignment: as the protocol has moved the meshes.");
+  } else if (!compare_.align) {
     lines.emplace_back("Alignment: none, the meshes are compared as they are.");
   }
   lines.push_back(CropLine({bounding_box_.empty(),
                             views_path_.string(),
                             seen_,
                             results_.front().comparison->judged_share}));
-  lines.emplace_back(
-      "Signs: positive is outside of the other surface, by the orientation of "
-      "its triangles. Coloured values are those of the full mesh's vertices.");
+  lines.push_back(SignsLine());
   return lines;
 }
 
@@ -396,11 +396,18 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   compare_.Check();
   seen_.Check();
   input_paths_ = SplitPaths(input_paths_);
+  protocol_.crop_paths = SplitPaths(protocol_.crop_paths);
+  CheckProtocolOptions(protocol_, reference_path_, environment.options);
+  protocol_run_.emplace(protocol_);
   CheckPaths();
+  CheckOption(compare_.align || !compare_.alignment.global_search,
+              "Alignment.global_search",
+              1,
+              "needs align = 1");
   if (!transform_path_.empty()) {
     given_transform_ = ReadTransform(transform_path_);
   }
-  MeasuredMesh reference = Measure(reference_path_, context);
+  MeasuredMesh reference = MeasureReference(context);
   compare_.reference_filter = JudgedPart(reference.mesh);
   if (!html_path_.empty()) {
     reference_page_ = MakePageMesh(reference.result.name,
@@ -420,6 +427,9 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
     Json report = MakeReport(environment);
     report["reference"] = std::move(reference.json);
     report["reference_is_truth"] = reference_is_truth_;
+    if (protocol_run_->IsActive()) {
+      report["protocol"] = ProtocolToJson(protocol_);
+    }
     report["meshes"] = std::move(meshes);
     if (!html_path_.empty()) {
       WritePage(environment, report);

@@ -41,6 +41,39 @@ void CheckOverlap(const std::filesystem::path& path,
   }
 }
 
+std::string SamplingLine(int64_t num_samples) {
+  return fmt::format(
+      "Sampling: {} points on each surface, spread evenly by area; distances "
+      "to the closest point of the other surface. Maxima include vertices.",
+      num_samples);
+}
+
+std::string SignsLine() {
+  return "Signs: positive is outside of the other surface, by the orientation "
+         "of its triangles; distances to point clouds have no sign. Coloured "
+         "values are those of the full mesh's vertices.";
+}
+
+std::string AlignmentLine(const std::string& name,
+                          const MeshAlignment& alignment,
+                          const AlignMeshesOptions& options,
+                          double diagonal) {
+  return fmt::format(
+      "Alignment: {} was registered with the reference ({}ICP, {}, Tukey's "
+      "loss at 4.685 standard deviations, {:.1f} % of the pairs not "
+      "rejected): root mean square {:.4g} % of the diagonal before, {:.4g} "
+      "% after {} iterations{}{}.",
+      name,
+      options.global_search ? "global search, then " : "",
+      options.estimate_scale ? "similarity" : "rigid",
+      100 * alignment.inliers,
+      100 * alignment.rms_before / diagonal,
+      100 * alignment.rms_after / diagonal,
+      alignment.num_iterations,
+      alignment.converged ? "" : ", not converged",
+      alignment.is_ambiguous ? "; another rotation fits about as well" : "");
+}
+
 std::string CropLine(const CropOfReference& crop) {
   if (crop.is_whole_box && crop.views_path.empty()) {
     return "Crop: none, all of the reference counts.";

@@ -1,10 +1,12 @@
 // Lines of a comparison's protocol, and checks of what is compared.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "core/benchmark/compare/align_meshes.h"
 #include "core/benchmark/compare/seen_reference.h"
 #include "core/mesh/indexed_mesh.h"
 #include "plugin/comparison_tables.h"
@@ -19,6 +21,15 @@ void CheckOverlap(const std::filesystem::path& path,
                   const IndexedMesh& mesh,
                   const std::filesystem::path& reference_path,
                   const IndexedMesh& reference);
+
+std::string SamplingLine(int64_t num_samples);
+std::string SignsLine();
+
+// How a mesh was registered, with what remains.
+std::string AlignmentLine(const std::string& name,
+                          const MeshAlignment& alignment,
+                          const AlignMeshesOptions& options,
+                          double diagonal);
 
 // Which part of a reference counts.
 struct CropOfReference {

@@ -53,6 +53,20 @@ std::string TextOf(const Json& value) {
   return value.dump();
 }
 
+// At most `count` of a cloud's points, spread evenly over their order.
+ClusteredMesh TakePoints(const IndexedMesh& cloud, size_t count) {
+  const size_t total = cloud.positions.size();
+  const size_t taken = std::min(count, total);
+  ClusteredMesh display;
+  display.is_simplified = taken < total;
+  for (size_t i = 0; i < taken; ++i) {
+    const size_t source = i * total / taken;
+    display.mesh.positions.push_back(cloud.positions[source]);
+    display.sources.push_back(static_cast<uint32_t>(source));
+  }
+  return display;
+}
+
 Json ToArray(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
@@ -65,7 +79,10 @@ PageMesh MakePageMesh(const std::string& name,
   PageMesh page;
   page.name = name;
   page.num_triangles = mesh.triangles.size();
-  page.display = ClusterVertices(mesh, kPageTriangles / num_meshes, context);
+  page.num_points = mesh.triangles.empty() ? mesh.positions.size() : 0;
+  const size_t most = kPageTriangles / num_meshes;
+  page.display = mesh.triangles.empty() ? TakePoints(mesh, most)
+                                        : ClusterVertices(mesh, most, context);
   return page;
 }
 

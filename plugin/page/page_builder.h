@@ -11,7 +11,7 @@
 
 namespace octacut {
 
-// A mesh for a page of `num_meshes`, without values.
+// A mesh or a cloud for a page of `num_meshes`, without values.
 PageMesh MakePageMesh(const std::string& name,
                       const IndexedMesh& mesh,
                       size_t num_meshes,

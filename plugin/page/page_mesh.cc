@@ -63,6 +63,7 @@ Json PageMeshToJson(const PageMesh& mesh, PageBlobs* blobs) {
   json["name"] = mesh.name;
   json["reference"] = mesh.is_reference;
   json["full_triangles"] = mesh.num_triangles;
+  json["full_points"] = mesh.num_points;
   json["vertices"] = display.positions.size();
   json["triangles"] = display.triangles.size();
   json["simplified"] = mesh.display.is_simplified;

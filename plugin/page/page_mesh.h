@@ -13,8 +13,8 @@
 
 namespace octacut {
 
-// The most triangles of all meshes of a page together: what software rendering
-// turns smoothly, and what fits into the page.
+// The most triangles, or points of clouds, of all meshes of a page together:
+// what software rendering turns smoothly, and what fits into the page.
 inline constexpr size_t kPageTriangles = 300'000;
 
 // One value a vertex of the full mesh; not a number where there is none.
@@ -28,6 +28,7 @@ struct PageMesh {
   std::string name;
   bool is_reference = false;
   size_t num_triangles = 0;  // of the full mesh
+  size_t num_points = 0;     // of the full cloud; 0 for a mesh
   ClusteredMesh display;
   std::vector<std::array<uint8_t, 3>> colors;  // of the display; may be empty
   std::vector<PageValues> values;

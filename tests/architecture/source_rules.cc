@@ -23,6 +23,7 @@ constexpr auto kTopFolders =
 constexpr auto kCoreBeside =
     std::to_array<std::string_view>({"benchmark/compare",
                                      "benchmark/evaluate",
+                                     "benchmark/protocols",
                                      "benchmark/synthetic",
                                      "print",
                                      "segment",
@@ -41,6 +42,7 @@ const std::vector<Confined>& ConfinedHeaders() {
       {"OpenMesh/", {"core/mesh/", "core/refine/", "core/simplify/", "tests/"}},
       {"ceres/", {"core/refine/", "tests/"}},
       {"embree3/", {"core/raycast/"}},
+      {"nanoflann", {"core/benchmark/protocols/"}},
   };
   return kConfined;
 }

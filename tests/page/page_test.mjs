@@ -1,5 +1,5 @@
 // Looks at a page as a person would, in headless Chromium:
-//   node tests/page/page_test.mjs PAGE.html REPORT.json truth|photographs
+//   node tests/page/page_test.mjs PAGE.html REPORT.json truth|photographs|benchmark
 // Exits with 1 and says what is wrong.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
@@ -62,6 +62,9 @@ async function checkRendering() {
   const pixels = await picture();
   const values = new Set(pixels.filter((_, i) => i % 4 !== 3));
   assert.ok(values.size > 20, `the picture shows something (${values.size} values)`);
+  assert.equal(await browser.run(
+    'return Octacut.viewer.renderer.getContext().getContextAttributes().antialias'), false,
+  'without graphics hardware there is no antialiasing');
   await changes('dragging', () => browser.drag('#viewer', 120, 40));
   await changes('an arrow key', () => browser.press('#viewer', arrowRight + arrowRight + arrowRight));
   await changes('the wheel', () => browser.wheel('#viewer', -400));
@@ -108,6 +111,28 @@ async function checkScores() {
   assert.equal(await cell('score-table', 0, 'precision'), share(score.precision));
   assert.equal(await cell('score-table', 0, 'recall'), share(score.recall));
   assert.equal(await cell('score-table', 0, 'f'), share(score.f_score));
+}
+
+// A benchmark's figures are the report's, and clouds are shown as points.
+async function checkBenchmark() {
+  for (const [i, mesh] of report.meshes.entries()) {
+    for (const [k, figure] of mesh.protocol.figures.entries()) {
+      if (figure.kind === 'distance') {
+        assert.equal(await cell('benchmark', i, 'figure.' + k), figure.value.toPrecision(6));
+      }
+    }
+  }
+  const clouds = await browser.run(`
+    return Octacut.viewer.surfaces.filter(s => s.object.isPoints).length;`);
+  assert.equal(clouds, report.meshes.filter(m => m.audit.triangles === 0).length);
+  assert.ok(clouds > 0, 'there is a cloud');
+  // The cloud alone.
+  await browser.run(`
+    for (const surface of Octacut.viewer.surfaces) {
+      surface.visible = Boolean(surface.object.isPoints);
+    }`);
+  const pixels = await picture();
+  assert.ok(new Set(pixels.filter((_, i) => i % 4 !== 3)).size > 20, 'the cloud is drawn');
 }
 
 async function checkPhotographs() {
@@ -178,7 +203,7 @@ try {
   await checkRendering();
   await checkDistances();
   await checkPlaces();
-  await (kind === 'truth' ? checkScores() : checkPhotographs());
+  await { truth: checkScores, photographs: checkPhotographs, benchmark: checkBenchmark }[kind]();
   await checkReport();
   await checkPhone();
   const errors = await browser.consoleErrors();

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
 #include "plugin/page/base64.h"
 #include "tests/plugin/small_workspace.h"
@@ -54,8 +55,6 @@ class ComparisonPageTest : public SmallWorkspaceTest {
                      {"mesh_comparer",
                       "--reference_path",
                       Truth(),
-                      "--num_samples",
-                      "20000",
                       "--output_path",
                       Report().string(),
                       "--html_path",
@@ -126,7 +125,8 @@ TEST(CheckPagePath, SaysWhichPackageIsMissing) {
 
 TEST_F(ComparisonPageTest, ComparesWithATruth) {
   const std::string hull = Hull();
-  const ProgramResult result = Compare({"--input_path", hull + "," + Truth()});
+  const ProgramResult result =
+      Compare({"--input_path", hull + "," + Truth(), "--num_samples", "20000"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const std::string page = ReadFile(Page());
   EXPECT_LT(page.size(), 15'000'000u);
@@ -148,6 +148,23 @@ TEST_F(ComparisonPageTest, ComparesWithATruth) {
       report["meshes"][0]["comparison"]["to_reference"]["max"],
       0.3 * double(report["meshes"][0]["comparison"]["to_reference"]["max"]));
   LookAt("truth");
+}
+
+TEST_F(ComparisonPageTest, ShowsCloudsAndTheFiguresOfABenchmark) {
+  const std::string hull = Hull();
+  IndexedMesh cloud;
+  cloud.positions = ReadMesh(hull).mesh.positions;
+  const std::string points = (folder_ / "points.ply").string();
+  WriteMesh(points, cloud);
+  const ProgramResult result =
+      Compare({"--input_path", hull + "," + points, "--protocol", "metro"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto shown = nlohmann::json::parse(Embedded(ReadFile(Page()), "page"));
+  EXPECT_EQ(shown["meshes"][1]["triangles"], 0);
+  EXPECT_EQ(shown["meshes"][1]["full_points"], cloud.positions.size());
+  EXPECT_THAT(shown["protocol"][1].get<std::string>(),
+              HasSubstr("Benchmark protocol metro: Cignoni"));
+  LookAt("benchmark");
 }
 
 TEST_F(ComparisonPageTest, JudgesByPhotographsAlone) {

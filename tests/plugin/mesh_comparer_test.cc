@@ -244,6 +244,32 @@ TEST_F(MeshComparerTest, MatricesAreWrittenAndRead) {
               HasSubstr("skewed.txt: the first three rows"));
 }
 
+TEST_F(MeshComparerTest, MeshesOfOctacutsDepthsAreNamedSo) {
+  std::filesystem::create_directory(folder_ / "stereo");
+  const std::string poisson = folder_.Write("meshed-poisson.ply", kTetrahedron);
+  const std::string own = folder_.Write("meshed-octahedral.ply", kTetrahedron);
+  const auto name_of_poisson = [&] {
+    const ProgramResult result = Compare({"--input_path",
+                                          poisson + "," + own,
+                                          "--reference_path",
+                                          own,
+                                          "--output_path",
+                                          folder_ / "out.json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(Report()["meshes"][1]["name"], "meshed-octahedral.ply");
+    return Report()["meshes"][0]["name"].get<std::string>();
+  };
+  EXPECT_EQ(name_of_poisson(), "meshed-poisson.ply");
+  folder_.Write("stereo/octacut-depths.json",
+                R"({"source": "sweep", "kept_maps": 0})");
+  EXPECT_EQ(name_of_poisson(),
+            "meshed-poisson.ply (made from octacut's depths)");
+  folder_.Write("stereo/octacut-depths.json",
+                R"({"source": "sweep", "kept_maps": 3})");
+  EXPECT_EQ(name_of_poisson(),
+            "meshed-poisson.ply (made in part from octacut's depths)");
+}
+
 TEST_F(MeshComparerTest, WithoutATruthThereAreNoScores) {
   const std::string reference = folder_.Write("ref.off", Square(0));
   const std::string above = folder_.Write("above.off", Square(0.01));
@@ -264,7 +290,7 @@ TEST_F(MeshComparerTest, WithoutATruthThereAreNoScores) {
 
 TEST_F(MeshComparerTest, MistakesAreNamed) {
   const std::string mesh = folder_.Write("mesh.ply", kTetrahedron);
-  const std::string points = folder_.Write("points.obj", "v 0 0 0\nv 1 1 1\n");
+  const std::string empty = folder_.Write("empty.obj", "# nothing\n");
   const std::string broken =
       folder_.Write("broken.ply", std::string(kTetrahedron, 150));
   struct Case {
@@ -276,13 +302,8 @@ TEST_F(MeshComparerTest, MistakesAreNamed) {
       {{"--reference_path", mesh}, "input_path"},
       {{"--input_path", folder_ / "gone.ply", "--reference_path", mesh},
        "gone.ply: cannot be opened"},
-      {{"--input_path",
-        mesh,
-        "--reference_path",
-        points,
-        "--distance_path",
-        folder_.Path().string()},
-       "points.obj: the mesh has no faces, only 2 vertices"},
+      {{"--input_path", empty, "--reference_path", mesh},
+       "empty.obj: has no vertices"},
       {{"--input_path",
         folder_.Write("far.off", Square(50)),
         "--reference_path",

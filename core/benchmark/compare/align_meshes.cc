@@ -1,188 +1,67 @@
 #include "core/benchmark/compare/align_meshes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
 #include <Eigen/Geometry>
-#include <limits>
-#include <vector>
+#include <string>
 
 #include "core/base/check_option.h"
-#include "core/base/parallel.h"
-#include "core/benchmark/compare/align_step.h"
-#include "core/benchmark/compare/cloud.h"
-#include "core/mesh/surface_samples.h"
+#include "core/benchmark/compare/global_alignment.h"
+#include "core/mesh/cloud.h"
 
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 512;
+// Surfaces of different objects of the same size, or of one object turned the
+// wrong way, have a median distance of some 3 % of the diagonal and more;
+// reconstructions that can be used one of less than 1 %.
+constexpr double kLargestMedian = 0.015;
+// A second solution with a median of less than this times that of the best
+// fits about as well; for the same shape turned the wrong way it is ten times
+// and more, and twice or so with noise of 1 % of the diagonal.
+constexpr double kAmbiguous = 1.3;
+// Nor do medians tell solutions apart that differ by less than this share of
+// the diagonal: the search goes no further.
+constexpr double kSameMedian = 2e-4;
 
-class Aligner {
- public:
-  Aligner(const MeshWithScene& mesh,
-          const MeshWithScene& reference,
-          const AlignMeshesOptions& options,
-          const Context& context,
-          const ReferenceFilter& filter)
-      : mesh_scene_(mesh.scene),
-        reference_(reference.mesh),
-        reference_scene_(reference.scene),
-        options_(options),
-        context_(context),
-        filter_(filter) {
-    const auto count = static_cast<size_t>(options.num_samples);
-    if (IsCloud(reference.mesh)) {
-      throw InputError(
-          "alignment: the reference is a point cloud, which has no normals to "
-          "align with");
+double DiagonalOf(const std::vector<SurfaceSample>& samples) {
+  Eigen::AlignedBox3d box;
+  for (const SurfaceSample& sample : samples) {
+    box.extend(sample.point);
+  }
+  return box.diagonal().norm();
+}
+
+void ReportDoubts(const MeshAlignment& alignment,
+                  const AlignMeshesOptions& options,
+                  double diagonal,
+                  const Context& context) {
+  if (alignment.median_after > kLargestMedian * diagonal) {
+    const std::string problem = fmt::format(
+        "the surfaces stay {:.2g} % of the diagonal apart (median), which is "
+        "too much for two meshes of the same object",
+        100 * alignment.median_after / diagonal);
+    if (options.global_search) {
+      throw InputError("alignment failed: " + problem);
     }
-    mesh_samples_ =
-        IsCloud(mesh.mesh)
-            ? SampleCloud(mesh.mesh, count)
-            : SampleSurface(mesh.mesh, count, context.Seed() + 2, context);
-    reference_samples_ =
-        SampleSurface(reference.mesh, count, context.Seed() + 3, context);
-    DropFilteredSamples();
-    Eigen::AlignedBox3d box;
-    for (const SurfaceSample& sample : reference_samples_) {
-      box.extend(sample.point);
-    }
-    center_ = box.center();
-    size_ = box.diagonal().norm() / 2;
+    context.Warn(
+        fmt::format("Alignment: {}; if the meshes were not nearly aligned, use "
+                    "`alignment.global_search`",
+                    problem));
+  } else if (!alignment.converged) {
+    context.Warn(
+        fmt::format("Alignment: not converged after {} iterations; the root "
+                    "mean square of the distances is {:.2g} % of the diagonal",
+                    alignment.num_iterations,
+                    100 * alignment.rms_after / diagonal));
   }
-
-  MeshAlignment Run() {
-    Phase phase(
-        context_, "Align", static_cast<size_t>(options_.max_iterations));
-    MeshAlignment best;
-    Similarity3d current;
-    for (int iteration = 0; iteration <= options_.max_iterations; ++iteration) {
-      FindPairs(current);
-      const double rms = TrimPairs();
-      if (iteration == 0) {
-        best.rms_before = best.rms_after = rms;
-      } else if (rms < best.rms_after) {
-        best.rms_after = rms;
-        best.reference_from_mesh = current;
-      }
-      best.num_iterations = iteration;
-      if (best.converged || iteration == options_.max_iterations) {
-        break;
-      }
-      const AlignStep step = SolveAlignStep(
-          pairs_, center_, size_, options_.estimate_scale, context_);
-      current = step.better_from_moved * current;
-      best.converged = step.largest_motion < options_.tolerance;
-      phase.Advance();
-    }
-    return best;
+  if (alignment.is_ambiguous) {
+    context.Warn(
+        "Alignment: another rotation fits about as well; the shape is "
+        "symmetric, or the solution is not certain");
   }
-
- private:
-  void DropFilteredSamples() {
-    if (filter_) {
-      std::erase_if(reference_samples_, [&](const SurfaceSample& sample) {
-        return !filter_(sample.triangle, sample.point);
-      });
-    }
-    if (reference_samples_.empty()) {
-      throw InputError(
-          "alignment: no part of the reference is selected for the comparison");
-    }
-  }
-
-  Eigen::Vector3d ReferenceNormal(uint32_t triangle) const {
-    const auto& [a, b, c] = reference_.triangles[triangle];
-    const Eigen::Vector3d& origin = reference_.positions[a];
-    return (reference_.positions[b] - origin)
-        .cross(reference_.positions[c] - origin)
-        .stableNormalized();
-  }
-
-  void FindPairs(const Similarity3d& reference_from_mesh) {
-    const Similarity3d mesh_from_reference = reference_from_mesh.Inverse();
-    pairs_.resize(mesh_samples_.size() + reference_samples_.size());
-    ParallelFor(context_, pairs_.size(), kGrain, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        pairs_[i] =
-            i < mesh_samples_.size()
-                ? PairOfMesh(reference_from_mesh * mesh_samples_[i].point)
-                : PairOfReference(reference_samples_[i - mesh_samples_.size()],
-                                  reference_from_mesh,
-                                  mesh_from_reference);
-      }
-    });
-  }
-
-  AlignPair PairOfMesh(const Eigen::Vector3d& moved) const {
-    const RayScene::Closest closest = reference_scene_.ClosestPoint(moved);
-    const bool counts = !filter_ || filter_(closest.triangle, closest.point);
-    return {
-        moved,
-        closest.point,
-        ReferenceNormal(closest.triangle),
-        counts ? closest.distance : std::numeric_limits<double>::infinity()};
-  }
-
-  AlignPair PairOfReference(const SurfaceSample& sample,
-                            const Similarity3d& reference_from_mesh,
-                            const Similarity3d& mesh_from_reference) const {
-    const RayScene::Closest closest =
-        mesh_scene_.ClosestPoint(mesh_from_reference * sample.point);
-    return {reference_from_mesh * closest.point,
-            sample.point,
-            ReferenceNormal(sample.triangle),
-            closest.distance * reference_from_mesh.scale};
-  }
-
-  // Marks the pairs beyond the kept fraction of their direction, and returns
-  // the root mean square of the distances of the others.
-  double TrimPairs() {
-    double sum = 0;
-    size_t count = 0;
-    const auto middle =
-        pairs_.begin() + static_cast<std::ptrdiff_t>(mesh_samples_.size());
-    for (const auto& [begin, end] :
-         {std::pair(pairs_.begin(), middle), std::pair(middle, pairs_.end())}) {
-      std::vector<double> distances;
-      for (auto pair = begin; pair != end; ++pair) {
-        if (std::isfinite(pair->distance)) {
-          distances.push_back(pair->distance);
-        }
-      }
-      if (distances.empty()) {
-        continue;
-      }
-      const auto last =
-          distances.begin() + static_cast<std::ptrdiff_t>(
-                                  options_.kept_fraction *
-                                  static_cast<double>(distances.size() - 1));
-      std::nth_element(distances.begin(), last, distances.end());
-      const double limit = *last;
-      for (auto pair = begin; pair != end; ++pair) {
-        if (pair->distance <= limit) {
-          sum += pair->distance * pair->distance;
-          ++count;
-        } else {
-          pair->distance = std::numeric_limits<double>::infinity();
-        }
-      }
-    }
-    return std::sqrt(sum / static_cast<double>(std::max<size_t>(count, 1)));
-  }
-
-  const RayScene& mesh_scene_;
-  const IndexedMesh& reference_;
-  const RayScene& reference_scene_;
-  const AlignMeshesOptions& options_;
-  const Context& context_;
-  const ReferenceFilter& filter_;
-  std::vector<SurfaceSample> mesh_samples_;
-  std::vector<SurfaceSample> reference_samples_;
-  Eigen::Vector3d center_;
-  double size_ = 1;
-  std::vector<AlignPair> pairs_;
-};
+}
 
 }  // namespace
 
@@ -195,10 +74,6 @@ void AlignMeshesOptions::Check() const {
               "alignment.max_iterations",
               max_iterations,
               "must be positive");
-  CheckOption(kept_fraction > 0 && kept_fraction <= 1,
-              "alignment.kept_fraction",
-              kept_fraction,
-              "must be in (0, 1]");
   CheckOption(
       tolerance >= 0, "alignment.tolerance", tolerance, "must not be negative");
 }
@@ -208,6 +83,13 @@ MeshAlignment AlignMeshes(const IndexedMesh& mesh,
                           const AlignMeshesOptions& options,
                           const Context& context,
                           const ReferenceFilter& filter) {
+  if (mesh.triangles.empty() || reference.triangles.empty()) {
+    return AlignMeshes(PointsAsTriangles(mesh),
+                       PointsAsTriangles(reference),
+                       options,
+                       context,
+                       filter);
+  }
   return AlignMeshes({mesh, RayScene(mesh)},
                      {reference, RayScene(reference)},
                      options,
@@ -221,7 +103,33 @@ MeshAlignment AlignMeshes(const MeshWithScene& mesh,
                           const Context& context,
                           const ReferenceFilter& filter) {
   options.Check();
-  return Aligner(mesh, reference, options, context, filter).Run();
+  const SurfaceIcp icp(mesh, reference, filter, options.num_samples, context);
+  MeshAlignment alignment;
+  Similarity3d start;
+  if (options.global_search) {
+    const GlobalAlignment found = FindGlobalAlignment(
+        mesh, reference, filter, options.estimate_scale, context);
+    start = found.reference_from_mesh;
+    alignment.is_ambiguous =
+        found.next_median <
+        std::max(
+            kAmbiguous * found.median,
+            found.median + kSameMedian * DiagonalOf(icp.ReferenceSamples()));
+  }
+  const Phase phase(context, "Align");
+  const IcpResult result = icp.Run(
+      start,
+      {options.max_iterations, options.estimate_scale, options.tolerance},
+      context);
+  alignment.reference_from_mesh = result.reference_from_mesh;
+  alignment.num_iterations = result.num_iterations;
+  alignment.converged = result.converged;
+  alignment.rms_before = result.before.rms;
+  alignment.rms_after = result.after.rms;
+  alignment.median_after = result.after.median;
+  alignment.inliers = result.after.inliers;
+  ReportDoubts(alignment, options, DiagonalOf(icp.ReferenceSamples()), context);
+  return alignment;
 }
 
 }  // namespace octacut

@@ -38,7 +38,7 @@ NormalEquations Accumulate(const std::vector<AlignPair>& pairs,
                  [&](size_t chunk, size_t begin, size_t end) {
                    for (size_t i = begin; i < end; ++i) {
                      const AlignPair& pair = pairs[i];
-                     if (!std::isfinite(pair.distance)) {
+                     if (!(pair.weight > 0)) {
                        continue;
                      }
                      const Eigen::Vector3d arm = (pair.moved - center) / size;
@@ -47,8 +47,9 @@ NormalEquations Accumulate(const std::vector<AlignPair>& pairs,
                          estimate_scale ? arm.dot(pair.normal) : 0.0;
                      const double residual =
                          pair.normal.dot(pair.target - pair.moved) / size;
-                     chunks[chunk].matrix += row * row.transpose();
-                     chunks[chunk].right += residual * row;
+                     chunks[chunk].matrix +=
+                         pair.weight * row * row.transpose();
+                     chunks[chunk].right += pair.weight * residual * row;
                    }
                  });
   NormalEquations sum;

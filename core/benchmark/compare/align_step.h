@@ -15,6 +15,7 @@ struct AlignPair {
   Eigen::Vector3d target;
   Eigen::Vector3d normal;  // of the reference, at `target`
   double distance;         // infinite: does not count
+  double weight;           // of its squared distance along the normal
 };
 
 struct AlignStep {
@@ -23,8 +24,8 @@ struct AlignStep {
   double largest_motion = 0;
 };
 
-// The similarity that minimises the sum of (normal . (target -
-// motion(moved)))^2 over the pairs that count, with the motion linearised about
+// The similarity that minimises the weighted sum of (normal . (target -
+// motion(moved)))^2 over the pairs, with the motion linearised about
 // `center`, in units of `size` (Chen & Medioni 1992). Motions that the pairs do
 // not determine stay zero; large turns are shortened.
 AlignStep SolveAlignStep(const std::vector<AlignPair>& pairs,

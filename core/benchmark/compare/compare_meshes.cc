@@ -7,8 +7,8 @@
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
-#include "core/benchmark/compare/cloud.h"
 #include "core/benchmark/compare/distance_curve.h"
+#include "core/mesh/cloud.h"
 #include "core/mesh/surface_samples.h"
 #include "core/raycast/ray_scene.h"
 

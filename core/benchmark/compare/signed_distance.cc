@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/base/parallel.h"
+#include "core/mesh/cloud.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/vertex_corners.h"
 
@@ -22,12 +23,16 @@ class Sides {
  public:
   Sides(const IndexedMesh& surface, const Context& context)
       : surface_(surface),
+        is_cloud_(IsCloud(surface)),
         vertex_normals_(ComputeVertexNormals(surface, context)),
         corners_(
             FindVertexCorners(surface.positions.size(), surface.triangles)) {}
 
   double SignAt(const RayScene::Closest& closest,
                 const Eigen::Vector3d& point) const {
+    if (is_cloud_) {
+      return 1;
+    }
     const Eigen::Vector3d normal = PseudoNormal(closest);
     return normal.dot(point - closest.point) < 0 ? -1 : 1;
   }
@@ -84,6 +89,7 @@ class Sides {
   }
 
   const IndexedMesh& surface_;
+  bool is_cloud_;
   std::vector<Eigen::Vector3f> vertex_normals_;
   VertexCorners corners_;
 };

@@ -15,7 +15,8 @@ namespace octacut {
 // the side to which its triangles face, negative on the other. On edges and
 // vertices the side is that of the angle-weighted pseudonormal (Baerentzen &
 // Aanaes 2005), which is exact for closed surfaces; near the border of an open
-// one the sign means little. `rays` is of the same mesh. Not a number where
+// one the sign means little. A cloud (PointsAsTriangles) has no sides: all
+// distances are positive. `rays` is of the same mesh. Not a number where
 // the closest point does not count by `filter`. The same values for any number
 // of threads.
 std::vector<float> SignedDistances(const std::vector<Eigen::Vector3d>& points,

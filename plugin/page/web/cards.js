@@ -36,6 +36,33 @@
     ];
   }
 
+  // The figures of a benchmark's protocol, by the names that it uses.
+  Octacut.benchmarkCard = function () {
+    const protocol = report.protocol;
+    if (!protocol) {
+      return null;
+    }
+    const items = entries(false);
+    const number = figure => figure.kind === 'distance' ? figure.value.toPrecision(6)
+      : figure.kind === 'fraction' ? share(figure.value) + ' %' : count(figure.value);
+    const columns = [nameColumn];
+    items[0].measured.protocol.scores.forEach((score, i) => {
+      const at = ' at ' + score.tolerance;
+      const column = (head, key) => columns.push({
+        head: head + at + ', %', number: true, id: key + '.' + i,
+        cell: e => share(e.measured.protocol.scores[i][key]) });
+      column(protocol.name === 'eth3d' ? 'accuracy' : 'precision', 'precision');
+      column(protocol.name === 'eth3d' ? 'completeness' : 'recall', 'recall');
+      column('F', 'f_score');
+    });
+    items[0].measured.protocol.figures.forEach((figure, i) => columns.push({
+      head: figure.name, number: true, id: 'figure.' + i,
+      cell: e => number(e.measured.protocol.figures[i]) }));
+    return card('benchmark-card', 'Protocol ' + protocol.name,
+      table(columns, items, { id: 'benchmark' }), note(protocol.rules
+        + ' Distances are in the units of the reference.'));
+  };
+
   Octacut.distanceCard = function () {
     const items = compared();
     if (!items.length) {
@@ -228,17 +255,19 @@
   };
 
   Octacut.auditCard = function () {
-    const yes = (flag, number) => flag ? 'yes' : 'no (' + count(number) + ')';
     const audit = e => e.measured.audit;
+    const isCloud = e => audit(e).triangles === 0;
+    const yes = (e, flag, number) =>
+      isCloud(e) ? '–' : flag ? 'yes' : 'no (' + count(number) + ')';
     const columns = [nameColumn,
       { head: 'vertices', number: true, id: 'vertices', cell: e => count(audit(e).vertices) },
       { head: 'triangles', number: true, id: 'triangles', cell: e => count(audit(e).triangles) },
-      { head: 'closed', id: 'closed', cell: e => yes(audit(e).closed, audit(e).boundary_edges) },
-      { head: 'manifold', id: 'manifold', cell: e => yes(
+      { head: 'closed', id: 'closed', cell: e => yes(e, audit(e).closed, audit(e).boundary_edges) },
+      { head: 'manifold', id: 'manifold', cell: e => yes(e,
         audit(e).edge_manifold && audit(e).vertex_manifold,
         audit(e).nonmanifold_edges + audit(e).nonmanifold_vertices) },
       { head: 'oriented', id: 'oriented',
-        cell: e => yes(audit(e).oriented, audit(e).misoriented_edges) },
+        cell: e => yes(e, audit(e).oriented, audit(e).misoriented_edges) },
       { head: 'genus', number: true, id: 'genus', cell: e => count(audit(e).genus) },
       { head: 'components', number: true, id: 'components', cell: e => count(audit(e).components) },
       { head: 'self-intersecting', number: true, id: 'self_intersections',

@@ -5,16 +5,25 @@
   const page = Octacut.page;
 
   function subtitle() {
-    const shown = page.meshes.reduce((sum, mesh) => sum + mesh.triangles, 0);
-    const full = page.meshes.reduce((sum, mesh) => sum + mesh.full_triangles, 0);
+    const sum = size => page.meshes.reduce((total, mesh) => total + size(mesh), 0);
+    const parts = [];
+    if (page.meshes.some(mesh => mesh.triangles)) {
+      parts.push('from ' + Octacut.count(sum(mesh => mesh.full_triangles)) + ' to '
+        + Octacut.count(sum(mesh => mesh.triangles)) + ' triangles');
+    }
+    const clouds = mesh => mesh.full_points;
+    if (page.meshes.some(clouds)) {
+      parts.push('from ' + Octacut.count(sum(clouds)) + ' to '
+        + Octacut.count(sum(mesh => clouds(mesh) ? mesh.vertices : 0)) + ' points');
+    }
     const simplified = page.meshes.some(mesh => mesh.simplified);
     const views = page.num_views
       ? ' Photographs: ' + page.photographs.length
         + (page.photographs.length < page.num_views ? ' of ' + page.num_views : '') + ', reduced.'
       : '';
     return (simplified
-      ? 'For display, the meshes are simplified from ' + Octacut.count(full) + ' to '
-        + Octacut.count(shown) + ' triangles and quantised to 16 bits. '
+      ? 'For display, the meshes are simplified ' + parts.join(' and ')
+        + ', and quantised to 16 bits. '
       : 'For display, coordinates are quantised to 16 bits. ')
       + 'All figures are measured on the full meshes.' + views;
   }
@@ -67,7 +76,7 @@
       }
     });
     const cards = document.getElementById('cards');
-    for (const build of [Octacut.photographCard, Octacut.distanceCard, Octacut.placesCard,
+    for (const build of [Octacut.benchmarkCard, Octacut.photographCard, Octacut.distanceCard, Octacut.placesCard,
       Octacut.viewsCard, Octacut.auditCard, Octacut.protocolCard]) {
       const element = build(viewer);
       if (element) {

@@ -4,6 +4,7 @@
   const meshVertex = `
     attribute vec3 color3;
     attribute float value;
+    uniform float pointSize;
     varying vec3 vNormal;
     varying vec3 vColor;
     varying float vValue;
@@ -14,6 +15,7 @@
       vValue = value;
       vWorld = position;
       gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+      gl_PointSize = pointSize;
     }`;
 
   // paint: 0 plain, 1 colours of the photographs, 2 values. Values beyond 1e29
@@ -46,7 +48,7 @@
         gl_FragColor = vec4(mix(sectionColor, base, 0.15), 1.0);
         return;
       }
-      vec3 n = normalize(vNormal);
+      vec3 n = lit ? normalize(vNormal) : vec3(0.0, 0.0, 1.0);
       float key = max(0.0, dot(n, normalize(vec3(-0.45, 0.65, 0.75))));
       float fill = max(0.0, dot(n, normalize(vec3(0.7, -0.15, 0.6))));
       float shade = lit ? 0.40 + 0.52 * key + 0.20 * fill : 1.0;
@@ -118,6 +120,7 @@
     uniforms: {
       paint: { value: 0 },
       lit: { value: true },
+      pointSize: { value: 2 },
       tint: { value: new THREE.Color(tint) },
       sectionColor: { value: new THREE.Color('#5b5148') },
       scale: { value: null },

@@ -1,5 +1,5 @@
 'use strict';
-// A mesh of the page as an object of three.js.
+// A mesh or a cloud of the page as an object of three.js.
 (function () {
   const none = 1e30;
 
@@ -10,12 +10,21 @@
       const geometry = new THREE.BufferGeometry();
       geometry.setAttribute('position',
         new THREE.BufferAttribute(Octacut.decodePositions(mesh), 3));
-      geometry.setIndex(new THREE.BufferAttribute(Octacut.decodeIndices(mesh), 1));
-      geometry.computeVertexNormals();
+      this.isCloud = mesh.triangles === 0;
+      if (this.isCloud) {
+        geometry.setAttribute('normal',
+          new THREE.BufferAttribute(new Float32Array(3 * mesh.vertices), 3));
+      } else {
+        geometry.setIndex(new THREE.BufferAttribute(Octacut.decodeIndices(mesh), 1));
+        geometry.computeVertexNormals();
+      }
       geometry.setAttribute('color3', this.colors());
       this.geometry = geometry;
       this.material = Octacut.makeMeshMaterial('#cfc6b8');
-      this.object = new THREE.Mesh(geometry, this.material);
+      this.material.uniforms.lit.value = !this.isCloud;
+      this.object = this.isCloud
+        ? new THREE.Points(geometry, this.material)
+        : new THREE.Mesh(geometry, this.material);
       this.object.frustumCulled = false;
       this.lines = null;
       this.decoded = new Map();
@@ -67,7 +76,7 @@
       return sizes.length ? sizes[Math.floor(0.999 * (sizes.length - 1))] : 0;
     }
 
-    // Made when first asked for.
+    // Made when first asked for; clouds have none.
     wireframe() {
       if (!this.lines) {
         const triangles = this.geometry.index.array;

@@ -1,12 +1,29 @@
 'use strict';
 // Draws the meshes, side by side or together, and mixes them with photographs.
 (function () {
+  // Antialiasing takes four times as long where the processor draws: browsers
+  // refuse a context without a caveat then, or name the renderer.
+  function hasHardware() {
+    const canvas = document.createElement('canvas');
+    const context = canvas.getContext('webgl', { failIfMajorPerformanceCaveat: true });
+    if (!context) {
+      return false;
+    }
+    const names = context.getExtension('WEBGL_debug_renderer_info');
+    const renderer = names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : '';
+    const extension = context.getExtension('WEBGL_lose_context');
+    if (extension) {
+      extension.loseContext();
+    }
+    return !/swiftshader|llvmpipe|softpipe|software|basic render/i.test(renderer);
+  }
+
   class Viewer {
     constructor(canvas, labels) {
       this.canvas = canvas;
       this.labels = labels;
       this.renderer = new THREE.WebGLRenderer({
-        canvas: canvas, antialias: true });
+        canvas: canvas, antialias: hasHardware() });
       this.renderer.autoClear = false;
       this.renderer.setScissorTest(true);
       this.surfaces = Octacut.page.meshes.map(mesh => new Octacut.Surface(mesh));
@@ -138,7 +155,8 @@
       for (const surface of this.surfaces) {
         const uniforms = surface.material.uniforms;
         surface.object.visible = shown.includes(surface);
-        uniforms.lit.value = !comparing;
+        uniforms.lit.value = !comparing && !surface.isCloud;
+        uniforms.pointSize.value = 3 * this.ratio;
         this.paint(surface, comparing);
         if (together && shown.length > 1) {
           uniforms.tint.value.set(surface.mesh.tint);
@@ -149,7 +167,7 @@
         if (surface.lines) {
           this.scene.remove(surface.lines);
         }
-        if (wireframe && surface.object.visible && !comparing) {
+        if (wireframe && surface.object.visible && !comparing && !surface.isCloud) {
           this.scene.add(surface.wireframe());
         }
       }

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/mesh/audit.h"
 #include "tests/core/mesh/test_shapes.h"
 
 namespace octacut {
@@ -79,13 +80,12 @@ TEST(AlignMeshes, ScaleAndPositionOfTheWorldDoNotMatter) {
   EXPECT_LT(Misplacement(reference, moved, result.reference_from_mesh), 1e-8);
 }
 
-TEST(AlignMeshes, MissingPartsAreTrimmed) {
+TEST(AlignMeshes, MissingPartsAreRejected) {
   const IndexedMesh whole = Potato(24);
   const IndexedMesh partial = KeepTriangles(
       whole, [](const Eigen::Vector3d& p) { return p.z() > -0.35; });
   const Similarity3d moved = TestSimilarity(0.05, 1.02, 0.02);
-  AlignMeshesOptions options = FewSamples();
-  options.kept_fraction = 0.7;
+  const AlignMeshesOptions options = FewSamples();
   const MeshAlignment result =
       AlignMeshes(TransformMesh(partial, moved), whole, options, Context(2));
   EXPECT_LT(Misplacement(whole, moved, result.reference_from_mesh), 1e-4);
@@ -115,6 +115,167 @@ TEST(AlignMeshes, FilteredPartsOfTheReferenceDoNotCount) {
                   Context(2),
                   [](uint32_t, const Eigen::Vector3d&) { return false; }),
       InputError);
+}
+
+// Adds a plate through the mesh with `share` of the joint area.
+IndexedMesh WithPlate(const IndexedMesh& mesh, double share) {
+  const double area = AuditMesh(mesh).area;
+  const double side = std::sqrt(area * share / (1 - share));
+  IndexedMesh plate = HeightField(20, [](double, double) { return 0.0; });
+  for (Eigen::Vector3d& p : plate.positions) {
+    p = side * (p - Eigen::Vector3d(0.2, 0.4, 0)) +
+        Eigen::Vector3d(0.3, 0, 0.9);
+  }
+  return Joined(mesh, plate);
+}
+
+TEST(AlignMeshes, WrongPartsAreRejected) {
+  const IndexedMesh whole = Potato(24);
+  const Similarity3d moved = TestSimilarity(0.1, 1.04, 0.04);
+  const MeshAlignment result =
+      AlignMeshes(TransformMesh(WithPlate(whole, 0.2), moved),
+                  whole,
+                  FewSamples(),
+                  Context(2));
+  EXPECT_LT(Misplacement(whole, moved, result.reference_from_mesh), 1e-4);
+  EXPECT_LT(result.inliers, 0.9);
+  EXPECT_GT(result.inliers, 0.7);
+}
+
+TEST(AlignMeshes, ACloudTakesTheNormalsOfTheMesh) {
+  const IndexedMesh mesh = Potato(40);
+  IndexedMesh cloud;
+  cloud.positions = Potato(37).positions;
+  const Similarity3d moved = TestSimilarity(0.1, 1.04, 0.04);
+  const MeshAlignment result =
+      AlignMeshes(TransformMesh(mesh, moved), cloud, FewSamples(), Context(2));
+  EXPECT_LT(Misplacement(mesh, moved, result.reference_from_mesh), 0.01);
+  EXPECT_THROW(AlignMeshes(cloud, cloud, FewSamples(), Context(2)), InputError);
+}
+
+class GlobalSearchTest : public ::testing::Test {
+ protected:
+  static AlignMeshesOptions Options() {
+    AlignMeshesOptions options = FewSamples();
+    options.global_search = true;
+    return options;
+  }
+  // A torus with bumps that only one rotation matches.
+  static IndexedMesh BumpyTorus(uint32_t n) {
+    IndexedMesh mesh;
+    const auto at = [&](uint32_t i, uint32_t j) {
+      return (i % (2 * n)) * n + j % n;
+    };
+    for (uint32_t i = 0; i < 2 * n; ++i) {
+      for (uint32_t j = 0; j < n; ++j) {
+        const double u = 2 * kPi * i / (2 * n);
+        const double v = 2 * kPi * j / n;
+        const double r = 0.35 + 0.08 * std::sin(2 * u + 0.4) +
+                         0.06 * std::cos(3 * u) * std::sin(v);
+        const double x = 1 + 0.25 * std::cos(u) + r * std::cos(v);
+        mesh.positions.emplace_back(
+            x * std::cos(u), 0.8 * x * std::sin(u), r * std::sin(v));
+        mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+        mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+      }
+    }
+    return mesh;
+  }
+  // Turned by more than half a turn, five times as large, far away.
+  static Similarity3d FarAway(double angle) {
+    Similarity3d moved = TestSimilarity(angle, 5, 30);
+    return moved;
+  }
+  static constexpr double kPi = 3.14159265358979323846;
+};
+
+TEST_F(GlobalSearchTest, FindsAnyRotationWithNoiseAndWrongParts) {
+  const IndexedMesh torus = BumpyTorus(30);
+  for (const double angle : {3.1, -1.7}) {
+    IndexedMesh mesh = WithPlate(torus, 0.2);
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal(0, 0.01);
+    for (Eigen::Vector3d& p : mesh.positions) {
+      p += Eigen::Vector3d(normal(random), normal(random), normal(random));
+    }
+    const Similarity3d moved = FarAway(angle);
+    const MeshAlignment result =
+        AlignMeshes(TransformMesh(mesh, moved), torus, Options(), Context(2));
+    // The noise is 0.3 % of the diagonal.
+    EXPECT_LT(Misplacement(torus, moved, result.reference_from_mesh), 0.01)
+        << angle;
+    EXPECT_FALSE(result.is_ambiguous);
+  }
+}
+
+TEST_F(GlobalSearchTest, FindsPartsOfTheReference) {
+  const IndexedMesh torus = BumpyTorus(30);
+  const IndexedMesh part = KeepTriangles(
+      torus, [](const Eigen::Vector3d& p) { return p.x() > -0.5; });
+  EXPECT_LT(AuditMesh(part).area, 0.8 * AuditMesh(torus).area);
+  const Similarity3d moved = FarAway(2.5);
+  const MeshAlignment result =
+      AlignMeshes(TransformMesh(part, moved), torus, Options(), Context(2));
+  EXPECT_LT(Misplacement(torus, moved, result.reference_from_mesh), 1e-3);
+}
+
+TEST_F(GlobalSearchTest, RigidAndTheSameForAnyNumberOfThreads) {
+  const IndexedMesh torus = BumpyTorus(20);
+  AlignMeshesOptions options = Options();
+  options.estimate_scale = false;
+  Similarity3d moved = FarAway(2.2);
+  moved.scale = 1;
+  const auto run = [&](int threads) {
+    return AlignMeshes(
+               TransformMesh(torus, moved), torus, options, Context(threads))
+        .reference_from_mesh;
+  };
+  const Similarity3d one = run(1);
+  EXPECT_LT(Misplacement(torus, moved, one), 1e-4);
+  EXPECT_EQ(one.scale, 1);
+  const Similarity3d three = run(3);
+  EXPECT_EQ(one.rotation, three.rotation);
+  EXPECT_EQ(one.translation, three.translation);
+}
+
+// Warnings of a run.
+class WarningSink : public ProgressSink {
+ public:
+  void BeginPhase(std::string_view /*name*/, size_t /*total*/) override {}
+  void Advance(size_t /*done*/) override {}
+  void EndPhase() override {}
+  void Info(std::string_view /*message*/) override {}
+  void Warn(std::string_view message) override { text_ += message; }
+  const std::string& Text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+TEST_F(GlobalSearchTest, SymmetricShapesAndFailuresAreReported) {
+  WarningSink sink;
+  IndexedMesh brick = Cube(6);
+  for (Eigen::Vector3d& p : brick.positions) {
+    p = p.cwiseProduct(Eigen::Vector3d(3, 2, 1));
+  }
+  EXPECT_TRUE(
+      AlignMeshes(
+          TransformMesh(brick, FarAway(1)), brick, Options(), Context(2, &sink))
+          .is_ambiguous);
+  EXPECT_THAT(sink.Text(), ::testing::HasSubstr("symmetric"));
+  // Other shapes.
+  EXPECT_THAT(
+      [&] {
+        AlignMeshes(TransformMesh(BumpyTorus(20), FarAway(1)),
+                    brick,
+                    Options(),
+                    Context(2));
+      },
+      ::testing::ThrowsMessage<InputError>(
+          ::testing::HasSubstr("alignment failed: the surfaces stay")));
+  WarningSink second;
+  AlignMeshes(BumpyTorus(20), brick, FewSamples(), Context(2, &second));
+  EXPECT_THAT(second.Text(), ::testing::HasSubstr("alignment.global_search"));
 }
 
 TEST(AlignMeshes, NoiseDoesNotBiasTheScale) {
@@ -205,8 +366,6 @@ TEST(AlignMeshesOptions, Rejections) {
               StartsWith("alignment.num_samples = 0: must"));
   EXPECT_THAT(refusal([](Options& o) { o.max_iterations = 0; }),
               StartsWith("alignment.max_iterations = 0: must"));
-  EXPECT_THAT(refusal([](Options& o) { o.kept_fraction = 1.5; }),
-              StartsWith("alignment.kept_fraction = 1.5: must"));
   EXPECT_THAT(refusal([](Options& o) { o.tolerance = -1; }),
               StartsWith("alignment.tolerance = -1: must"));
 }

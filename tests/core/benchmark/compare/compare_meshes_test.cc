@@ -347,9 +347,9 @@ TEST(CompareMeshesOptions, DefaultsAndRejections) {
               ThrowsMessage<OptionError>(HasSubstr("completeness_threshold")));
   EXPECT_THAT(refused([](Options& o) {
                 o.align = true;
-                o.alignment.kept_fraction = 0;
+                o.alignment.num_samples = 0;
               }),
-              ThrowsMessage<OptionError>(HasSubstr("kept_fraction = 0")));
+              ThrowsMessage<OptionError>(HasSubstr("num_samples = 0")));
 }
 
 }  // namespace

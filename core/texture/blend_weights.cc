@@ -166,7 +166,8 @@ class Fader {
               distance +
               float((mesh_.positions[other] - mesh_.positions[v]).norm()) *
                   (density_[v] + density_[other]) / 2;
-          if (other != v && next < kFadePixels) {
+          // No view fades into what no view shows, which has no pixels.
+          if (other != v && density_[other] > 0 && next < kFadePixels) {
             reach(next, other);
           }
         }

@@ -145,10 +145,12 @@ class ShadedRenderer {
       return (1 - u - v) * a + u * b + v * c;
     };
     const auto& normals = own_normals_.empty() ? mesh_.normals : own_normals_;
-    Vector3d normal =
-        mix(normals[corners[0]], normals[corners[1]], normals[corners[2]])
-            .cast<double>()
-            .normalized();
+    const Vector3f shaded =
+        options_.normal_at
+            ? options_.normal_at(hit)
+            : mix(
+                  normals[corners[0]], normals[corners[1]], normals[corners[2]]);
+    Vector3d normal = shaded.cast<double>().normalized();
     const Vector3d& a = mesh_.positions[corners[0]];
     Vector3d face = (mesh_.positions[corners[1]] - a)
                         .cross(mesh_.positions[corners[2]] - a)

@@ -243,6 +243,7 @@ TexturingResult TextureMesh(const IndexedMesh& mesh,
     summary.page_texels += size_t(page.width) * size_t(page.height);
   }
   summary.seams = seams.Measure(result.textured);
+  result.layout = std::move(layout);
   return result;
 }
 

@@ -61,6 +61,7 @@ def images(material):
 for o in bpy.context.scene.objects:
   mesh = o.data
   mesh.calc_tangents()
+  mesh.calc_normals_split()
   uvs = mesh.uv_layers[0].data
   pages = [images(m) for m in mesh.materials]
   for polygon in mesh.polygons:

@@ -132,8 +132,9 @@ Json ScoreMeshes(const TexturedMesh& textured,
     }
     names.push_back(path.string());
   }
-  const std::vector<ImageScores> scores =
+  const HeldOutScores held_out_scores =
       ScoreHeldOut(textured, colored, held_out, context);
+  const std::vector<ImageScores>& scores = held_out_scores.meshes;
   Json meshes = Json::array();
   for (size_t i = 0; i < scores.size(); ++i) {
     context.Info(
@@ -147,7 +148,9 @@ Json ScoreMeshes(const TexturedMesh& textured,
                       {"ssim", scores[i].Ssim()},
                       {"pixels", scores[i].num_pixels}});
   }
-  return {{"views", held_out.poses.size()}, {"meshes", meshes}};
+  return {{"views", held_out.poses.size()},
+          {"noise_psnr", held_out_scores.noise.Psnr()},
+          {"meshes", meshes}};
 }
 
 // The photograph whose middle shows most of the mesh's surface is as good as

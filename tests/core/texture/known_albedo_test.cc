@@ -92,7 +92,7 @@ ChromaErrors Measure(const SyntheticScene& scene, const TexturedMesh& mesh) {
   return result;
 }
 
-// White lights, whose shading the shares of colours do not have. The least
+// White lights, whose shading the shares of colours do not have. The largest
 // errors are those of dark paint in the shade, of which the eight bits of a
 // photograph have few levels.
 SyntheticScene WhiteLights(double noise) {

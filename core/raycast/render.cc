@@ -145,11 +145,10 @@ class ShadedRenderer {
       return (1 - u - v) * a + u * b + v * c;
     };
     const auto& normals = own_normals_.empty() ? mesh_.normals : own_normals_;
-    const Vector3f shaded =
-        options_.normal_at
-            ? options_.normal_at(hit)
-            : mix(
-                  normals[corners[0]], normals[corners[1]], normals[corners[2]]);
+    const Vector3f shaded = options_.normal_at ? options_.normal_at(hit)
+                                               : mix(normals[corners[0]],
+                                                     normals[corners[1]],
+                                                     normals[corners[2]]);
     Vector3d normal = shaded.cast<double>().normalized();
     const Vector3d& a = mesh_.positions[corners[0]];
     Vector3d face = (mesh_.positions[corners[1]] - a)

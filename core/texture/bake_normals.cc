@@ -86,15 +86,16 @@ void AddTangents(const AtlasLayout& layout, TexturedMesh* textured) {
     const Eigen::Vector3f tangent =
         float(std::abs(area)) * FaceTangent(mesh, f, texels);
     for (size_t k = 0; k < 3; ++k) {
-      sums.try_emplace(key(f, k), Eigen::Vector3f::Zero())
-          .first->second += tangent;
+      sums.try_emplace(key(f, k), Eigen::Vector3f::Zero()).first->second +=
+          tangent;
     }
   }
   textured->tangents.resize(mesh.triangles.size());
   for (size_t f = 0; f < mesh.triangles.size(); ++f) {
     const float sign = areas[textured->charts[f]] < 0 ? -1.0f : 1.0f;
     for (size_t k = 0; k < 3; ++k) {
-      const Eigen::Vector3f normal = UnitNormal(*textured, mesh.triangles[f][k]);
+      const Eigen::Vector3f normal =
+          UnitNormal(*textured, mesh.triangles[f][k]);
       const Eigen::Vector3f sum = UnitOr(sums.at(key(f, k)), {0, 0, 0});
       const Eigen::Vector3f flat = sum - normal * normal.dot(sum);
       const Eigen::Vector3f tangent =
@@ -203,10 +204,10 @@ class PageBaker {
       Eigen::Vector3f sum = Eigen::Vector3f::Zero();
       for (int j = 0; j < kSamplesASide; ++j) {
         for (int i = 0; i < kSamplesASide; ++i) {
-          sum += MappedSample(f,
-                              texels,
-                              {x + (i + 0.5) / kSamplesASide,
-                               y + (j + 0.5) / kSamplesASide});
+          sum += MappedSample(
+              f,
+              texels,
+              {x + (i + 0.5) / kSamplesASide, y + (j + 0.5) / kSamplesASide});
         }
       }
       const bool is_missed = sum.isZero();
@@ -244,8 +245,8 @@ class PageBaker {
       point += weights[k] * mesh_.mesh.positions[corners[size_t(k)]];
     }
     const Eigen::Matrix3f frame = FrameAt(mesh_, f, weights.cast<float>());
-    const Eigen::Vector3f normal = full_.NormalNear(
-        point, frame.col(2).cast<double>().normalized());
+    const Eigen::Vector3f normal =
+        full_.NormalNear(point, frame.col(2).cast<double>().normalized());
     if (normal.isZero()) {
       return Eigen::Vector3f::Zero();
     }
@@ -259,8 +260,7 @@ class PageBaker {
 
   static void Store(const Eigen::Vector3f& mapped, cv::Vec3b* pixel) {
     for (int c = 0; c < 3; ++c) {
-      (*pixel)[2 - c] =
-          cv::saturate_cast<uint8_t>(127.5f * (mapped[c] + 1));
+      (*pixel)[2 - c] = cv::saturate_cast<uint8_t>(127.5f * (mapped[c] + 1));
     }
   }
 
@@ -330,17 +330,15 @@ NormalMapSummary BakeNormals(const IndexedMesh& full,
 
 Eigen::Vector3f MappedNormal(const TexturedMesh& mesh,
                              const RayScene::Hit& hit) {
-  const Eigen::Vector3f weights(1 - hit.barycentric.sum(),
-                                hit.barycentric.x(),
-                                hit.barycentric.y());
+  const Eigen::Vector3f weights(
+      1 - hit.barycentric.sum(), hit.barycentric.x(), hit.barycentric.y());
   Eigen::Vector2f uv = Eigen::Vector2f::Zero();
   for (int k = 0; k < 3; ++k) {
     uv += weights[k] * mesh.texcoords[hit.triangle][size_t(k)];
   }
   const cv::Mat& page = mesh.pages[mesh.PageOf(hit.triangle)].normals;
   const Eigen::Vector3f stored =
-      SamplePixels(
-          page, double(uv.x()) * page.cols, double(uv.y()) * page.rows)
+      SamplePixels(page, double(uv.x()) * page.cols, double(uv.y()) * page.rows)
           .reverse();
   return (FrameAt(mesh, hit.triangle, weights) *
           (stored / 127.5f - Eigen::Vector3f::Ones()))

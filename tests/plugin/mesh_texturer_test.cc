@@ -160,8 +160,8 @@ TEST_F(MeshTexturer, WritesANormalMapOfTheFullMesh) {
   const Json json = JsonOfGlb(ReadFile(output));
   EXPECT_EQ(json["images"].size(), 2u);
   EXPECT_TRUE(json["materials"][0].contains("normalTexture"));
-  EXPECT_TRUE(json["meshes"][0]["primitives"][0]["attributes"].contains(
-      "TANGENT"));
+  EXPECT_TRUE(
+      json["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
   const Json map = Json::parse(ReadFile(report))["texture"]["normal_map"];
   EXPECT_EQ(map["missed_texels"], 0);
   // The mesh is the full one.

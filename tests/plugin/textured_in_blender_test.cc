@@ -95,24 +95,22 @@ class TexturedInBlender : public ::testing::Test {
         testing::PhotographsOf(testing::AllAround(), 160);
     TexturingOptions options;
     options.texture_size = 512;
-    TexturingResult result = TextureMesh(
-        testing::SmallSphere(4), photographs, options, Context(1));
-    BakeNormals(testing::BumpySphere(),
-                result.layout,
-                Context(1),
-                &result.textured);
+    TexturingResult result =
+        TextureMesh(testing::SmallSphere(4), photographs, options, Context(1));
+    BakeNormals(
+        testing::BumpySphere(), result.layout, Context(1), &result.textured);
     WriteTexturedMesh(folder_ / name, result.textured, {});
     return folder_ / name;
   }
 
   std::vector<Polygon> Read(const fs::path& path) const {
     const std::string script = folder_.Write("read.py", kScript);
-    std::istringstream lines(RunOther(
-        fmt::format("blender --background --factory-startup "
-                    "--python-exit-code 1 --python '{}' -- '{}'",
-                    script,
-                    path.string()),
-        folder_));
+    std::istringstream lines(
+        RunOther(fmt::format("blender --background --factory-startup "
+                             "--python-exit-code 1 --python '{}' -- '{}'",
+                             script,
+                             path.string()),
+                 folder_));
     std::vector<Polygon> polygons;
     std::string line;
     while (std::getline(lines, line)) {

@@ -15,10 +15,10 @@
 namespace octacut {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::BumpyNormal;
 using testing::BumpySphere;
 using testing::Degrees;
+using ::testing::HasSubstr;
 using testing::PhotographsOf;
 using testing::SmallSphere;
 

@@ -10,8 +10,9 @@
 
 namespace octacut::testing {
 
-// The bumpy sphere r(u) = 1 + sum of kBumpHeight exp(kBumpNarrow (u . c - 1)) over the
-// centres c: bumps of 10 degrees, whose sides are inclined by up to 6 degrees.
+// The bumpy sphere r(u) = 1 + sum of kBumpHeight exp(kBumpNarrow (u . c - 1))
+// over the centres c: bumps of 10 degrees, whose sides are inclined by up to 6
+// degrees.
 inline constexpr double kBumpHeight = 0.03;
 inline constexpr double kBumpNarrow = 30;
 
@@ -38,8 +39,8 @@ inline double BumpyRadius(const Eigen::Vector3d& u) {
 inline Eigen::Vector3d BumpyNormal(const Eigen::Vector3d& u) {
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& c : BumpCenters()) {
-    slope += kBumpHeight * kBumpNarrow * std::exp(kBumpNarrow * (u.dot(c) - 1)) *
-             (c - u.dot(c) * u);
+    slope += kBumpHeight * kBumpNarrow *
+             std::exp(kBumpNarrow * (u.dot(c) - 1)) * (c - u.dot(c) * u);
   }
   return (u - slope / BumpyRadius(u)).normalized();
 }

@@ -74,12 +74,12 @@ ChromaErrors Measure(const SyntheticScene& scene, const TexturedMesh& mesh) {
     for (const Eigen::Vector3d& weights : points) {
       Eigen::Vector3d point = Eigen::Vector3d::Zero();
       for (int k = 0; k < 3; ++k) {
-        point += weights[k] *
-                 mesh.mesh.positions[mesh.mesh.triangles[f][size_t(k)]];
+        point +=
+            weights[k] * mesh.mesh.positions[mesh.mesh.triangles[f][size_t(k)]];
       }
       texture += TexelAt(mesh, f, weights);
-      paint += TextureColor(scene.spec.texture, point.cast<float>())
-                   .cast<double>();
+      paint +=
+          TextureColor(scene.spec.texture, point.cast<float>()).cast<double>();
     }
     errors.push_back((Chroma(texture) - Chroma(paint)).cwiseAbs().mean());
   }

@@ -276,9 +276,9 @@ cv::Mat RenderMask(const RayScene& rays,
     for (int x = 0; x < camera.width; ++x) {
       int num_hits = 0;
       for (int k = 0; k < samples * samples; ++k) {
-        const Vector3d ray =
-            pixel_rays.Direction(x + (k % samples + 0.5) / samples,
-                                 y + (k / samples + 0.5) / samples);
+        const int row = k / samples;
+        const Vector3d ray = pixel_rays.Direction(
+            x + (k % samples + 0.5) / samples, y + (row + 0.5) / samples);
         num_hits += rays.IsOccluded(pixel_rays.Origin(), ray, 0, kInfinity);
       }
       mask.at<uint8_t>(y, x) = static_cast<uint8_t>(

@@ -14,6 +14,7 @@ HeldOutScores ScoreHeldOut(const TexturedMesh& textured,
   Phase phase(context, "scores", held_out.poses.size());
   const RayScene rays(textured.mesh);
   std::vector<RayScene> rays_of_colored;
+  rays_of_colored.reserve(colored.size());
   for (const IndexedMesh& mesh : colored) {
     rays_of_colored.emplace_back(mesh);
   }

@@ -17,14 +17,14 @@ inline constexpr double kBumpHeight = 0.03;
 inline constexpr double kBumpNarrow = 30;
 
 inline const std::vector<Eigen::Vector3d>& BumpCenters() {
-  static const std::vector<Eigen::Vector3d> centers = [] {
+  static const std::vector<Eigen::Vector3d> kCenters = [] {
     std::vector<Eigen::Vector3d> result;
     for (const Eigen::Vector3d& direction : AllAround()) {
       result.push_back(direction.normalized());
     }
     return result;
   }();
-  return centers;
+  return kCenters;
 }
 
 inline double BumpyRadius(const Eigen::Vector3d& u) {

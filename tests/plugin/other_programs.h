@@ -26,7 +26,7 @@ inline std::string RunOther(const std::string& command,
   const int status = std::system(
       fmt::format("timeout 120 {} </dev/null >'{}' 2>&1", command, log)
           .c_str());
-  const std::string out = ReadFile(log);
+  std::string out = ReadFile(log);
   EXPECT_EQ(WEXITSTATUS(status), 0) << out;
   return out;
 }
@@ -35,6 +35,6 @@ inline std::string RunOther(const std::string& command,
 
 #define SKIP_WITHOUT(program)                                         \
   if (!IsInstalled(program)) {                                        \
-    GTEST_SKIP() << program << " is not installed; "                  \
+    GTEST_SKIP() << (program) << " is not installed; "                \
                  << "workflows/setup.sh --with_test_tools 1 does so"; \
   }

@@ -12,6 +12,7 @@
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/raycast/ray_scene.h"
+#include "core/texture/bake_normals.h"
 #include "core/texture/held_out_scores.h"
 #include "core/texture/render_unlit.h"
 
@@ -90,6 +91,29 @@ Json SummaryToJson(const TextureSummary& summary,
           {"views", views}};
 }
 
+Json AddNormalMap(const IndexedMesh& full,
+                  const fs::path& path,
+                  const Context& context,
+                  TexturingResult* result) {
+  NormalMapSummary summary;
+  try {
+    summary = BakeNormals(full, result->layout, context, &result->textured);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+  context.Info(fmt::format(
+      "Normal map: normals of the full mesh differ by {:.2f} degrees on "
+      "average; {:.2f} % of the texels are further than {:.4g} from it.",
+      summary.mean_angle,
+      100 * double(summary.num_missed) / double(summary.num_texels),
+      summary.max_distance));
+  return {{"path", path.string()},
+          {"texels", summary.num_texels},
+          {"missed_texels", summary.num_missed},
+          {"max_distance", summary.max_distance},
+          {"mean_angle_degrees", summary.mean_angle}};
+}
+
 Json ScoreMeshes(const TexturedMesh& textured,
                  const TexturingArguments& arguments,
                  const Photographs& held_out,
@@ -108,8 +132,9 @@ Json ScoreMeshes(const TexturedMesh& textured,
     }
     names.push_back(path.string());
   }
-  const std::vector<ImageScores> scores =
+  const HeldOutScores held_out_scores =
       ScoreHeldOut(textured, colored, held_out, context);
+  const std::vector<ImageScores>& scores = held_out_scores.meshes;
   Json meshes = Json::array();
   for (size_t i = 0; i < scores.size(); ++i) {
     context.Info(
@@ -123,7 +148,9 @@ Json ScoreMeshes(const TexturedMesh& textured,
                       {"ssim", scores[i].Ssim()},
                       {"pixels", scores[i].num_pixels}});
   }
-  return {{"views", held_out.poses.size()}, {"meshes", meshes}};
+  return {{"views", held_out.poses.size()},
+          {"noise_psnr", held_out_scores.noise.Psnr()},
+          {"meshes", meshes}};
 }
 
 // The photograph whose middle shows most of the mesh's surface is as good as
@@ -177,6 +204,11 @@ void TexturingArguments::Declare(OptionManager& options) {
               &picture_path,
               "Picture to write (.png or .jpg): a photograph, the textured "
               "mesh, and the mesh under another light. Default: none.");
+  options.Add("normal_map_from",
+              &normal_map_path,
+              "Full mesh whose detail becomes a normal map of the mesh to "
+              "texture, which was simplified from it; output_path must end "
+              "with .glb or .obj. Default: no normal map.");
   options
       .Add("hold_out",
            &hold_out,
@@ -202,6 +234,11 @@ void TexturingArguments::Check() const {
               compare_paths.empty() ? "" : compare_paths[0].string(),
               "needs hold_out");
   CheckTexturedMeshPath(output_path);
+  CheckOption(normal_map_path.empty() || CanHoldNormalMaps(output_path),
+              "normal_map_from",
+              normal_map_path.string(),
+              "needs an output_path that ends with .glb or .obj: .ply files "
+              "have no normal maps");
   if (!picture_path.empty()) {
     CheckFilePath(picture_path);
   }
@@ -223,9 +260,17 @@ Json TextureAndWrite(const IndexedMesh& mesh,
       arguments.hold_out > 0
           ? Subset(files.photographs, size_t(arguments.hold_out), false)
           : files.photographs;
-  const TexturingResult result =
+  // Errors of this file come before the long work.
+  const IndexedMesh full = arguments.normal_map_path.empty()
+                               ? IndexedMesh()
+                               : ReadMesh(arguments.normal_map_path).mesh;
+  TexturingResult result =
       TextureMesh(mesh, photographs, arguments.texture, context);
   Json json = SummaryToJson(result.summary, files.summary, photographs);
+  if (!arguments.normal_map_path.empty()) {
+    json["normal_map"] =
+        AddNormalMap(full, arguments.normal_map_path, context, &result);
+  }
   if (arguments.hold_out > 0) {
     json["held_out"] =
         ScoreMeshes(result.textured,

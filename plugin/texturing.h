@@ -19,6 +19,8 @@ struct TexturingArguments {
   TexturedMeshOptions files;
   std::filesystem::path output_path;
   std::filesystem::path picture_path;  // empty: no picture
+  // The full mesh whose normals become a normal map; empty: no normal map.
+  std::filesystem::path normal_map_path;
   // Each such photograph is left out and compared with the result; 0: none.
   int hold_out = 0;
   // Meshes whose vertex colours are compared with these photographs, too.

@@ -7,8 +7,11 @@
 # one. DATA holds a folder for each set with images, masks and a sparse model.
 # MESHES holds SET.ply, the full mesh with vertex colours, and SET_100k.ply, the
 # same simplified to 100,000 triangles with its colours carried along. Nothing is
-# written to DATA and MESHES.
+# written to DATA, and to MESHES only with --make_meshes 1.
 #
+#   --make_meshes 1       reconstruct what MESHES lacks (512^3 voxels) from the
+#                         photographs that are not left out, so that neither
+#                         the meshes nor their colours know the others
 #   --sets LIST           comma-separated; default: all that are in both
 #   --work_path FOLDER    for textured meshes, pictures, reports; default
 #                         build/texture
@@ -20,6 +23,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 work=$root/build/texture
 threads=1
 blending=best
+make_meshes=0
 sets=
 folders=()
 while (($#)); do
@@ -31,6 +35,7 @@ while (($#)); do
     --sets) sets=${2:?"$1 needs a value"} && shift 2 ;;
     --work_path) work=${2:?"$1 needs a value"} && shift 2 ;;
     --view_blending) blending=${2:?"$1 needs a value"} && shift 2 ;;
+    --make_meshes) make_meshes=${2:?"$1 needs a value"} && shift 2 ;;
     --num_threads) threads=${2:?"$1 needs a value"} && shift 2 ;;
     -*)
       echo "benchmark_texture: $1: no such option; --help lists them" >&2
@@ -48,6 +53,30 @@ meshes=${folders[1]}
 octacut=$("$root/workflows/find_octacut.sh")
 mkdir -p "$work"
 
+# The sparse model in whose frame the meshes of a set are.
+find_model() {
+  local model=$data/$1/sparse
+  [[ -d $data/$1/sparse_gt ]] && model=$data/$1/sparse_gt
+  echo "$model"
+}
+
+# A workspace of links without each eighth photograph, and its mesh.
+make_mesh() {
+  local name=$1 workspace=$work/$1_workspace number=0 image
+  rm -rf "$workspace"
+  mkdir -p "$workspace/images"
+  # In the order in which mesh_texturer --hold_out counts.
+  while read -r image; do
+    if ((number++ % 8 != 0)); then
+      ln -s "$(realpath "$data/$name/images/$image")" "$workspace/images/"
+    fi
+  done < <(find "$data/$name/images/" -maxdepth 1 ! -type d -printf '%f\n' | LC_ALL=C sort)
+  "$octacut" octahedral_mesher --workspace_path "$workspace" \
+    --input_path "$(find_model "$name")" --mask_path "$data/$name/masks" \
+    --skip_missing_images 1 --output_path "$meshes/$name.ply" \
+    --num_threads "$threads" &>"$work/${name}_mesh.log"
+}
+
 if [[ -z $sets ]]; then
   for mesh in "$meshes"/*_100k.ply; do
     name=$(basename "$mesh" _100k.ply)
@@ -55,12 +84,18 @@ if [[ -z $sets ]]; then
   done
 fi
 
-echo "| set | PSNR, dB: texture | vertex colours, same mesh | full mesh | SSIM: texture | same mesh | full mesh | seams, grey levels: before | after | charts | pages | CPU s | GB |"
-echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|"
+echo "| set | PSNR, dB: texture | vertex colours, same mesh | full mesh | noise | SSIM: texture | same mesh | full mesh | seams, grey levels: before | after | charts | pages | CPU s | GB |"
+echo "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
 for name in ${sets//,/ }; do
-  # The cameras in whose frame the meshes are.
-  model=$data/$name/sparse
-  [[ -d $data/$name/sparse_gt ]] && model=$data/$name/sparse_gt
+  model=$(find_model "$name")
+  if [[ $make_meshes == 1 && ! -e $meshes/$name.ply ]]; then
+    make_mesh "$name"
+  fi
+  if [[ $make_meshes == 1 && ! -e $meshes/${name}_100k.ply ]]; then
+    "$octacut" mesh_simplifier --input_path "$meshes/$name.ply" \
+      --output_path "$meshes/${name}_100k.ply" --target_faces 100000 \
+      --num_threads "$threads" &>"$work/${name}_simplifier.log"
+  fi
   TIMEFORMAT=%U
   { time "$octacut" mesh_texturer --workspace_path "$data/$name" \
     --input_path "$model" --mesh_path "$meshes/${name}_100k.ply" \
@@ -76,6 +111,7 @@ for name in ${sets//,/ }; do
     .peak_memory_bytes as $bytes | .texture as $t
     | [$name]
       + [$t.held_out.meshes[].psnr | fixed(2)]
+      + [$t.held_out.noise_psnr | fixed(1)]
       + [$t.held_out.meshes[].ssim | fixed(3)]
       + [$t.seams.mean_jump_before, $t.seams.mean_jump_after | fixed(2)]
       + [$t.charts, $t.pages | tostring]

@@ -80,6 +80,10 @@ void CheckTexturedMeshPath(const fs::path& path) {
   }
 }
 
+bool CanHoldNormalMaps(const fs::path& path) {
+  return Extension(path) != ".ply";
+}
+
 std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
                                         const TexturedMesh& mesh,
                                         const TexturedMeshOptions& options) {

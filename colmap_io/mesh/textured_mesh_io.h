@@ -19,6 +19,9 @@ struct TexturedMeshOptions {
 // long work; the names of the pages of .obj and .ply are known afterwards only.
 void CheckTexturedMeshPath(const std::filesystem::path& path);
 
+// Whether the format of this extension has normal maps.
+bool CanHoldNormalMaps(const std::filesystem::path& path);
+
 // Writes by extension, all files or none:
 // - .glb: one file with the images in it, and with the normal maps.
 // - .obj: beside it NAME.mtl and an image for each page, NAME.png, or

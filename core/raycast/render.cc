@@ -145,10 +145,11 @@ class ShadedRenderer {
       return (1 - u - v) * a + u * b + v * c;
     };
     const auto& normals = own_normals_.empty() ? mesh_.normals : own_normals_;
-    Vector3d normal =
-        mix(normals[corners[0]], normals[corners[1]], normals[corners[2]])
-            .cast<double>()
-            .normalized();
+    const Vector3f shaded = options_.normal_at ? options_.normal_at(hit)
+                                               : mix(normals[corners[0]],
+                                                     normals[corners[1]],
+                                                     normals[corners[2]]);
+    Vector3d normal = shaded.cast<double>().normalized();
     const Vector3d& a = mesh_.positions[corners[0]];
     Vector3d face = (mesh_.positions[corners[1]] - a)
                         .cross(mesh_.positions[corners[2]] - a)
@@ -275,9 +276,9 @@ cv::Mat RenderMask(const RayScene& rays,
     for (int x = 0; x < camera.width; ++x) {
       int num_hits = 0;
       for (int k = 0; k < samples * samples; ++k) {
-        const Vector3d ray =
-            pixel_rays.Direction(x + (k % samples + 0.5) / samples,
-                                 y + (k / samples + 0.5) / samples);
+        const int row = k / samples;
+        const Vector3d ray = pixel_rays.Direction(
+            x + (k % samples + 0.5) / samples, y + (row + 0.5) / samples);
         num_hits += rays.IsOccluded(pixel_rays.Origin(), ray, 0, kInfinity);
       }
       mask.at<uint8_t>(y, x) = static_cast<uint8_t>(

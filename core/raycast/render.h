@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <opencv2/core/mat.hpp>
 
 #include "core/base/context.h"
@@ -21,6 +22,10 @@ struct RenderOptions {
   int num_occlusion_samples = 24;
   // A main light from the upper left behind the camera casts a shadow.
   bool cast_shadow = true;
+
+  // If set, the unit normal that is shaded at a point, such as that of a normal
+  // map, instead of the interpolated one.
+  std::function<Eigen::Vector3f(const RayScene::Hit&)> normal_at;
 
   void Check() const;  // throws OptionError
 };

@@ -14,9 +14,6 @@ constexpr size_t kVerticesAtOnce = 4096;
 // A view that costs more than this (ViewCosts) takes no part in cross-fades: it
 // would blur, or bring a highlight in.
 constexpr float kMaxFadeCost = 0.75f;
-// To the median, views of less than half of the best one's resolution add blur.
-constexpr float kMinMedianShare = 0.5f;
-
 // The share of the best resolution with which `view` shows a triangle: 0 where
 // it does not, or in another colour than the others.
 float Suitability(const FaceChoice& chosen, size_t face, uint32_t view) {
@@ -166,7 +163,8 @@ class Fader {
               distance +
               float((mesh_.positions[other] - mesh_.positions[v]).norm()) *
                   (density_[v] + density_[other]) / 2;
-          if (other != v && next < kFadePixels) {
+          // No view fades into what no view shows, which has no pixels.
+          if (other != v && density_[other] > 0 && next < kFadePixels) {
             reach(next, other);
           }
         }
@@ -269,7 +267,7 @@ VertexViews AllViews(const IndexedMesh& mesh,
                 least = std::min(least, Suitability(chosen, f, view));
               }
             }
-            const float weight = std::max(0.0f, least - kMinMedianShare);
+            const float weight = std::max(0.0f, least - kMinShare);
             if (weight > 0) {
               chunks[chunk].push_back({uint32_t(v), view, weight * weight});
             }

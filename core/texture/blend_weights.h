@@ -53,8 +53,15 @@ VertexViews FadeViews(const IndexedMesh& mesh,
                       const FaceChoice& chosen,
                       const Context& context);
 
+// Views of less than this share of the best one's resolution add more blur to
+// medians and means than they take noise away.
+inline constexpr float kMinShare = 0.3f;
+// The weight of a view of the best resolution among AllViews.
+inline constexpr float kFullSupport = (1 - kMinShare) * (1 - kMinShare);
+
 // For medians and means of views: all photographs that all triangles around a
-// vertex may be textured from, weighted by the squares of their resolutions.
+// vertex may be textured from, weighted by the squares of what their shares of
+// the best resolution exceed kMinShare by.
 VertexViews AllViews(const IndexedMesh& mesh,
                      const VertexFaces& vertex_faces,
                      const FaceChoice& chosen,

@@ -7,17 +7,19 @@
 
 namespace octacut {
 
-std::vector<ImageScores> ScoreHeldOut(const TexturedMesh& textured,
-                                      const std::vector<IndexedMesh>& colored,
-                                      const Photographs& held_out,
-                                      const Context& context) {
+HeldOutScores ScoreHeldOut(const TexturedMesh& textured,
+                           const std::vector<IndexedMesh>& colored,
+                           const Photographs& held_out,
+                           const Context& context) {
   Phase phase(context, "scores", held_out.poses.size());
   const RayScene rays(textured.mesh);
   std::vector<RayScene> rays_of_colored;
+  rays_of_colored.reserve(colored.size());
   for (const IndexedMesh& mesh : colored) {
     rays_of_colored.emplace_back(mesh);
   }
-  std::vector<ImageScores> scores(1 + colored.size());
+  HeldOutScores scores;
+  scores.meshes.resize(1 + colored.size());
   for (size_t v = 0; v < held_out.poses.size(); ++v) {
     const PhotographPose& pose = held_out.poses[v];
     const Photograph photograph = held_out.load(v);
@@ -32,8 +34,9 @@ std::vector<ImageScores> ScoreHeldOut(const TexturedMesh& textured,
       region &= picture.covered;
     }
     for (size_t i = 0; i < pictures.size(); ++i) {
-      AddScores(pictures[i].color, photograph.image, region, &scores[i]);
+      AddScores(pictures[i].color, photograph.image, region, &scores.meshes[i]);
     }
+    AddNoise(photograph.image, region, &scores.noise);
     phase.Advance();
   }
   return scores;

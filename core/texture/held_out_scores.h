@@ -10,12 +10,17 @@
 
 namespace octacut {
 
+struct HeldOutScores {
+  std::vector<ImageScores> meshes;
+  ImageScores noise;  // AddNoise of the photographs: about the limit
+};
+
 // Scores of the textured mesh, then those of each mesh of `colored` with its
 // vertex colours, over the pixels of all `held_out` photographs that are in the
 // masks and that all of the meshes cover.
-std::vector<ImageScores> ScoreHeldOut(const TexturedMesh& textured,
-                                      const std::vector<IndexedMesh>& colored,
-                                      const Photographs& held_out,
-                                      const Context& context);
+HeldOutScores ScoreHeldOut(const TexturedMesh& textured,
+                           const std::vector<IndexedMesh>& colored,
+                           const Photographs& held_out,
+                           const Context& context);
 
 }  // namespace octacut

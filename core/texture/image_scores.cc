@@ -88,4 +88,31 @@ void AddScores(const cv::Mat& picture,
   }
 }
 
+void AddNoise(const cv::Mat& photograph,
+              const cv::Mat& region,
+              ImageScores* scores) {
+  // Blind to gradients; the squares of its weights sum to 36.
+  const cv::Mat weights =
+      (cv::Mat_<float>(3, 3) << 1, -2, 1, -2, 4, -2, 1, -2, 1);
+  cv::Mat differences;
+  cv::filter2D(photograph, differences, CV_32F, weights);
+  cv::Mat inner;
+  cv::erode(region != 0,
+            inner,
+            cv::Mat::ones(3, 3, CV_8UC1),
+            cv::Point(-1, -1),
+            1,
+            cv::BORDER_CONSTANT,
+            cv::Scalar(0));
+  for (int y = 0; y < inner.rows; ++y) {
+    for (int x = 0; x < inner.cols; ++x) {
+      if (inner.at<uint8_t>(y, x) != 0) {
+        const cv::Vec3d difference = differences.at<cv::Vec3f>(y, x);
+        scores->squared_error += difference.dot(difference) / (3 * 36);
+        ++scores->num_pixels;
+      }
+    }
+  }
+}
+
 }  // namespace octacut

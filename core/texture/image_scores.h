@@ -27,4 +27,13 @@ void AddScores(const cv::Mat& picture,
                const cv::Mat& region,
                ImageScores* scores);
 
+// The score that a picture with all of the detail and none of the noise would
+// have: adds the noise of the pixels whose neighbours are in the region, too,
+// as differences of second order show it (J. Immerkaer, "Fast Noise Variance
+// Estimation", CVIU 1996, with squares). Detail of a pixel's size counts as
+// noise; noise that JPEG has smoothed is missed in part. Has no SSIM.
+void AddNoise(const cv::Mat& photograph,
+              const cv::Mat& region,
+              ImageScores* scores);
+
 }  // namespace octacut

@@ -19,7 +19,7 @@ inline Eigen::Vector3f SamplePixels(const cv::Mat& image, double u, double v) {
   const size_t down = y0 + 1 < image.rows ? image.step[0] : 0;
   const float a = float(x - x0);
   const float b = float(y - y0);
-  const uint8_t* top = image.ptr<uint8_t>(y0) + 3 * x0;
+  const uint8_t* top = image.ptr<uint8_t>(y0) + size_t{3} * size_t(x0);
   const uint8_t* bottom = top + down;
   Eigen::Vector3f color;
   for (int c = 0; c < 3; ++c) {

@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/raycast/render.h"
 #include "core/raycast/tone_curve.h"
+#include "core/texture/bake_normals.h"
 #include "core/texture/pixel_sampler.h"
 
 namespace octacut {
@@ -107,6 +108,11 @@ cv::Mat RenderRelit(const TexturedMesh& mesh,
                     const Context& context) {
   RenderOptions white;
   white.clay_color = Eigen::Vector3d::Ones();
+  if (!mesh.tangents.empty()) {
+    white.normal_at = [&mesh](const RayScene::Hit& hit) {
+      return MappedNormal(mesh, hit);
+    };
+  }
   cv::Mat picture = RenderShaded(
       mesh.mesh, rays, pose.camera, pose.cam_from_world, white, context);
   const UnlitPicture unlit = RenderTexture(mesh, rays, pose, context);

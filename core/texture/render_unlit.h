@@ -28,8 +28,9 @@ UnlitPicture RenderVertexColors(const IndexedMesh& mesh,
                                 const PhotographPose& pose,
                                 const Context& context);
 
-// The picture of a textured mesh in smooth shading: the texture as albedo under
-// the lamps of RenderShaded, on white. CV_8UC3, BGR.
+// The picture of a textured mesh in smooth shading, by its normal map where it
+// has one: the texture as albedo under the lamps of RenderShaded, on white.
+// CV_8UC3, BGR.
 cv::Mat RenderRelit(const TexturedMesh& mesh,
                     const RayScene& rays,
                     const PhotographPose& pose,

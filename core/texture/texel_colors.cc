@@ -4,14 +4,18 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/texture/blend_weights.h"
+
 namespace octacut {
 namespace {
 
 // Levels by which the photographs of a page differ at a texel, at least: those
 // of rounding.
 constexpr float kLeastNoise = 0.5f;
-// What views of full weight count as samples, in the units of Sample::weight.
-constexpr float kFullWeight = 64;
+// Standard deviations of the noise by which a view's colour may differ from the
+// chosen one's and still count by 60 %: the difference of two views has 1.4 of
+// them by noise alone, and sampling at unlike places adds as much again.
+constexpr float kSameColor = 4;
 
 uint8_t ToByte(float value) {
   return uint8_t(std::clamp(int(std::lround(value)), 0, 255));
@@ -110,22 +114,23 @@ bool TexelColors::Median(int x, int y, cv::Vec3b* pixel) const {
 }
 
 bool TexelColors::Mean(int x, int y, float noise, cv::Vec3b* pixel) const {
+  // The chosen view counts as much as another one of the best resolution.
+  const float own_weight = 255 * kFullSupport;
+  const float range = kSameColor * noise;
   const cv::Vec4f& sum = sums_.at<cv::Vec4f>(y, x);
   if (!(sum[3] > 0)) {
     return false;
   }
   const Eigen::Vector3f mean = Eigen::Vector3f(sum[0], sum[1], sum[2]) / sum[3];
-  Eigen::Vector3f total = kFullWeight * mean;
-  float weights = kFullWeight;
+  Eigen::Vector3f total = own_weight * mean;
+  float weights = own_weight;
   const TexelSamples& samples = At(x, y);
   for (size_t i = 0; i < samples.count; ++i) {
     const auto& bytes = samples.all[i].color;
     const Eigen::Vector3f color{
         float(bytes[0]), float(bytes[1]), float(bytes[2])};
-    // The difference of two samples has twice the variance of one.
-    const float relative =
-        (color - mean).squaredNorm() / (3 * 2 * noise * noise);
-    const float weight = float(samples.all[i].weight) * std::exp(-relative / 4);
+    const float relative = (color - mean).squaredNorm() / (3 * range * range);
+    const float weight = float(samples.all[i].weight) * std::exp(-relative / 2);
     total += weight * color;
     weights += weight;
   }

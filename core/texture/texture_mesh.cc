@@ -120,6 +120,21 @@ void Summarize(const IndexedMesh& mesh,
   summary->unseen_area /= std::max(area, std::numeric_limits<double>::min());
 }
 
+void CountPages(const AtlasLayout& layout,
+                const PaintedPages& painted,
+                TextureSummary* summary) {
+  summary->num_charts = layout.charts.charts.size();
+  for (const Chart& chart : layout.charts.charts) {
+    summary->num_unseen_charts += chart.view == kNoView;
+  }
+  summary->num_pages = layout.packed.pages.size();
+  summary->num_texels = painted.num_texels;
+  summary->num_unfilled_texels = painted.num_unfilled;
+  for (const PageSize& page : layout.packed.pages) {
+    summary->page_texels += size_t(page.width) * size_t(page.height);
+  }
+}
+
 TexturedMesh MakeTexturedMesh(const IndexedMesh& mesh,
                               const AtlasLayout& layout,
                               const Context& context) {
@@ -232,17 +247,9 @@ TexturingResult TextureMesh(const IndexedMesh& mesh,
                                     &seams);
   result.textured = MakeTexturedMesh(mesh, layout, context);
   result.textured.pages = std::move(painted.pages);
-  summary.num_charts = layout.charts.charts.size();
-  for (const Chart& chart : layout.charts.charts) {
-    summary.num_unseen_charts += chart.view == kNoView;
-  }
-  summary.num_pages = result.textured.pages.size();
-  summary.num_texels = painted.num_texels;
-  summary.num_unfilled_texels = painted.num_unfilled;
-  for (const PageSize& page : layout.packed.pages) {
-    summary.page_texels += size_t(page.width) * size_t(page.height);
-  }
+  CountPages(layout, painted, &summary);
   summary.seams = seams.Measure(result.textured);
+  result.layout = std::move(layout);
   return result;
 }
 

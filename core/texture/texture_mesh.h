@@ -7,6 +7,7 @@
 
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/texture/atlas_layout.h"
 #include "core/texture/paint_atlas.h"
 #include "core/texture/photographs.h"
 #include "core/texture/seam_jumps.h"
@@ -47,6 +48,7 @@ struct TextureSummary {
 
 struct TexturingResult {
   TexturedMesh textured;
+  AtlasLayout layout;  // where its pages show which triangle
   TextureSummary summary;
 };
 

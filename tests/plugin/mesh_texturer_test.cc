@@ -148,6 +148,48 @@ TEST_F(MeshTexturer, NeedsNoMasksAndTakesOpenMeshes) {
   EXPECT_TRUE(fs::exists(Output("open.glb")));
 }
 
+TEST_F(MeshTexturer, WritesANormalMapOfTheFullMesh) {
+  const fs::path output = Output("bumps.glb");
+  const fs::path report = Output("bumps.json");
+  const ProgramResult result = Texture(output,
+                                       {"--normal_map_from",
+                                        Reference().string(),
+                                        "--report_path",
+                                        report.string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = JsonOfGlb(ReadFile(output));
+  EXPECT_EQ(json["images"].size(), 2u);
+  EXPECT_TRUE(json["materials"][0].contains("normalTexture"));
+  EXPECT_TRUE(
+      json["meshes"][0]["primitives"][0]["attributes"].contains("TANGENT"));
+  const Json map = Json::parse(ReadFile(report))["texture"]["normal_map"];
+  EXPECT_EQ(map["missed_texels"], 0);
+  // The mesh is the full one.
+  EXPECT_LT(map["mean_angle_degrees"].get<double>(), 0.5);
+  ValidateGlb(output);
+}
+
+TEST_F(MeshTexturer, RefusesFullMeshesThatDoNotFit) {
+  const fs::path output = Output("refused.glb");
+  IndexedMesh mesh = ReadMesh(Reference()).mesh;
+  for (Eigen::Vector3d& position : mesh.positions) {
+    position *= 1.5;
+  }
+  WriteMesh(Output("scaled.ply"), mesh);
+  ExpectError("scaled.ply: the mesh for the normal map is further than",
+              Reference(),
+              output,
+              {"--normal_map_from", Output("scaled.ply").string()});
+  ExpectError("none.ply",
+              Reference(),
+              output,
+              {"--normal_map_from", Output("none.ply").string()});
+  ExpectError("needs an output_path that ends with .glb or .obj",
+              Reference(),
+              Output("refused.ply"),
+              {"--normal_map_from", Reference().string()});
+}
+
 TEST_F(MeshTexturer, RefusesWrongInputWithOneError) {
   const fs::path output = Output("refused.glb");
   ExpectError("max_pages 1: the texture needs",

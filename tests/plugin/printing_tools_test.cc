@@ -11,18 +11,13 @@
 
 #include "colmap_io/mesh/mesh_io.h"
 #include "tests/core/mesh/test_shapes.h"
+#include "tests/plugin/other_programs.h"
 #include "tests/plugin/run_octacut.h"
 
 namespace octacut {
 namespace {
 
 using ::testing::HasSubstr;
-
-bool IsInstalled(const std::string& program) {
-  return std::system(
-             fmt::format("command -v {} >/dev/null 2>&1", program).c_str()) ==
-         0;
-}
 
 class PrintingTools : public ::testing::Test {
  protected:
@@ -47,27 +42,13 @@ class PrintingTools : public ::testing::Test {
     return (folder_ / name).string();
   }
 
-  // Output of both kinds.
   std::string Run(const std::string& command) const {
-    const std::string log = (folder_ / "log").string();
-    // They may wait for a terminal.
-    const int status = std::system(
-        fmt::format("timeout 120 {} </dev/null >'{}' 2>&1", command, log)
-            .c_str());
-    const std::string out = ReadFile(log);
-    EXPECT_EQ(WEXITSTATUS(status), 0) << out;
-    return out;
+    return RunOther(command, folder_);
   }
 
   TemporaryFolder folder_;
   mutable size_t num_triangles_ = 0;
 };
-
-#define SKIP_WITHOUT(program)                                         \
-  if (!IsInstalled(program)) {                                        \
-    GTEST_SKIP() << program << " is not installed; "                  \
-                 << "workflows/setup.sh --with_test_tools 1 does so"; \
-  }
 
 TEST_F(PrintingTools, PrusaSlicerReadsAManifold) {
   SKIP_WITHOUT("prusa-slicer");

@@ -35,5 +35,27 @@ TEST(ImageScores, AreBestForEqualImages) {
   EXPECT_NEAR(scores.Ssim(), 1, 1e-9);
 }
 
+TEST(ImageScores, EstimateTheNoiseOfAGradient) {
+  cv::Mat image(200, 200, CV_16SC3);
+  cv::RNG random(3);
+  for (int y = 0; y < image.rows; ++y) {
+    for (int x = 0; x < image.cols; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        image.at<cv::Vec3s>(y, x)[c] =
+            cv::saturate_cast<short>(60 + x / 3 + y / 4 + random.gaussian(6));
+      }
+    }
+  }
+  cv::Mat bytes;
+  image.convertTo(bytes, CV_8UC3);
+  cv::Mat region(200, 200, CV_8UC1, cv::Scalar(255));
+  region.row(100).setTo(0);
+  ImageScores noise;
+  AddNoise(bytes, region, &noise);
+  EXPECT_EQ(noise.num_pixels, 198u * (98 + 97));
+  // Rounding to bytes adds a twelfth.
+  EXPECT_NEAR(noise.squared_error / double(noise.num_pixels), 36, 2);
+}
+
 }  // namespace
 }  // namespace octacut

@@ -174,6 +174,7 @@ UnsegmentedView ReadView(const SegmentationFile& file, int longest_side) {
     view.labels.setTo(kObject, reduced >= kObjectThreshold);
   } else if (!file.strokes.empty()) {
     view.labels = ReadStrokes(file, view.pose.camera);
+    view.is_turntable = file.strokes_are_turntable_mask;
   }
   return view;
 }

@@ -79,6 +79,11 @@ class Segmenter {
   bool FindObject(double middle);
   size_t CountDoubts() const;
   bool IsObjectSaid() const;
+  // Whether what turns in a view is known, and where the stand is: all else
+  // that turns is object, whatever the surroundings look like.
+  bool IsObjectOrStand(size_t view) const {
+    return input_.floor && input_.views[view].is_turntable;
+  }
   void Learn(bool own_objects);
   bool Round(const BoundingCube& cube, int resolution);
   void Relabel(size_t view);
@@ -125,8 +130,12 @@ void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
         .setTo(kSurroundings);
   }
   const cv::Mat& said = input_.views[view].labels;
-  if (!said.empty()) {
-    said.copyTo(*labels, said != kNothingSaid);
+  if (said.empty()) {
+    return;
+  }
+  said.copyTo(*labels, said != kNothingSaid);
+  if (IsObjectOrStand(view)) {
+    labels->setTo(kNothingSaid, said == kSurroundings);
   }
 }
 
@@ -221,6 +230,9 @@ bool Segmenter::FindObject(double middle) {
     labels_[i] = proposal.empty() ? FirstLabels(i, middle) : proposal.clone();
     if (is_said && proposal.empty()) {  // better than a guess
       labels_[i].setTo(kNothingSaid, labels_[i] == kObject);
+    }
+    if (IsObjectOrStand(i)) {
+      labels_[i].setTo(kNothingSaid, labels_[i] == kSurroundings);
     }
     ApplySaid(i, &labels_[i]);
   });

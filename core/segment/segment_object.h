@@ -29,6 +29,9 @@ struct UnsegmentedView {
   // CV_8UC1 of that size: 0 background, 255 object, 128 where nothing is said;
   // empty when nothing is said at all.
   cv::Mat labels;
+  // Whether `labels` are of a turntable: what they do not call background turns
+  // with the object.
+  bool is_turntable = false;
   // CV_8UC1 of that size, as labels: what may be the object, from elsewhere.
   // The first colours are learned from it; empty: from where the cameras look.
   cv::Mat proposal;

@@ -37,8 +37,8 @@ double LabelingEnergy(const LabelingProblem& problem,
 
 // Alpha-expansion (Y. Boykov, O. Veksler and R. Zabih, "Fast Approximate Energy
 // Minimization via Graph Cuts", PAMI 2001) from the labels of least cost, until
-// a round of expansions gains less than a thousandth. Only nodes that may have a
-// label take part in its expansion, and labels are left out while nothing has
+// a round of expansions gains less than a thousandth. Only nodes that may have
+// a label take part in its expansion, and labels are left out while nothing has
 // changed where they may be.
 std::vector<uint32_t> ChooseLabels(const LabelingProblem& problem,
                                    const Context& context);

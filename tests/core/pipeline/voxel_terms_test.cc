@@ -113,10 +113,10 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsReliable) {
   constexpr double kTolerance = 4;
   test.views =
       PrepareViews(test.scene, test.region.cube, Context(2), kTolerance);
-  constexpr int kLevel = 6;
-  const VoxelGrid voxels = SomeVoxels(kLevel);
+  constexpr int kInitialLevel = 6;
+  const VoxelGrid voxels = SomeVoxels(kInitialLevel);
   ReconstructionOptions options;
-  options.hull.hull_level = kLevel;
+  options.hull.hull_level = kInitialLevel;
   options.energy.silhouette_weight = 2;
   options.energy.mask_border_weight = 0.5;
   const std::vector<float> confidence = {1, 0.25f};
@@ -128,13 +128,13 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsReliable) {
   voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
     float evidence = 0;
     for (size_t i = 0; i < 2; ++i) {
-      const float depth = DepthIn(test.views[i], code, kLevel);
+      const float depth = DepthIn(test.views[i], code, kInitialLevel);
       const auto p = test.views[i].projection.ProjectIntoFrame(
-          VoxelCenter(DecodeMorton(code), kLevel));
+          VoxelCenter(DecodeMorton(code), kInitialLevel));
       const bool is_sure =
           p && test.views[i].silhouette.SignedDistance(p->u, p->v) +
                        0.87f * test.views[i].projection.Footprint(
-                                   1.0f / (1 << kLevel), p->depth) <=
+                                   1.0f / (1 << kInitialLevel), p->depth) <=
                    -kTolerance;
       const float weight = is_sure ? 2 : 0.5f * confidence[i];
       evidence =
@@ -142,7 +142,7 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsReliable) {
       // The border of a doubtful mask does not bound the hull within its
       // tolerance.
       if (i == 1 && depth < 0 && !is_sure &&
-          DepthIn(test.views[0], code, kLevel) > 0) {
+          DepthIn(test.views[0], code, kInitialLevel) > 0) {
         ++num_beyond_doubtful;
         ASSERT_GT(terms.hull_depth[index], 0) << index;
       }
@@ -156,7 +156,7 @@ TEST(SilhouetteTerms, AreWeakNearTheObjectAsFarAsTheMaskIsReliable) {
   EXPECT_GT(num_beyond_doubtful, 20u);
 
   // On finer levels only what is sure speaks.
-  options.hull.hull_level = kLevel - 1;
+  options.hull.hull_level = kInitialLevel - 1;
   for (const float evidence :
        EstimateSilhouetteTerms(
            test.views, confidence, voxels, options, Context(2))

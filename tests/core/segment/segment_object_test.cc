@@ -58,6 +58,34 @@ TEST(SegmentObject, OthersFillWhatOneViewLoses) {
   EXPECT_GT(cv::countNonZero(found.views[3].mask(highlight)), 60);
 }
 
+// A ball on a foot before a room that is painted like the ball, all of which
+// but the room is known to turn.
+TEST(SegmentObject, WhatTurnsAboveTheStandIsObject) {
+  const testing::Ball foot{{0, 0, -0.8}, 0.4};
+  RingScene scene = MakeRingScene(12, {{0, 0, 0}, 0.45});
+  scene.input.floor =
+      Eigen::Hyperplane<double, 3>(Eigen::Vector3d::UnitZ(), 0.43);
+  for (size_t i = 0; i < scene.truth.size(); ++i) {
+    UnsegmentedView& view = scene.input.views[i];
+    const cv::Mat foot_pixels = SilhouetteOf(foot, view.pose) & ~scene.truth[i];
+    Paint(~scene.truth[i], kBallColour, i, &view.image);
+    Paint(foot_pixels, {30, 120, 30}, i, &view.image);
+    view.labels.create(scene.truth[i].size(), CV_8U);
+    view.labels.setTo(kSurroundings);
+    view.labels.setTo(kNothingSaid, foot_pixels | scene.truth[i]);
+    view.is_turntable = true;
+    std::vector<cv::Point> points;
+    cv::findNonZero(foot_pixels, points);
+    for (size_t k = 0; k < points.size(); k += 40) {
+      view.surroundings.push_back({points[k].x + 0.5, points[k].y + 0.5});
+    }
+  }
+  const Segmentation found = SegmentObject(scene.input, Context(2));
+  for (size_t i = 0; i < scene.truth.size(); ++i) {
+    EXPECT_GT(Overlap(found.views[i].mask, scene.truth[i]), 0.95) << i;
+  }
+}
+
 TEST(SegmentObject, SaidLabelsStay) {
   RingScene scene = MakeRingScene(12, {{0, 0, 0}, 0.4});
   cv::Mat& labels = scene.input.views[2].labels;

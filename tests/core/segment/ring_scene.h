@@ -42,6 +42,7 @@ inline Pose RingPose(double azimuth, double elevation) {
 
 inline std::vector<Pose> RingPoses(int count) {
   std::vector<Pose> poses;
+  poses.reserve(size_t(count));
   for (int i = 0; i < count; ++i) {
     poses.push_back(
         RingPose(2 * std::numbers::pi * i / count, i % 2 == 0 ? 0.2 : 0.7));

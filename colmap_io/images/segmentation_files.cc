@@ -148,10 +148,11 @@ cv::Mat ReadStrokes(const SegmentationFile& file,
   cv::Mat labels(
       reduced.height, reduced.width, CV_8U, cv::Scalar(kNothingSaid));
   // A JPEG file does not keep the values to the last bit.
+  constexpr int kMiddle = kNothingSaid / 2;
   const cv::Mat background =
-      ReduceView(strokes < kNothingSaid / 2, *file.camera, reduced);
-  const cv::Mat object = ReduceView(
-      strokes > kNothingSaid + kNothingSaid / 2, *file.camera, reduced);
+      ReduceView(strokes < kMiddle, *file.camera, reduced);
+  const cv::Mat object =
+      ReduceView(strokes > kNothingSaid + kMiddle, *file.camera, reduced);
   labels.setTo(kSurroundings, background > kStrokeCoverage);
   labels.setTo(kObject, object > kStrokeCoverage);
   return labels;

@@ -134,12 +134,14 @@ TEST(Reconstruct, ACupAsDeepAsWideIsHollow) {
     }
     return correct;
   };
-  for (double z = -0.3; z < 0.56; z += 0.1) {
+  for (int i = 0; i < 9; ++i) {
+    const double z = -0.3 + 0.1 * i;
     EXPECT_FALSE(inside({0, 0, z})) << z;
     EXPECT_GE(ring(0.25, z, false), 11) << z;
   }
   EXPECT_FALSE(inside({0, 0, -0.36}));
-  for (double z = -0.45; z < 0.5; z += 0.1) {
+  for (int i = 0; i < 10; ++i) {
+    const double z = -0.45 + 0.1 * i;
     EXPECT_EQ(ring(0.575, z, true), 12) << z;  // in the wall
   }
   EXPECT_EQ(ring(0.3, -0.5, true), 12);  // in the bottom
@@ -168,7 +170,8 @@ TEST(Reconstruct, RodsOfThreeVoxelsAtTheHullsLevelAreStillThere) {
           .toRotationMatrix();
   for (int axis = 0; axis < 3; ++axis) {
     // The round ends reach a radius beyond 0.9.
-    for (double t = -0.9; t < 0.901; t += 0.02) {
+    for (int i = -45; i <= 45; ++i) {
+      const double t = 0.02 * i;
       const Eigen::Vector3d point = tilt * (t * Eigen::Vector3d::Unit(axis));
       EXPECT_TRUE(inside(point)) << "rod " << axis << " at " << t;
     }

@@ -10,6 +10,10 @@
 
 namespace octacut {
 
+// The confidence of a mask up to which it does not bound the hull: half in
+// doubt.
+inline constexpr float kReliableMask = 0.5f;
+
 // For each view 1 where its mask can be relied upon, 0 where surfaces end
 // beyond the mask's border rather than at it. Points of the depth maps (one a
 // view) that other views have found are counted within mask_tolerance of the

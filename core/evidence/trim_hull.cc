@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
+#include "core/evidence/mask_confidence.h"
 #include "core/grid/morphology.h"
 #include "core/grid/voxel_walk.h"
 
@@ -15,10 +16,8 @@ bool IsBackgroundOfReliable(const ViewSet& views,
                             const std::vector<float>& mask_confidence,
                             const Eigen::Vector3f& center,
                             float half_edge) {
-  // Masks that are half in doubt take nothing.
-  constexpr float kReliable = 0.5f;
   for (size_t i = 0; i < views.size(); ++i) {
-    if (mask_confidence[i] > kReliable &&
+    if (mask_confidence[i] > kReliableMask &&
         views[i].silhouette.IsBackgroundCube(
             views[i].projection, center, half_edge)) {
       return true;

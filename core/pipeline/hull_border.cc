@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
-#include "core/base/ramp.h"
+#include "core/evidence/mask_confidence.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/untangle.h"
 
@@ -16,8 +16,6 @@ namespace octacut {
 namespace {
 
 constexpr size_t kBorderGrain = 1024;
-// Masks that are half in doubt do not bound the hull.
-constexpr float kReliable = 0.5f;
 // The least cosine between a normal and the direction to the border: a surface
 // that is turned farther only passes through the border.
 constexpr float kLeastSlope = 0.5f;
@@ -46,7 +44,7 @@ class HullBorder {
  public:
   HullBorder(const SilhouetteHull& hull, float voxel) : voxel_(voxel) {
     for (size_t i = 0; i < hull.views.size(); ++i) {
-      if (hull.mask_confidence[i] > kReliable) {
+      if (hull.mask_confidence[i] > kReliableMask) {
         views_.push_back(&hull.views[i]);
       }
     }

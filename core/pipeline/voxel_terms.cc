@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/parallel.h"
+#include "core/evidence/mask_confidence.h"
 #include "core/grid/morphology.h"
 
 namespace octacut {
@@ -19,8 +20,6 @@ constexpr size_t kBrickGrain = 64;
 // Half the diagonal of a voxel, in voxels: if its centre is that far outside,
 // all of it is.
 constexpr float kHalfDiagonal = 0.87f;
-// Masks that are half in doubt do not bound the hull.
-constexpr float kReliable = 0.5f;
 
 }  // namespace
 
@@ -131,7 +130,7 @@ class BoundingViews {
                           kDepthChange * std::abs(depth);
       least_[i] = depth - reach;
       const float margin = reach * footprint;
-      if (mask_confidence_[i] > kReliable &&
+      if (mask_confidence_[i] > kReliableMask &&
           projection.InFrame(p->u - margin, p->v - margin) &&
           projection.InFrame(p->u + margin, p->v + margin)) {
         bound = std::min(bound, depth + reach);
@@ -205,7 +204,7 @@ SilhouetteTerms EstimateSilhouetteTerms(
                     std::max(views[i].mask_tolerance, -views[i].border_shift);
                 const bool is_sure =
                     pixels <= -(tolerance + kHalfDiagonal * footprint);
-                if (is_sure || mask_confidence[i] > kReliable) {
+                if (is_sure || mask_confidence[i] > kReliableMask) {
                   least_depth = std::min(least_depth, depth);
                 }
                 const double weight = is_sure

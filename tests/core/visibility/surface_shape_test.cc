@@ -24,6 +24,18 @@ Crust CrustOfBall() {
       OneLevel(Ball(kMiddle, 0.35), 5), CrustOptions(), Context(2));
 }
 
+// All voxels of a cube of 16^3 with first <= z < end.
+VoxelGrid Slab(int first, int end) {
+  std::vector<MortonCode> codes;
+  codes.reserve(size_t{256} * size_t(end - first));
+  for (int i = 0; i < 16 * 16; ++i) {
+    for (int z = first; z < end; ++z) {
+      codes.push_back(EncodeMorton(i % 16, i / 16, z));
+    }
+  }
+  return VoxelGrid::FromCodes(4, codes);
+}
+
 TEST(EstimateSurfaceShape, PointOutwardOfABall) {
   const Crust crust = CrustOfBall();
   const std::vector<SurfaceShape> shapes = EstimateSurfaceShape(
@@ -73,13 +85,7 @@ TEST(EstimateSurfaceShape, CurvatureOfABallIsThatOfItsRadius) {
 
 TEST(EstimateSurfaceShape, OfAPlaneAreExact) {
   // A whole slab of the cube: inside below, tied so at both sides.
-  std::vector<MortonCode> codes;
-  for (int i = 0; i < 16 * 16; ++i) {
-    for (int z = 5; z < 11; ++z) {
-      codes.push_back(EncodeMorton(i % 16, i / 16, z));
-    }
-  }
-  const VoxelGrid slab = VoxelGrid::FromCodes(4, codes);
+  const VoxelGrid slab = Slab(5, 11);
   std::vector<FaceTies> ties(slab.Size(), 0);
   std::vector<float> prior(slab.Size());
   slab.ForEach([&](VoxelGrid::Index index, MortonCode code) {
@@ -103,13 +109,7 @@ TEST(EstimateSurfaceShape, OfAPlaneAreExact) {
 
 // A leaf, two voxels thick: its sides are flat however near they are.
 TEST(EstimateSurfaceShape, OfALeafAreFlat) {
-  std::vector<MortonCode> codes;
-  for (int i = 0; i < 16 * 16; ++i) {
-    for (int z = 4; z < 12; ++z) {
-      codes.push_back(EncodeMorton(i % 16, i / 16, z));
-    }
-  }
-  const VoxelGrid slab = VoxelGrid::FromCodes(4, codes);
+  const VoxelGrid slab = Slab(4, 12);
   std::vector<FaceTies> ties(slab.Size(), 0);
   std::vector<float> prior(slab.Size());
   slab.ForEach([&](VoxelGrid::Index index, MortonCode code) {

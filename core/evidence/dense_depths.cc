@@ -90,7 +90,8 @@ std::vector<cv::Mat> SweepDenseDepths(const Scene& scene,
       SweepDepths(views, hull, options.sweep, context, &neighbors);
   const auto counts = CountAgreeing(views, maps, neighbors, voxel, context);
   maps = KeepAgreeing(std::move(maps), counts, options.min_agreeing_views);
-  maps = EstimateDepthConfidence(views, hull, maps, context).maps;
+  // Outvoted depths go; the confidence in the others is not asked.
+  maps = EstimateDepthConfidence(views, hull, maps, 0, context).maps;
   // Samples half a voxel apart on a surface that turns away by 70 degrees.
   const float tolerance = kDepthAgreement * voxel;
   std::vector<cv::Mat> depths(maps.size());

@@ -39,10 +39,19 @@ constexpr float kManyShare = 0.25f;
 // few depths, and right ones, so regions are not asked.
 constexpr float kSparse = 0.3f;
 constexpr float kDense = 0.5f;
+// Where views have all their neighbours, up to this share the object has next
+// to nothing to match, and few contradictions do not speak for its depths:
+// plain and mirroring cups, boxes and lumps have 0.05 to 0.14, while textured
+// objects whose views are too far apart to be matched have as few.
+constexpr float kBlank = 0.15f;
+// The shares of the views with all their neighbours up to which views count as
+// far apart, and from which on they do not.
+constexpr float kFarApart = 0.5f;
+constexpr float kNearby = 0.75f;
 // Depths without contradiction that every part is given: few tell nothing.
 constexpr float kPriorDepths = 20;
-// Depths this near to a voxel, hull voxels, speak of it; and as many of full
-// confidence are added to those of a neighbourhood.
+// Depths this near to a voxel, hull voxels, speak of it; and as many with the
+// confidence of the scene are added to those of a neighbourhood.
 constexpr float kNear = 6;
 constexpr float kPriorNear = 100;
 constexpr int kBrickSteps = 2;
@@ -191,6 +200,19 @@ size_t CountObjectSamples(const Silhouette& silhouette,
   return count;
 }
 
+// How far the depths of the whole scene can be relied upon.
+float ConfidenceOfScene(double contradicted_share,
+                        double found_share,
+                        double surrounded_share) {
+  const float dense = Ramp(float(found_share), kSparse, kDense);
+  const float consistent =
+      Ramp(float(contradicted_share), kManyShare, kSureShare);
+  const float can_be_few =
+      std::max(Ramp(float(found_share), kBlank, kSparse),
+               Ramp(float(surrounded_share), kNearby, kFarApart));
+  return std::max(dense, consistent * can_be_few);
+}
+
 std::vector<float> ConfidenceOfRegions(const ViewProjection& projection,
                                        const VoxelGrid& hull,
                                        const SweptDepthMap& map,
@@ -218,10 +240,11 @@ std::vector<float> ConfidenceOfRegions(const ViewProjection& projection,
 ReliableDepths EstimateDepthConfidence(const ViewSet& views,
                                        const VoxelGrid& hull,
                                        const std::vector<SweptDepthMap>& maps,
+                                       double surrounded_share,
                                        const Context& context) {
   const std::vector<uint16_t> counts =
       CountSurfaces(views, hull, maps, context);
-  ReliableDepths result{maps, std::vector<std::vector<float>>(maps.size()), 0};
+  ReliableDepths result{maps, std::vector<std::vector<float>>(maps.size())};
   std::vector<size_t> num_depths(maps.size());
   std::vector<size_t> num_contradicted(maps.size());
   std::vector<size_t> num_samples(maps.size());
@@ -243,19 +266,18 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
   });
   const auto share = [](const std::vector<size_t>& of,
                         const std::vector<size_t>& all) {
-    const auto sum = [](const std::vector<size_t>& counts) {
-      return std::accumulate(counts.begin(), counts.end(), size_t{0});
+    const auto sum = [](const std::vector<size_t>& numbers) {
+      return std::accumulate(numbers.begin(), numbers.end(), size_t{0});
     };
     return double(sum(of)) / double(std::max<size_t>(sum(all), 1));
   };
   result.contradicted_share = share(num_contradicted, num_depths);
   result.found_share = share(num_depths, num_samples);
-  const float confidence =
-      std::max(Ramp(float(result.found_share), kSparse, kDense),
-               Ramp(float(result.contradicted_share), kManyShare, kSureShare));
+  result.scene_confidence = ConfidenceOfScene(
+      result.contradicted_share, result.found_share, surrounded_share);
   for (std::vector<float>& of_view : result.confidence) {
     for (float& value : of_view) {
-      value *= confidence;
+      value *= result.scene_confidence;
     }
   }
   return result;
@@ -263,8 +285,7 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
 
 VoxelValues ConfidenceInSpace(const ViewSet& views,
                               const VoxelGrid& hull,
-                              const std::vector<SweptDepthMap>& maps,
-                              const std::vector<std::vector<float>>& confidence,
+                              const ReliableDepths& depths,
                               const Context& context) {
   const float reach = kNear / float(hull.Resolution());
   const size_t num_bricks = hull.Bricks().size();
@@ -278,9 +299,9 @@ VoxelValues ConfidenceInSpace(const ViewSet& views,
         for (size_t i = 0; i < views.size(); ++i) {
           const std::optional<ProjectedPoint> p =
               views[i].projection.Project(center);
-          const float depth = p ? maps[i].DepthAt(p->u, p->v) : 0;
+          const float depth = p ? depths.maps[i].DepthAt(p->u, p->v) : 0;
           if (depth > 0 && std::abs(depth - p->depth) < reach) {
-            sums[b] += maps[i].ValueAt(confidence[i], p->u, p->v);
+            sums[b] += depths.maps[i].ValueAt(depths.confidence[i], p->u, p->v);
             counts[b] += 1;
           }
         }
@@ -295,7 +316,8 @@ VoxelValues ConfidenceInSpace(const ViewSet& views,
   VoxelValues result{hull, std::vector<float>(hull.Size())};
   for (size_t b = 0; b < num_bricks; ++b) {
     hull.ForEachInBricks(b, b + 1, [&](VoxelGrid::Index index, MortonCode) {
-      result.values[index] = (sums[b] + kPriorNear) / (counts[b] + kPriorNear);
+      result.values[index] = (sums[b] + kPriorNear * depths.scene_confidence) /
+                             (counts[b] + kPriorNear);
     });
   }
   return result;

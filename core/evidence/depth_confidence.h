@@ -25,27 +25,32 @@ struct ReliableDepths {
   std::vector<SweptDepthMap> maps;
   // confidence[i][k] says how far a depth at sample k of map i can be relied
   // upon: 1 where few of the depths around it in its view are contradicted, 0
-  // where many are; 0 all over where a quarter of all depths is contradicted
-  // and few samples of the object have any.
+  // where many are; 0 all over where few samples of the object have a depth and
+  // either a quarter of all depths is contradicted or views that could see more
+  // have found next to nothing.
   std::vector<std::vector<float>> confidence;
+  // 0 .. 1; by this the confidence of the parts of all views is multiplied.
+  float scene_confidence = 1;
   double contradicted_share = 0;  // of all depths
   // The share of the samples within the silhouettes that have a depth.
   double found_share = 0;
 };
 
-// `maps` holds confirmed depths, one map a view.
+// `maps` holds confirmed depths, one map a view. `surrounded_share` is the
+// share of the views with as many neighbours, near enough to be matched, as the
+// sweep compares.
 ReliableDepths EstimateDepthConfidence(const ViewSet& views,
                                        const VoxelGrid& hull,
                                        const std::vector<SweptDepthMap>& maps,
+                                       double surrounded_share,
                                        const Context& context);
 
 // For each voxel of the hull the mean confidence in the depths that views have
-// found near it, over its brick and the bricks within two steps; 1 where there
-// are none, since nothing is contradicted there.
+// found near it, over its brick and the bricks within two steps; that of the
+// scene where there are none.
 VoxelValues ConfidenceInSpace(const ViewSet& views,
                               const VoxelGrid& hull,
-                              const std::vector<SweptDepthMap>& maps,
-                              const std::vector<std::vector<float>>& confidence,
+                              const ReliableDepths& depths,
                               const Context& context);
 
 }  // namespace octacut

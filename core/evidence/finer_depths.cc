@@ -227,8 +227,10 @@ FinerEvidence FindFinerDepths(const ViewSet& views,
     return finer;
   }
   finer.voxels = Union(surface.voxels, maps.beyond);
-  ReliableDepths depths =
-      EstimateDepthConfidence(views, finer.voxels, maps.agreeing, context);
+  // Here only some squares are searched: few depths tell nothing.
+  constexpr double kSurroundedShare = 0;
+  ReliableDepths depths = EstimateDepthConfidence(
+      views, finer.voxels, maps.agreeing, kSurroundedShare, context);
   LimitConfidence(
       views, depth_confidence, surface.voxels.Level(), context, &depths);
   InsideEvidenceOptions without_ballooning = options;

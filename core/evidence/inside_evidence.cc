@@ -139,13 +139,22 @@ std::vector<SweptDepthMap> KeepReliable(const ReliableDepths& depths) {
   return kept;
 }
 
+// The share of the views that have at least `count` neighbours.
+double ShareWithNeighbors(const std::vector<std::vector<int>>& neighbors,
+                          int count) {
+  const auto num_views = std::count_if(
+      neighbors.begin(), neighbors.end(), [&](const std::vector<int>& of_view) {
+        return of_view.size() >= size_t(count);
+      });
+  return double(num_views) / double(neighbors.size());
+}
+
 void WarnOfNoDepths(const std::vector<std::vector<int>>& neighbors,
                     const InsideEvidenceOptions& options,
                     const Context& context) {
-  const auto num_lonely = std::count_if(
-      neighbors.begin(), neighbors.end(), [&](const std::vector<int>& of_view) {
-        return of_view.size() < size_t(options.min_agreeing_views);
-      });
+  const double share =
+      ShareWithNeighbors(neighbors, options.min_agreeing_views);
+  const auto num_lonely = std::lround((1 - share) * double(neighbors.size()));
   context.Warn(
       fmt::format("No depth is confirmed by {} other views, so concavities "
                   "stay filled. {} of {} views have fewer neighbouring views "
@@ -220,8 +229,12 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
       CountAgreeing(views, swept, neighbors, voxel, context);
   const std::vector<SweptDepthMap> agreeing =
       KeepAgreeing(swept, counts, options.min_agreeing_views);
-  ReliableDepths depths =
-      EstimateDepthConfidence(views, hull, agreeing, context);
+  ReliableDepths depths = EstimateDepthConfidence(
+      views,
+      hull,
+      agreeing,
+      ShareWithNeighbors(neighbors, options.sweep.num_neighbors),
+      context);
   InsideEvidence evidence;
   evidence.mask_confidence =
       EstimateMaskConfidence(views, KeepReliable(depths), context);
@@ -245,8 +258,7 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                &depths.maps);
     evidence.values = EvidenceOf(views, hull, depths, options, context);
   }
-  evidence.depth_confidence =
-      ConfidenceInSpace(views, hull, depths.maps, depths.confidence, context);
+  evidence.depth_confidence = ConfidenceInSpace(views, hull, depths, context);
   evidence.summary.num_plausible = CountDepths(depths.maps) - num_kept;
   evidence.summary.num_free_voxels = size_t(std::count_if(
       evidence.values.begin(), evidence.values.end(), [](float value) {

@@ -24,6 +24,9 @@ constexpr float kNormalReach = 3;
 constexpr float kBorderReach = 1;
 // Grey levels, as the file has them: some four times the noise of a photograph.
 constexpr float kMinContrast = 8;
+// Edges of at least this share of the strongest one's contrast are comparable
+// to it (docs/experiments/mask_borders.md).
+constexpr float kComparableContrast = 0.5f;
 constexpr int kClipped = 250;
 // Pixels from an edge within which no pixel may be clipped: what a lens and the
 // interpolation spread.
@@ -57,6 +60,13 @@ struct Profile {
   std::array<uint8_t, kNumSteps + 2 * kHalfEdge> clipped;
 };
 
+// Pixels by which borders lie outside edges, point by point: outside the
+// strongest edge, and outside the nearest one that is comparable to it.
+struct EdgeOffsets {
+  std::vector<float> strongest;
+  std::vector<float> nearest;
+};
+
 class BorderLines {
  public:
   explicit BorderLines(const PreparedView& view)
@@ -66,17 +76,13 @@ class BorderLines {
     }
   }
 
-  // Pixels by which the border lies outside the edge, point by point.
-  std::vector<float> Offsets() const {
+  // Adds the offsets of the view's points.
+  void AddOffsets(EdgeOffsets* offsets) const {
     std::vector<Eigen::Vector2f> points = Points();
     const size_t stride = points.size() / kMaxPoints + 1;
-    std::vector<float> offsets;
     for (size_t i = 0; i < points.size(); i += stride) {
-      if (const std::optional<float> offset = OffsetAt(points[i])) {
-        offsets.push_back(*offset);
-      }
+      AddOffset(points[i], offsets);
     }
-    return offsets;
   }
 
  private:
@@ -98,7 +104,7 @@ class BorderLines {
     return points;
   }
 
-  std::optional<float> OffsetAt(const Eigen::Vector2f& point) const {
+  void AddOffset(const Eigen::Vector2f& point, EdgeOffsets* offsets) const {
     const Silhouette& silhouette = view_.silhouette;
     const auto at = [&](float du, float dv) {
       return silhouette.SignedDistance(point.x() + du, point.y() + dv);
@@ -106,14 +112,21 @@ class BorderLines {
     const Eigen::Vector2f slope(at(kNormalReach, 0) - at(-kNormalReach, 0),
                                 at(0, kNormalReach) - at(0, -kNormalReach));
     if (!(slope.norm() > kNormalReach)) {
-      return std::nullopt;  // a thin structure, or a corner
+      return;  // a thin structure, or a corner
     }
     const Eigen::Vector2f inward = slope.normalized();
     const Profile profile = SampleLine(point - at(0, 0) * inward, inward);
     const std::optional<float> border = MaskBorder(profile);
-    const std::optional<float> edge = StrongestEdge(profile);
-    return border && edge ? std::optional<float>(*edge - *border)
-                          : std::nullopt;
+    if (!border) {
+      return;
+    }
+    const auto contrast = EdgeContrast(profile);
+    if (const auto edge = EdgeAt(StrongestEdge(contrast), contrast, profile)) {
+      offsets->strongest.push_back(*edge - *border);
+    }
+    if (const auto edge = EdgeAt(NearestEdge(contrast), contrast, profile)) {
+      offsets->nearest.push_back(*edge - *border);
+    }
   }
 
   Profile SampleLine(const Eigen::Vector2f& border,
@@ -182,14 +195,44 @@ class BorderLines {
     return border;
   }
 
-  static std::optional<float> StrongestEdge(const Profile& profile) {
-    std::array<float, kNumSteps> contrast;
+  using Contrast = std::array<float, kNumSteps>;
+
+  static Contrast EdgeContrast(const Profile& profile) {
+    Contrast contrast;
     for (int i = 0; i < kNumSteps; ++i) {
       contrast[i] =
           (profile.linear[i + 2 * kHalfEdge] - profile.linear[i]).norm();
     }
-    const int best = int(std::max_element(contrast.begin(), contrast.end()) -
-                         contrast.begin());
+    return contrast;
+  }
+
+  static int StrongestEdge(const Contrast& contrast) {
+    return int(std::max_element(contrast.begin(), contrast.end()) -
+               contrast.begin());
+  }
+
+  // Of the edges that are comparable to the strongest, the one nearest to the
+  // middle.
+  static int NearestEdge(const Contrast& contrast) {
+    const int strongest = StrongestEdge(contrast);
+    int nearest = strongest;
+    for (int i = 1; i + 1 < kNumSteps; ++i) {
+      const bool is_edge =
+          contrast[i] >= contrast[i - 1] && contrast[i] > contrast[i + 1] &&
+          contrast[i] >= kComparableContrast * contrast[strongest];
+      if (is_edge &&
+          std::abs(i - kNumSteps / 2) < std::abs(nearest - kNumSteps / 2)) {
+        nearest = i;
+      }
+    }
+    return nearest;
+  }
+
+  // The distance of the edge at step `best` from the middle, pixels, unless it
+  // is too faint or beside clipped pixels.
+  static std::optional<float> EdgeAt(int best,
+                                     const Contrast& contrast,
+                                     const Profile& profile) {
     if (best == 0 || best + 1 == kNumSteps ||
         (profile.grey[best + 2 * kHalfEdge] - profile.grey[best]).norm() <
             kMinContrast) {
@@ -255,22 +298,8 @@ float Peak(const std::vector<float>& offsets) {
   return float(best) * kStep - kRange;
 }
 
-}  // namespace
-
-std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
-                                              const Context& context) {
-  std::vector<std::vector<float>> of_views(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (views[i].pyramid.NumLevels() > 0) {
-        of_views[i] = BorderLines(views[i]).Offsets();
-      }
-    }
-  });
-  std::vector<float> offsets;
-  for (const std::vector<float>& of_view : of_views) {
-    offsets.insert(offsets.end(), of_view.begin(), of_view.end());
-  }
+// None unless enough of the offsets agree.
+std::optional<BorderEdges> FindPeak(const std::vector<float>& offsets) {
   if (offsets.size() < kMinPoints) {
     return std::nullopt;
   }
@@ -290,6 +319,38 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
     offset = std::abs(offset - center);
   }
   edges.deviation = Median(std::move(near));
+  return edges;
+}
+
+}  // namespace
+
+std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
+                                              const Context& context) {
+  std::vector<EdgeOffsets> of_views(views.size());
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (views[i].pyramid.NumLevels() > 0) {
+        BorderLines(views[i]).AddOffsets(&of_views[i]);
+      }
+    }
+  });
+  EdgeOffsets offsets;
+  const auto append = [](const std::vector<float>& from,
+                         std::vector<float>* to) {
+    to->insert(to->end(), from.begin(), from.end());
+  };
+  for (const EdgeOffsets& of_view : of_views) {
+    append(of_view.strongest, &offsets.strongest);
+    append(of_view.nearest, &offsets.nearest);
+  }
+  // The nearest of many random edges is near, so the strongest ones say whether
+  // there is a peak.
+  const std::optional<BorderEdges> strongest = FindPeak(offsets.strongest);
+  std::optional<BorderEdges> edges =
+      strongest ? FindPeak(offsets.nearest) : std::nullopt;
+  if (edges) {
+    edges->share = strongest->share;
+  }
   return edges;
 }
 

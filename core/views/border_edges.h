@@ -15,14 +15,18 @@ namespace octacut {
 struct BorderEdges {
   double shift = 0;      // the borders lie that far outside the edges
   double deviation = 0;  // median distance of the edges from that
-  double share = 0;      // of the points, those whose edge is within a pixel
+  // Of the points, those whose strongest edges agree to a pixel.
+  double share = 0;
 };
 
-// Along lines across the borders, the strongest edge within six pixels is
-// looked for in linear light, where a pixel's value is the mean of what it
-// covers; edges beside clipped pixels do not count, since those look larger
-// than they are. Most lines that hit texture or background put their edge
-// anywhere; those that agree form a peak. None where there is no such peak.
+// Along lines across the borders, edges are looked for within six pixels, in
+// linear light, where a pixel's value is the mean of what it covers; edges
+// beside clipped pixels do not count, since those look larger than they are.
+// Most lines that hit texture or background have their strongest edge anywhere;
+// those that agree form a peak. None where there is no such peak. The shift is
+// that of the edges nearest to the border which have half the contrast of the
+// strongest or more: where gloss mirrors the background at grazing angles, the
+// outline of the object is fainter than the edges of reflections inside it.
 std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
                                               const Context& context);
 

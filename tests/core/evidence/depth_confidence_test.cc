@@ -54,8 +54,9 @@ struct Setting {
     }
   }
 
-  ReliableDepths Confidence() const {
-    return EstimateDepthConfidence(test.views, hull, maps, Context(2));
+  ReliableDepths Confidence(double surrounded_share = 0) const {
+    return EstimateDepthConfidence(
+        test.views, hull, maps, surrounded_share, Context(2));
   }
 
   // The depths of a view lie so many voxels behind the truth.
@@ -93,11 +94,8 @@ TEST(DepthConfidence, IsFullWhereDepthsAreRight) {
     EXPECT_GT(MeanConfidence(setting.maps[i], reliable.confidence[i]), 0.98f)
         << i;
   }
-  const VoxelValues in_space = ConfidenceInSpace(setting.test.views,
-                                                 setting.hull,
-                                                 reliable.maps,
-                                                 reliable.confidence,
-                                                 Context(2));
+  const VoxelValues in_space =
+      ConfidenceInSpace(setting.test.views, setting.hull, reliable, Context(2));
   ASSERT_EQ(in_space.values.size(), setting.hull.Size());
   EXPECT_GT(*std::min_element(in_space.values.begin(), in_space.values.end()),
             0.9f);
@@ -126,11 +124,8 @@ TEST(DepthConfidence, IsNoneWhereMostDepthsContradictEachOther) {
   }
   const ReliableDepths reliable = setting.Confidence();
   EXPECT_GT(reliable.contradicted_share, 0.4);
-  const VoxelValues in_space = ConfidenceInSpace(setting.test.views,
-                                                 setting.hull,
-                                                 reliable.maps,
-                                                 reliable.confidence,
-                                                 Context(2));
+  const VoxelValues in_space =
+      ConfidenceInSpace(setting.test.views, setting.hull, reliable, Context(2));
   double sum = 0;
   for (const float value : in_space.values) {
     ASSERT_GE(value, 0);
@@ -140,11 +135,11 @@ TEST(DepthConfidence, IsNoneWhereMostDepthsContradictEachOther) {
   EXPECT_LT(sum / double(in_space.values.size()), 0.75);
 }
 
-// Every fifth depth.
-void ThinOut(Setting* setting) {
+// Every `nth` depth.
+void ThinOut(size_t nth, Setting* setting) {
   for (SweptDepthMap& map : setting->maps) {
     for (size_t k = 0; k < map.depths.size(); ++k) {
-      map.depths[k] = k % 5 == 0 ? map.depths[k] : 0;
+      map.depths[k] = k % nth == 0 ? map.depths[k] : 0;
     }
   }
 }
@@ -159,7 +154,7 @@ TEST(DepthConfidence, IsNoneWhereDepthsAreFewAndContradictEachOther) {
   EXPECT_GT(all.contradicted_share, 0.25);
   EXPECT_GT(all.found_share, 0.6);
   EXPECT_GT(MeanConfidence(setting.maps[1], all.confidence[1]), 0.5f);
-  ThinOut(&setting);
+  ThinOut(5, &setting);
   const ReliableDepths few = setting.Confidence();
   EXPECT_GT(few.contradicted_share, 0.25);
   EXPECT_NEAR(few.found_share, all.found_share / 5, 0.02);
@@ -170,20 +165,37 @@ TEST(DepthConfidence, IsNoneWhereDepthsAreFewAndContradictEachOther) {
 
 TEST(DepthConfidence, IsFullWhereDepthsAreFewAndRight) {
   Setting setting;
-  ThinOut(&setting);
+  ThinOut(5, &setting);
   const ReliableDepths few = setting.Confidence();
   for (size_t i = 0; i < setting.maps.size(); ++i) {
     EXPECT_GT(MeanConfidence(setting.maps[i], few.confidence[i]), 0.98f) << i;
   }
 }
 
+// A plain mug: a depth here and there although all views have neighbours.
+TEST(DepthConfidence, IsNoneWhereViewsWithNeighborsFindNextToNothing) {
+  Setting setting;
+  ThinOut(9, &setting);
+  const ReliableDepths far_apart = setting.Confidence(0.5);
+  EXPECT_EQ(far_apart.scene_confidence, 1);
+  const ReliableDepths nearby = setting.Confidence(0.9);
+  EXPECT_LT(nearby.found_share, 0.15);
+  EXPECT_EQ(nearby.scene_confidence, 0);
+  EXPECT_EQ(MeanConfidence(setting.maps[1], nearby.confidence[1]), 0);
+  // Where no depth is, nothing else speaks for them.
+  const VoxelValues in_space =
+      ConfidenceInSpace(setting.test.views, setting.hull, nearby, Context(2));
+  EXPECT_EQ(*std::max_element(in_space.values.begin(), in_space.values.end()),
+            0);
+}
+
 TEST(DepthConfidence, IsTheSameForAnyNumberOfThreads) {
   Setting setting;
   setting.PushBack(2, 7);
   const ReliableDepths one = EstimateDepthConfidence(
-      setting.test.views, setting.hull, setting.maps, Context(1));
+      setting.test.views, setting.hull, setting.maps, 1, Context(1));
   const ReliableDepths three = EstimateDepthConfidence(
-      setting.test.views, setting.hull, setting.maps, Context(3));
+      setting.test.views, setting.hull, setting.maps, 1, Context(3));
   EXPECT_EQ(one.confidence, three.confidence);
   EXPECT_EQ(one.contradicted_share, three.contradicted_share);
 }

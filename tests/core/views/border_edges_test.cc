@@ -79,6 +79,28 @@ TEST(MeasureBorderEdges, DoesNotAskClippedEdges) {
   EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
 }
 
+// Porcelain mirrors the background at grazing angles: two pixels inside its
+// outline, a stronger edge follows.
+TEST(MeasureBorderEdges, PrefersTheOutlineToAStrongerEdgeOfAReflection) {
+  PreparedView view = MakeView(0.4, 0.3, 0.5);
+  cv::Mat image(kSize, kSize, CV_8UC3);
+  cv::Mat mask(kSize, kSize, CV_8UC1);
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      const double rim = Coverage(x, y, kRadius);
+      const double inside = Coverage(x, y, kRadius - 3);
+      image.at<cv::Vec3b>(y, x) = cv::Vec3b::all(
+          Grey((1 - rim) * 0.5 + (rim - inside) * 0.4 + inside * 0.25));
+      mask.at<uint8_t>(y, x) =
+          uint8_t(std::lround(255 * Coverage(x, y, kRadius + 0.4)));
+    }
+  }
+  view.pyramid = ImagePyramid(image, mask);
+  const auto edges = MeasureBorderEdges({view}, Context(1));
+  ASSERT_TRUE(edges);
+  EXPECT_NEAR(edges->shift, 0.4, 0.1);
+}
+
 TEST(MeasureBorderEdges, SeesNoPeakInNoise) {
   const ViewSet views = {MakeView(0, 0.2, 0.2, 40)};
   EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));

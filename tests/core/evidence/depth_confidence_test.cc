@@ -163,6 +163,23 @@ TEST(DepthConfidence, IsNoneWhereDepthsAreFewAndContradictEachOther) {
   }
 }
 
+// A mirroring cup in few views: few depths are contradicted, but hardly any
+// surface is there to contradict them.
+TEST(DepthConfidence, IsLessWhereContradictionsAreManyForSoFewDepths) {
+  Setting setting;
+  for (size_t i = 0; i < setting.maps.size(); i += 4) {
+    setting.PushBack(i, 9);
+  }
+  const ReliableDepths dense = setting.Confidence();
+  ThinOut(11, &setting);
+  const ReliableDepths few = setting.Confidence();
+  EXPECT_LT(few.contradicted_share, 0.16);
+  EXPECT_GT(few.contradicted_share, 1.2 * few.found_share);
+  EXPECT_GT(dense.contradicted_share, few.contradicted_share);
+  EXPECT_EQ(dense.scene_confidence, 1);
+  EXPECT_EQ(few.scene_confidence, 0);
+}
+
 TEST(DepthConfidence, IsFullWhereDepthsAreFewAndRight) {
   Setting setting;
   ThinOut(5, &setting);

@@ -73,7 +73,7 @@ SparseModel LargestModel(const std::vector<fs::path>& folders,
   if (folders.size() > 1) {
     context.Info(
         fmt::format("Found {} sparse models. Using {}, which has the most "
-                    "images ({}); --input_path selects another one.",
+                    "images ({}); name its folder to use another one.",
                     folders.size(),
                     chosen->string(),
                     most));
@@ -132,6 +132,21 @@ std::vector<fs::path> FindModels(const fs::path& folder) {
   }
   std::sort(models.begin(), models.end(), ComesBefore);
   return models;
+}
+
+SparseModel ReadLargestModel(const fs::path& folder,
+                             const std::string& option,
+                             const Context& context) {
+  const std::vector<fs::path> folders = FindModels(folder);
+  if (folders.empty()) {
+    throw InputError(fmt::format(
+        "{} {}: neither this folder nor its subfolders hold a sparse model "
+        "(cameras, images and points3D as .bin or .txt)",
+        option,
+        folder.string()));
+  }
+  fs::path ignored;
+  return LargestModel(folders, &ignored, context);
 }
 
 Workspace OpenWorkspace(const fs::path& path,

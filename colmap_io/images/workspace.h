@@ -44,6 +44,13 @@ Workspace OpenWorkspace(const std::filesystem::path& path,
                         const WorkspaceOptions& options,
                         const Context& context);
 
+// The model in `folder` or, of several one level below it, the one that
+// OpenWorkspace would use. `option` is the name that the error gives the
+// folder.
+SparseModel ReadLargestModel(const std::filesystem::path& folder,
+                             const std::string& option,
+                             const Context& context);
+
 // Folders below `folder` (itself and one level down) that hold a model, in
 // the order of their names; numbers in the order of their values.
 std::vector<std::filesystem::path> FindModels(

@@ -10,8 +10,8 @@
 
 #include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/undistorted_camera.h"
+#include "colmap_io/images/workspace.h"
 #include "colmap_io/mesh/mesh_io.h"
-#include "colmap_io/model/read_sparse_model.h"
 #include "core/base/check_option.h"
 #include "core/benchmark/compare/compare_meshes.h"
 #include "core/benchmark/compare/seen_reference.h"
@@ -27,6 +27,7 @@
 #include "plugin/page/comparison_protocol.h"
 #include "plugin/page/page_builder.h"
 #include "plugin/report.h"
+#include "plugin/shared_views.h"
 #include "plugin/transform_file.h"
 
 namespace octacut {
@@ -42,8 +43,10 @@ class MeshComparer : public Command {
 
  private:
   // Which part of the reference is judged; empty where all of it is.
-  ReferenceFilter JudgedPart(const IndexedMesh& reference);
-  ReferenceFilter SeenPart(const IndexedMesh& reference);
+  ReferenceFilter JudgedPart(const IndexedMesh& reference,
+                             const SparseModel& views) const;
+  // Moves the compared meshes as the user has said.
+  void FindGivenTransform(const SparseModel& views, const Context& context);
   MeasuredMesh Measure(const fs::path& path, const Context& context) const;
   MeasuredMesh MeasureReference(const Context& context);
   void MeasureByProtocol(const IndexedMesh& reference,
@@ -71,6 +74,7 @@ class MeshComparer : public Command {
   fs::path output_path_;
   bool self_intersections_ = true;
   fs::path views_path_;
+  fs::path input_views_path_;
   SeenReferenceOptions seen_;
   std::vector<double> bounding_box_;
   CompareMeshesOptions compare_;
@@ -86,6 +90,7 @@ class MeshComparer : public Command {
   // Results for the compared meshes, in the order of input_paths_.
   std::vector<ComparedMesh> results_;
   Similarity3d given_transform_;
+  std::optional<SharedCameraAlignment> shared_cameras_;
   ComparisonPage page_;
   PageMesh reference_page_;
 };
@@ -139,6 +144,12 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
       &views_path_,
       "Folder of a sparse model in the frame of the reference. If given, only "
       "the part of the reference that its cameras see is compared.");
+  options.Add(
+      "input_views_path",
+      &input_views_path_,
+      "Folder of a sparse model of the same photographs in the frame of the "
+      "compared meshes. If given, these are first moved by what brings its "
+      "cameras to those of views_path. Default: none.");
   DeclareSeenOptions(options, &seen_);
   options.Add("bounding_box",
               &bounding_box_,
@@ -147,20 +158,17 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
   DeclareAlignmentOptions(options, &compare_);
 }
 
-ReferenceFilter MeshComparer::SeenPart(const IndexedMesh& reference) {
-  const SparseModel model = ReadSparseModel(views_path_);
-  std::vector<PosedCamera> cameras;
-  for (const SparseImage& image : model.images) {
-    cameras.push_back({UndistortedCamera(*model.FindCamera(image.camera_id)),
-                       image.CamFromWorld()});
-    page_.cameras.push_back(image.CamFromWorld());
+ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference,
+                                         const SparseModel& views) const {
+  ReferenceFilter seen;
+  if (!views_path_.empty()) {
+    std::vector<PosedCamera> cameras;
+    for (const SparseImage& image : views.images) {
+      cameras.push_back({UndistortedCamera(*views.FindCamera(image.camera_id)),
+                         image.CamFromWorld()});
+    }
+    seen = SeenByCameras(reference, std::move(cameras), seen_);
   }
-  return SeenByCameras(reference, std::move(cameras), seen_);
-}
-
-ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference) {
-  const ReferenceFilter seen =
-      views_path_.empty() ? ReferenceFilter() : SeenPart(reference);
   if (bounding_box_.empty()) {
     return seen;
   }
@@ -168,6 +176,19 @@ ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference) {
              uint32_t triangle, const Eigen::Vector3d& point) {
     return box.contains(point) && (!seen || seen(triangle, point));
   };
+}
+
+void MeshComparer::FindGivenTransform(const SparseModel& views,
+                                      const Context& context) {
+  if (!transform_path_.empty()) {
+    given_transform_ = ReadTransform(transform_path_);
+  } else if (!input_views_path_.empty()) {
+    shared_cameras_ = AlignBySharedViews(
+        ReadLargestModel(input_views_path_, "input_views_path", context),
+        views,
+        context);
+    given_transform_ = shared_cameras_->reference_from_model;
+  }
 }
 
 MeasuredMesh MeshComparer::Measure(const fs::path& path,
@@ -285,6 +306,15 @@ fs::path MeshComparer::DistancePath(const fs::path& mesh) const {
 }
 
 void MeshComparer::CheckPaths() const {
+  CheckOption(input_views_path_.empty() || !views_path_.empty(),
+              "input_views_path",
+              input_views_path_.string(),
+              "needs views_path, a model of the same photographs in the frame "
+              "of the reference");
+  CheckOption(input_views_path_.empty() || transform_path_.empty(),
+              "input_views_path",
+              input_views_path_.string(),
+              "cannot be used together with transform_path");
   std::vector<fs::path> files_read = input_paths_;
   files_read.push_back(reference_path_);
   CheckReportPath(output_path_, files_read);
@@ -363,6 +393,16 @@ std::vector<std::string> MeshComparer::Protocol(
                     "the matrix in {}.",
                     transform_path_.string()));
   }
+  if (shared_cameras_) {
+    lines.push_back(
+        fmt::format("Transform: the compared meshes were moved by the cameras "
+                    "of {} photographs that {} and {} share; their centres "
+                    "agree to {:.3g} (root mean square).",
+                    shared_cameras_->num_inliers,
+                    input_views_path_.string(),
+                    views_path_.string(),
+                    shared_cameras_->rms));
+  }
   if (protocol_run_->Aligns()) {
     lines.emplace_back("Alignment: as the protocol has moved the meshes.");
   } else if (!compare_.align) {
@@ -404,11 +444,16 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
               "Alignment.global_search",
               1,
               "needs align = 1");
-  if (!transform_path_.empty()) {
-    given_transform_ = ReadTransform(transform_path_);
+  SparseModel views;
+  if (!views_path_.empty()) {
+    views = ReadLargestModel(views_path_, "views_path", context);
+    for (const SparseImage& image : views.images) {
+      page_.cameras.push_back(image.CamFromWorld());
+    }
   }
+  FindGivenTransform(views, context);
   MeasuredMesh reference = MeasureReference(context);
-  compare_.reference_filter = JudgedPart(reference.mesh);
+  compare_.reference_filter = JudgedPart(reference.mesh, views);
   if (!html_path_.empty()) {
     reference_page_ = MakePageMesh(reference.result.name,
                                    reference.mesh,
@@ -427,6 +472,12 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
     Json report = MakeReport(environment);
     report["reference"] = std::move(reference.json);
     report["reference_is_truth"] = reference_is_truth_;
+    if (shared_cameras_) {
+      report["shared_cameras"] = {
+          {"reference_from_input", TransformToJson(given_transform_)},
+          {"num_cameras", shared_cameras_->num_inliers},
+          {"rms", shared_cameras_->rms}};
+    }
     if (protocol_run_->IsActive()) {
       report["protocol"] = ProtocolToJson(protocol_);
     }

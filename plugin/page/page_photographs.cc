@@ -35,7 +35,7 @@ Bytes EncodeReduced(const cv::Mat& image, int longest) {
   return bytes;
 }
 
-std::vector<size_t> ChosenViews(const std::vector<View>& views) {
+std::vector<size_t> ViewsToShow(const std::vector<View>& views) {
   std::vector<size_t> chosen;
   const size_t step = (views.size() + kMostPhotographs - 1) / kMostPhotographs;
   for (size_t i = 0; i < views.size(); i += step) {
@@ -95,7 +95,7 @@ Json PagePhotographsToJson(const std::vector<View>& views,
                            const Context& context,
                            PageBlobs* blobs) {
   const Phase phase(context, "Photographs of the page");
-  const std::vector<size_t> chosen = ChosenViews(views);
+  const std::vector<size_t> chosen = ViewsToShow(views);
   int longest = kLongestPhotograph;
   std::vector<Bytes> files = EncodeAll(views, chosen, longest, context);
   while (TotalBytes(files) > kPhotographBytes &&

@@ -1,4 +1,5 @@
 // mesh_comparer as a user meets it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -242,6 +243,60 @@ TEST_F(MeshComparerTest, MatricesAreWrittenAndRead) {
                        skewed})
                   .err,
               HasSubstr("skewed.txt: the first three rows"));
+}
+
+// Four cameras that look at the tetrahedron along z, moved with it: centres
+// `scale` times (i, i * i, 5), shifted by `x`.
+std::string ImagesText(double scale, double x) {
+  std::string text;
+  for (int i = 0; i < 4; ++i) {
+    const double center[3] = {scale * i + x, scale * i * i, -scale * 5};
+    text += fmt::format("{} 1 0 0 0 {} {} {} 1 view{}.png\n\n",
+                        i + 1,
+                        -center[0],
+                        -center[1],
+                        -center[2],
+                        i);
+  }
+  return text;
+}
+
+TEST_F(MeshComparerTest, MeshesAreMovedBySharedCameras) {
+  const std::string reference = folder_.Write("tetra.ply", kTetrahedron);
+  const std::string moved =
+      folder_.Write("moved.obj",
+                    "v 3 0 0\nv 5 0 0\nv 3 2 0\nv 3 0 2\nf 1 3 2\nf 1 2 4\nf 2 "
+                    "3 4\nf 1 4 3\n");
+  const auto write_model = [&](const std::string& name,
+                               const std::string& images) {
+    std::filesystem::create_directories(folder_ / name / "0");
+    folder_.Write(name + "/0/cameras.txt",
+                  "1 PINHOLE 400 300 300 300 200 150\n");
+    folder_.Write(name + "/0/images.txt", images);
+    folder_.Write(name + "/0/points3D.txt", "");
+    return (folder_ / name).string();
+  };
+  const std::string exact = write_model("exact", ImagesText(1, 0));
+  const std::string mapper = write_model("mapper", ImagesText(2, 3));
+  std::vector<std::string> arguments = {"--input_path",
+                                        moved,
+                                        "--reference_path",
+                                        reference,
+                                        "--min_views",
+                                        "1",
+                                        "--output_path",
+                                        folder_ / "out.json",
+                                        "--input_views_path",
+                                        mapper};
+  EXPECT_THAT(Compare(arguments).err, HasSubstr("needs views_path"));
+  arguments.insert(arguments.end(), {"--views_path", exact});
+  const ProgramResult result = Compare(arguments);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("4 photographs are in both models"));
+  EXPECT_LT(Report()["meshes"][0]["comparison"]["to_reference"]["max"], 1e-6);
+  EXPECT_EQ(Report()["shared_cameras"]["num_cameras"], 4);
+  folder_.Write("mapper/0/images.txt", "");
+  EXPECT_THAT(Compare(arguments).err, HasSubstr("share 0 photographs"));
 }
 
 TEST_F(MeshComparerTest, MeshesOfOctacutsDepthsAreNamedSo) {

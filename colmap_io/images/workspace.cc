@@ -92,7 +92,7 @@ fs::path FindMasks(const Workspace& workspace,
     }
     return given;
   }
-  const fs::path here = workspace.path / "masks";
+  fs::path here = workspace.path / "masks";
   if (IsFolder(here)) {
     return here;
   }

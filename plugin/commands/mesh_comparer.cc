@@ -42,6 +42,7 @@ class MeshComparer : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
+  void DeclareViewOptions(OptionManager& options);
   // Which part of the reference is judged; empty where all of it is.
   ReferenceFilter JudgedPart(const IndexedMesh& reference,
                              const SparseModel& views) const;
@@ -139,6 +140,11 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
            "If 1, count the triangles of each mesh that intersect others of "
            "the same mesh.")
       .ForExperts();
+  DeclareViewOptions(options);
+  DeclareAlignmentOptions(options, &compare_);
+}
+
+void MeshComparer::DeclareViewOptions(OptionManager& options) {
   options.Add(
       "views_path",
       &views_path_,
@@ -155,7 +161,6 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
               &bounding_box_,
               "Box x0,y0,z0,x1,y1,z1 in the frame of the reference. If given, "
               "only the part of the reference inside it is compared.");
-  DeclareAlignmentOptions(options, &compare_);
 }
 
 ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference,

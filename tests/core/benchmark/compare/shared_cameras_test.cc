@@ -36,6 +36,7 @@ SharedCamera CameraAt(const Eigen::Vector3d& center, double angle) {
 
 std::vector<SharedCamera> Ring(int count) {
   std::vector<SharedCamera> cameras;
+  cameras.reserve(count);
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * std::numbers::pi * i / count;
     cameras.push_back(CameraAt(
@@ -58,6 +59,7 @@ TEST(AlignSharedCameras, FindsTheSimilarity) {
 
 TEST(AlignSharedCameras, ServesForCamerasOnALine) {
   std::vector<SharedCamera> cameras;
+  cameras.reserve(4);
   for (int i = 0; i < 4; ++i) {
     cameras.push_back(CameraAt({double(i), 0, 1}, 0.1 * i));
   }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "plugin/transform_file.h"
+
 namespace octacut {
 
 SharedCameraAlignment AlignBySharedViews(const SparseModel& model,
@@ -37,6 +39,26 @@ SharedCameraAlignment AlignBySharedViews(const SparseModel& model,
     context.Info(figures + ".");
   }
   return alignment;
+}
+
+std::string SharedViewsLine(const SharedCameraAlignment& alignment,
+                            const std::filesystem::path& model_path,
+                            const std::filesystem::path& reference_path) {
+  return fmt::format(
+      "Transform: the compared meshes were moved by the cameras of {} "
+      "photographs that {} and {} share; their centres agree to {:.3g} (root "
+      "mean square).",
+      alignment.num_inliers,
+      model_path.string(),
+      reference_path.string(),
+      alignment.rms);
+}
+
+Json SharedViewsToJson(const SharedCameraAlignment& alignment) {
+  return {
+      {"reference_from_input", TransformToJson(alignment.reference_from_model)},
+      {"num_cameras", alignment.num_inliers},
+      {"rms", alignment.rms}};
 }
 
 }  // namespace octacut

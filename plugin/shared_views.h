@@ -2,9 +2,13 @@
 // models of both frames have.
 #pragma once
 
+#include <filesystem>
+#include <string>
+
 #include "colmap_io/model/sparse_model.h"
 #include "core/base/context.h"
 #include "core/benchmark/compare/shared_cameras.h"
+#include "plugin/option_value.h"
 
 namespace octacut {
 
@@ -14,5 +18,12 @@ namespace octacut {
 SharedCameraAlignment AlignBySharedViews(const SparseModel& model,
                                          const SparseModel& reference,
                                          const Context& context);
+
+// A sentence of the page about what AlignBySharedViews has found.
+std::string SharedViewsLine(const SharedCameraAlignment& alignment,
+                            const std::filesystem::path& model_path,
+                            const std::filesystem::path& reference_path);
+
+Json SharedViewsToJson(const SharedCameraAlignment& alignment);
 
 }  // namespace octacut

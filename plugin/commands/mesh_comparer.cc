@@ -9,19 +9,17 @@
 #include <vector>
 
 #include "colmap_io/files/atomic_files.h"
-#include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/images/workspace.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/check_option.h"
 #include "core/benchmark/compare/compare_meshes.h"
-#include "core/benchmark/compare/seen_reference.h"
 #include "core/benchmark/compare/signed_distance.h"
 #include "core/mesh/cloud.h"
 #include "core/raycast/ray_scene.h"
-#include "core/scene/region.h"
 #include "plugin/benchmark_protocol.h"
 #include "plugin/comparison_options.h"
 #include "plugin/comparison_tables.h"
+#include "plugin/judged_part.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/page/comparison_protocol.h"
@@ -42,10 +40,6 @@ class MeshComparer : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
-  void DeclareViewOptions(OptionManager& options);
-  // Which part of the reference is judged; empty where all of it is.
-  ReferenceFilter JudgedPart(const IndexedMesh& reference,
-                             const SparseModel& views) const;
   // Moves the compared meshes as the user has said.
   void FindGivenTransform(const SparseModel& views, const Context& context);
   MeasuredMesh Measure(const fs::path& path, const Context& context) const;
@@ -74,10 +68,7 @@ class MeshComparer : public Command {
   fs::path reference_path_;
   fs::path output_path_;
   bool self_intersections_ = true;
-  fs::path views_path_;
-  fs::path input_views_path_;
-  SeenReferenceOptions seen_;
-  std::vector<double> bounding_box_;
+  JudgedPartOptions judged_;
   CompareMeshesOptions compare_;
   ProtocolOptions protocol_;
   std::optional<ProtocolRun> protocol_run_;
@@ -140,56 +131,17 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
            "If 1, count the triangles of each mesh that intersect others of "
            "the same mesh.")
       .ForExperts();
-  DeclareViewOptions(options);
+  DeclareJudgedPartOptions(options, &judged_);
   DeclareAlignmentOptions(options, &compare_);
-}
-
-void MeshComparer::DeclareViewOptions(OptionManager& options) {
-  options.Add(
-      "views_path",
-      &views_path_,
-      "Folder of a sparse model in the frame of the reference. If given, only "
-      "the part of the reference that its cameras see is compared.");
-  options.Add(
-      "input_views_path",
-      &input_views_path_,
-      "Folder of a sparse model of the same photographs in the frame of the "
-      "compared meshes. If given, these are first moved by what brings its "
-      "cameras to those of views_path. Default: none.");
-  DeclareSeenOptions(options, &seen_);
-  options.Add("bounding_box",
-              &bounding_box_,
-              "Box x0,y0,z0,x1,y1,z1 in the frame of the reference. If given, "
-              "only the part of the reference inside it is compared.");
-}
-
-ReferenceFilter MeshComparer::JudgedPart(const IndexedMesh& reference,
-                                         const SparseModel& views) const {
-  ReferenceFilter seen;
-  if (!views_path_.empty()) {
-    std::vector<PosedCamera> cameras;
-    for (const SparseImage& image : views.images) {
-      cameras.push_back({UndistortedCamera(*views.FindCamera(image.camera_id)),
-                         image.CamFromWorld()});
-    }
-    seen = SeenByCameras(reference, std::move(cameras), seen_);
-  }
-  if (bounding_box_.empty()) {
-    return seen;
-  }
-  return [seen, box = BoundingBoxFromNumbers(bounding_box_)](
-             uint32_t triangle, const Eigen::Vector3d& point) {
-    return box.contains(point) && (!seen || seen(triangle, point));
-  };
 }
 
 void MeshComparer::FindGivenTransform(const SparseModel& views,
                                       const Context& context) {
   if (!transform_path_.empty()) {
     given_transform_ = ReadTransform(transform_path_);
-  } else if (!input_views_path_.empty()) {
+  } else if (!judged_.input_views_path.empty()) {
     shared_cameras_ = AlignBySharedViews(
-        ReadLargestModel(input_views_path_, "input_views_path", context),
+        ReadLargestModel(judged_.input_views_path, "input_views_path", context),
         views,
         context);
     given_transform_ = shared_cameras_->reference_from_model;
@@ -311,14 +263,14 @@ fs::path MeshComparer::DistancePath(const fs::path& mesh) const {
 }
 
 void MeshComparer::CheckPaths() const {
-  CheckOption(input_views_path_.empty() || !views_path_.empty(),
+  CheckOption(judged_.input_views_path.empty() || !judged_.views_path.empty(),
               "input_views_path",
-              input_views_path_.string(),
+              judged_.input_views_path.string(),
               "needs views_path, a model of the same photographs in the frame "
               "of the reference");
-  CheckOption(input_views_path_.empty() || transform_path_.empty(),
+  CheckOption(judged_.input_views_path.empty() || transform_path_.empty(),
               "input_views_path",
-              input_views_path_.string(),
+              judged_.input_views_path.string(),
               "cannot be used together with transform_path");
   std::vector<fs::path> files_read = input_paths_;
   files_read.push_back(reference_path_);
@@ -399,23 +351,17 @@ std::vector<std::string> MeshComparer::Protocol(
                     transform_path_.string()));
   }
   if (shared_cameras_) {
-    lines.push_back(
-        fmt::format("Transform: the compared meshes were moved by the cameras "
-                    "of {} photographs that {} and {} share; their centres "
-                    "agree to {:.3g} (root mean square).",
-                    shared_cameras_->num_inliers,
-                    input_views_path_.string(),
-                    views_path_.string(),
-                    shared_cameras_->rms));
+    lines.push_back(SharedViewsLine(
+        *shared_cameras_, judged_.input_views_path, judged_.views_path));
   }
   if (protocol_run_->Aligns()) {
     lines.emplace_back("Alignment: as the protocol has moved the meshes.");
   } else if (!compare_.align) {
     lines.emplace_back("Alignment: none, the meshes are compared as they are.");
   }
-  lines.push_back(CropLine({bounding_box_.empty(),
-                            views_path_.string(),
-                            seen_,
+  lines.push_back(CropLine({judged_.bounding_box.empty(),
+                            judged_.views_path.string(),
+                            judged_.seen,
                             results_.front().comparison->judged_share}));
   lines.push_back(SignsLine());
   return lines;
@@ -439,7 +385,7 @@ void MeshComparer::WritePage(const CommandEnvironment& environment,
 void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
-  seen_.Check();
+  judged_.seen.Check();
   input_paths_ = SplitPaths(input_paths_);
   protocol_.crop_paths = SplitPaths(protocol_.crop_paths);
   CheckProtocolOptions(protocol_, reference_path_, environment.options);
@@ -450,15 +396,15 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
               1,
               "needs align = 1");
   SparseModel views;
-  if (!views_path_.empty()) {
-    views = ReadLargestModel(views_path_, "views_path", context);
+  if (!judged_.views_path.empty()) {
+    views = ReadLargestModel(judged_.views_path, "views_path", context);
     for (const SparseImage& image : views.images) {
       page_.cameras.push_back(image.CamFromWorld());
     }
   }
   FindGivenTransform(views, context);
   MeasuredMesh reference = MeasureReference(context);
-  compare_.reference_filter = JudgedPart(reference.mesh, views);
+  compare_.reference_filter = JudgedPart(reference.mesh, views, judged_);
   if (!html_path_.empty()) {
     reference_page_ = MakePageMesh(reference.result.name,
                                    reference.mesh,
@@ -478,10 +424,7 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
     report["reference"] = std::move(reference.json);
     report["reference_is_truth"] = reference_is_truth_;
     if (shared_cameras_) {
-      report["shared_cameras"] = {
-          {"reference_from_input", TransformToJson(given_transform_)},
-          {"num_cameras", shared_cameras_->num_inliers},
-          {"rms", shared_cameras_->rms}};
+      report["shared_cameras"] = SharedViewsToJson(*shared_cameras_);
     }
     if (protocol_run_->IsActive()) {
       report["protocol"] = ProtocolToJson(protocol_);

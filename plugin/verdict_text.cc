@@ -255,8 +255,10 @@ class Writer {
     if (surface.photographs < kFewDecided * seen) {
       text_.warnings.push_back(fmt::format(
           "Photographs determine only {:.0f} % of the visible surface: it is "
-          "untextured or shiny, or the photographs are blurred. Diffuse light, "
-          "a matt coating or a sprayed pattern helps.",
+          "untextured or shiny, or the photographs are blurred. Elsewhere the "
+          "mesh follows the silhouettes, which do not show concavities: a bowl "
+          "may be filled to its rim. Diffuse light, a matt coating or a "
+          "sprayed pattern helps.",
           seen > 0 ? 100 * surface.photographs / seen : 0));
     }
     if (surface.nothing > kMaxUndecided) {

@@ -173,6 +173,7 @@ TEST(VerdictText, SaysWhereLightWouldHelp) {
   verdict.surface->nothing = 0.05;
   EXPECT_THAT(WarningsOf(verdict),
               ElementsAre(AllOf(HasSubstr("determine only 31 %"),
+                                HasSubstr("filled to its rim"),
                                 HasSubstr("Diffuse light"))));
   verdict.surface->nothing = 0.2;
   EXPECT_THAT(WarningsOf(verdict),

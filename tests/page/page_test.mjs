@@ -158,8 +158,9 @@ async function checkPhotographs() {
   assert.ok(difference(photograph, mesh) > 1, 'the blend slider changes the picture');
   await changes('the difference', () => browser.click('#difference'));
   await browser.press('#viewer', arrowRight);
-  assert.equal(await browser.run('return document.getElementById("photograph").value'), '',
-    'turning leaves the photograph');
+  // The list follows with the next frame.
+  await browser.waitFor('turning leaves the photograph',
+    'return document.getElementById("photograph").value === "";');
   if (report.ranking) {
     const names = await browser.run(`
       return [...document.querySelectorAll('#ranking li')].map(e => e.textContent);`);

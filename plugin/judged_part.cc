@@ -3,10 +3,20 @@
 #include <utility>
 
 #include "colmap_io/images/undistorted_camera.h"
+#include "core/base/check_option.h"
 #include "core/scene/region.h"
 #include "plugin/comparison_options.h"
 
 namespace octacut {
+
+void JudgedPartOptions::Check() const {
+  seen.Check();
+  CheckOption(input_views_path.empty() || !views_path.empty(),
+              "input_views_path",
+              input_views_path.string(),
+              "needs views_path, a model of the same photographs in the frame "
+              "of the reference");
+}
 
 void DeclareJudgedPartOptions(OptionManager& options,
                               JudgedPartOptions* judged) {

@@ -20,6 +20,8 @@ struct JudgedPartOptions {
   std::filesystem::path input_views_path;
   SeenReferenceOptions seen;
   std::vector<double> bounding_box;  // empty, or as BoundingBoxFromNumbers
+  // Throws OptionError that names the option.
+  void Check() const;
 };
 
 void DeclareJudgedPartOptions(OptionManager& options,

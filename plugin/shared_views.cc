@@ -9,6 +9,15 @@
 #include "plugin/transform_file.h"
 
 namespace octacut {
+namespace {
+
+// By how much the centres of the cameras may be apart, relative to their
+// distances from their mean. Models of the same photographs agree to a
+// thousandth; in those of different arrangements the centres are as far apart
+// as they are from their mean.
+constexpr double kLargestDisagreement = 0.05;
+
+}  // namespace
 
 SharedCameraAlignment AlignBySharedViews(const SparseModel& model,
                                          const SparseModel& reference,
@@ -31,7 +40,7 @@ SharedCameraAlignment AlignBySharedViews(const SparseModel& model,
       cameras.size(),
       alignment.num_inliers,
       alignment.rms);
-  if (2 * alignment.num_inliers < cameras.size()) {
+  if (alignment.rms > kLargestDisagreement * alignment.spread) {
     context.Warn(figures +
                  ". The models hardly have the same cameras; the comparison "
                  "may be meaningless.");

@@ -13,8 +13,8 @@
 namespace octacut {
 
 // By the images of the same name. context.Info says how many there are and how
-// well they agree; warns if fewer than half do. Throws InputError as
-// AlignSharedCameras does.
+// well they agree; warns if they are apart by a twentieth of their spread.
+// Throws InputError as AlignSharedCameras does.
 SharedCameraAlignment AlignBySharedViews(const SparseModel& model,
                                          const SparseModel& reference,
                                          const Context& context);

@@ -228,7 +228,7 @@ map(select(.part == "hard")) as $hard
 | ($runs + $hard) as $all
 | ($all | map(select(.state == "failed"))) as $failed
 | ($all | map(select(.state == "left_out"))) as $left_out
-| "# Accuracy",
+| (if ($done | length) == 0 then "# Accuracy on hard scenes" else "# Accuracy" end),
   "",
   "Made by `\($command)`; not to be edited. octacut \([$all[] | .version // empty] | unique | join(", ")) with \($threads) threads on: \($machine). Its own scenes at \(pow(2; $level))³ voxels, data sets at \(pow(2; $data_level))³; rods-2 and fingers-2, whose parts are two voxels of 128³ thick, begin with hull_level 8 and are made at \(pow(2; [$level, 8] | max))³.",
   "",

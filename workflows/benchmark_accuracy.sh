@@ -216,7 +216,7 @@ while [[ $# -gt 0 ]]; do
       continue
       ;;
   esac
-  [[ $1 == *_path || $1 == --redo ]] || command+=" $1 $2"
+  [[ $1 == --work_path || $1 == --redo ]] || command+=" $1 $2"
   shift 2
 done
 for value in "$level" "$data_level"; do

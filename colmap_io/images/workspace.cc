@@ -135,18 +135,22 @@ std::vector<fs::path> FindModels(const fs::path& folder) {
 }
 
 SparseModel ReadLargestModel(const fs::path& folder,
-                             const std::string& option,
-                             const Context& context) {
+                             const std::string& name,
+                             const Context& context,
+                             fs::path* chosen) {
   const std::vector<fs::path> folders = FindModels(folder);
   if (folders.empty()) {
-    throw InputError(fmt::format(
-        "{} {}: neither this folder nor its subfolders hold a sparse model "
-        "(cameras, images and points3D as .bin or .txt)",
-        option,
-        folder.string()));
+    throw InputError(
+        fmt::format("{}: neither this folder nor its subfolders hold a sparse "
+                    "model (cameras, images and points3D as .bin or .txt)",
+                    name));
   }
-  fs::path ignored;
-  return LargestModel(folders, &ignored, context);
+  fs::path path;
+  SparseModel model = LargestModel(folders, &path, context);
+  if (chosen != nullptr) {
+    *chosen = path;
+  }
+  return model;
 }
 
 Workspace OpenWorkspace(const fs::path& path,
@@ -173,14 +177,8 @@ Workspace OpenWorkspace(const fs::path& path,
                     models.string(),
                     given ? "" : "; use --input_path to name it"));
   }
-  const std::vector<fs::path> folders = FindModels(models);
-  if (folders.empty()) {
-    throw InputError(
-        fmt::format("{}: neither this folder nor its subfolders hold a sparse "
-                    "model (cameras, images and points3D as .bin or .txt)",
-                    models.string()));
-  }
-  workspace.model = LargestModel(folders, &workspace.model_path, context);
+  workspace.model =
+      ReadLargestModel(models, models.string(), context, &workspace.model_path);
   if (!options.image_list_path.empty()) {
     const size_t num_images = workspace.model.images.size();
     KeepListedImages(options.image_list_path, &workspace.model);

@@ -37,19 +37,19 @@ struct Workspace {
   SparseModel model;
 };
 
-// Finds the parts and reads the model: of several the one with the most
-// registered images (the first of equals), which context.Info names. Throws
+// Finds the parts and reads the model, as ReadLargestModel does. Throws
 // InputError naming the part that is missing.
 Workspace OpenWorkspace(const std::filesystem::path& path,
                         const WorkspaceOptions& options,
                         const Context& context);
 
-// The model in `folder` or, of several one level below it, the one that
-// OpenWorkspace would use. `option` is the name that the error gives the
-// folder.
+// The model in `folder` or, of several one level below it, the one with the
+// most registered images (the first of equals), which context.Info names and
+// `chosen` gets. Errors call the folder `name` where it holds no model.
 SparseModel ReadLargestModel(const std::filesystem::path& folder,
-                             const std::string& option,
-                             const Context& context);
+                             const std::string& name,
+                             const Context& context,
+                             std::filesystem::path* chosen = nullptr);
 
 // Folders below `folder` (itself and one level down) that hold a model, in
 // the order of their names; numbers in the order of their values.

@@ -139,28 +139,23 @@ std::vector<SweptDepthMap> KeepReliable(const ReliableDepths& depths) {
   return kept;
 }
 
-// The share of the views that have at least `count` neighbours.
-double ShareWithNeighbors(const std::vector<std::vector<int>>& neighbors,
-                          int count) {
-  const auto num_views = std::count_if(
+// The number of the views that have fewer than `count` neighbours.
+size_t CountLonely(const std::vector<std::vector<int>>& neighbors, int count) {
+  return size_t(std::count_if(
       neighbors.begin(), neighbors.end(), [&](const std::vector<int>& of_view) {
-        return of_view.size() >= size_t(count);
-      });
-  return double(num_views) / double(neighbors.size());
+        return of_view.size() < size_t(count);
+      }));
 }
 
 void WarnOfNoDepths(const std::vector<std::vector<int>>& neighbors,
                     const InsideEvidenceOptions& options,
                     const Context& context) {
-  const double share =
-      ShareWithNeighbors(neighbors, options.min_agreeing_views);
-  const auto num_lonely = std::lround((1 - share) * double(neighbors.size()));
   context.Warn(
       fmt::format("No depth is confirmed by {} other views, so concavities "
                   "stay filled. {} of {} views have fewer neighbouring views "
                   "at angles of {} to {} degrees.",
                   options.min_agreeing_views,
-                  num_lonely,
+                  CountLonely(neighbors, options.min_agreeing_views),
                   neighbors.size(),
                   options.sweep.min_angle,
                   options.sweep.max_angle));
@@ -229,12 +224,11 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
       CountAgreeing(views, swept, neighbors, voxel, context);
   const std::vector<SweptDepthMap> agreeing =
       KeepAgreeing(swept, counts, options.min_agreeing_views);
-  ReliableDepths depths = EstimateDepthConfidence(
-      views,
-      hull,
-      agreeing,
-      ShareWithNeighbors(neighbors, options.sweep.num_neighbors),
-      context);
+  const double surrounded_share =
+      1 - double(CountLonely(neighbors, options.sweep.num_neighbors)) /
+              double(neighbors.size());
+  ReliableDepths depths =
+      EstimateDepthConfidence(views, hull, agreeing, surrounded_share, context);
   InsideEvidence evidence;
   evidence.mask_confidence =
       EstimateMaskConfidence(views, KeepReliable(depths), context);

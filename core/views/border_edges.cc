@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 
 namespace octacut {
@@ -260,12 +261,6 @@ class BorderLines {
   const PyramidLevel& image_;
   std::array<float, 256> linear_;
 };
-
-float Median(std::vector<float> values) {
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 std::vector<float> WithinAPixel(const std::vector<float>& offsets,
                                 float center) {

@@ -141,7 +141,10 @@ void MeshComparer::FindGivenTransform(const SparseModel& views,
     given_transform_ = ReadTransform(transform_path_);
   } else if (!judged_.input_views_path.empty()) {
     shared_cameras_ = AlignBySharedViews(
-        ReadLargestModel(judged_.input_views_path, "input_views_path", context),
+        ReadLargestModel(
+            judged_.input_views_path,
+            "input_views_path " + judged_.input_views_path.string(),
+            context),
         views,
         context);
     given_transform_ = shared_cameras_->reference_from_model;
@@ -263,11 +266,6 @@ fs::path MeshComparer::DistancePath(const fs::path& mesh) const {
 }
 
 void MeshComparer::CheckPaths() const {
-  CheckOption(judged_.input_views_path.empty() || !judged_.views_path.empty(),
-              "input_views_path",
-              judged_.input_views_path.string(),
-              "needs views_path, a model of the same photographs in the frame "
-              "of the reference");
   CheckOption(judged_.input_views_path.empty() || transform_path_.empty(),
               "input_views_path",
               judged_.input_views_path.string(),
@@ -385,7 +383,7 @@ void MeshComparer::WritePage(const CommandEnvironment& environment,
 void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
-  judged_.seen.Check();
+  judged_.Check();
   input_paths_ = SplitPaths(input_paths_);
   protocol_.crop_paths = SplitPaths(protocol_.crop_paths);
   CheckProtocolOptions(protocol_, reference_path_, environment.options);
@@ -397,7 +395,9 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
               "needs align = 1");
   SparseModel views;
   if (!judged_.views_path.empty()) {
-    views = ReadLargestModel(judged_.views_path, "views_path", context);
+    views = ReadLargestModel(judged_.views_path,
+                             "views_path " + judged_.views_path.string(),
+                             context);
     for (const SparseImage& image : views.images) {
       page_.cameras.push_back(image.CamFromWorld());
     }

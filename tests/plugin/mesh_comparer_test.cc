@@ -23,6 +23,11 @@ std::string Square(double height, double width = 1) {
          "\n0 1 " + z + "\n4 0 1 2 3\n";
 }
 
+// That of kTetrahedron, twice as large and moved by (3, 0, 0).
+const char kMovedTetrahedron[] =
+    "v 3 0 0\nv 5 0 0\nv 3 2 0\nv 3 0 2\n"
+    "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
 const char kTetrahedron[] =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\n"
     "property float y\nproperty float z\nelement face 4\n"
@@ -200,11 +205,7 @@ TEST_F(MeshComparerTest, CloudsAreComparedPointByPoint) {
 
 TEST_F(MeshComparerTest, MatricesAreWrittenAndRead) {
   const std::string reference = folder_.Write("tetra.ply", kTetrahedron);
-  // The tetrahedron, twice as large and moved by (3, 0, 0).
-  const std::string moved =
-      folder_.Write("moved.obj",
-                    "v 3 0 0\nv 5 0 0\nv 3 2 0\nv 3 0 2\nf 1 3 2\nf 1 2 4\nf 2 "
-                    "3 4\nf 1 4 3\n");
+  const std::string moved = folder_.Write("moved.obj", kMovedTetrahedron);
   const std::string matrix = folder_.Write(
       "matrix.txt", "0.5 0 0 -1.5\n0 0.5 0 0\n0 0 0.5 0\n0 0 0 1\n");
   const ProgramResult result = Compare({"--input_path",
@@ -263,10 +264,7 @@ std::string ImagesText(double scale, double x) {
 
 TEST_F(MeshComparerTest, MeshesAreMovedBySharedCameras) {
   const std::string reference = folder_.Write("tetra.ply", kTetrahedron);
-  const std::string moved =
-      folder_.Write("moved.obj",
-                    "v 3 0 0\nv 5 0 0\nv 3 2 0\nv 3 0 2\nf 1 3 2\nf 1 2 4\nf 2 "
-                    "3 4\nf 1 4 3\n");
+  const std::string moved = folder_.Write("moved.obj", kMovedTetrahedron);
   const auto write_model = [&](const std::string& name,
                                const std::string& images) {
     std::filesystem::create_directories(folder_ / name / "0");
@@ -295,6 +293,14 @@ TEST_F(MeshComparerTest, MeshesAreMovedBySharedCameras) {
   EXPECT_THAT(result.err, HasSubstr("4 photographs are in both models"));
   EXPECT_LT(Report()["meshes"][0]["comparison"]["to_reference"]["max"], 1e-6);
   EXPECT_EQ(Report()["shared_cameras"]["num_cameras"], 4);
+  // Two photographs have changed places.
+  std::string exchanged = ImagesText(2, 3);
+  exchanged.replace(exchanged.find("view1"), 5, "viewX");
+  exchanged.replace(exchanged.find("view2"), 5, "view1");
+  exchanged.replace(exchanged.find("viewX"), 5, "view2");
+  folder_.Write("mapper/0/images.txt", exchanged);
+  EXPECT_THAT(Compare(arguments).err,
+              HasSubstr("hardly have the same cameras"));
   folder_.Write("mapper/0/images.txt", "");
   EXPECT_THAT(Compare(arguments).err, HasSubstr("share 0 photographs"));
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/mesh/cloud.h"
 #include "core/mesh/cluster_vertices.h"
@@ -85,13 +86,6 @@ Eigen::Matrix3d SpiralRotation(size_t i, size_t count) {
                             r * std::cos(alpha),
                             big_r * std::sin(beta))
       .toRotationMatrix();
-}
-
-double Median(std::vector<double> values) {
-  const auto middle =
-      values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // The mean position, and the median distance to it.

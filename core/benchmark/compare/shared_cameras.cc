@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 
 namespace octacut {
 namespace {
@@ -83,6 +84,21 @@ Similarity3d FitCenters(const std::vector<CenterPair>& centers,
   return {scale, rotation, mean.reference - scale * (rotation * mean.model)};
 }
 
+// Of the reference's centres.
+double Spread(const std::vector<CenterPair>& centers,
+              const std::vector<bool>& counts) {
+  const CenterPair mean = MeanOf(centers, counts);
+  double sum = 0;
+  double number = 0;
+  for (size_t i = 0; i < centers.size(); ++i) {
+    if (counts[i]) {
+      sum += (centers[i].reference - mean.reference).squaredNorm();
+      ++number;
+    }
+  }
+  return std::sqrt(sum / number);
+}
+
 std::vector<double> Residuals(const std::vector<CenterPair>& centers,
                               const Similarity3d& reference_from_model) {
   std::vector<double> residuals;
@@ -92,12 +108,6 @@ std::vector<double> Residuals(const std::vector<CenterPair>& centers,
         (reference_from_model * pair.model - pair.reference).norm());
   }
   return residuals;
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + long(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -139,6 +149,7 @@ SharedCameraAlignment AlignSharedCameras(
     }
     counts = inliers;
   }
+  result.spread = Spread(centers, counts);
   return result;
 }
 

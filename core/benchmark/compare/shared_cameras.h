@@ -18,10 +18,13 @@ struct SharedCamera {
 
 struct SharedCameraAlignment {
   Similarity3d reference_from_model;
-  // Cameras whose centres agree to three times the median or better.
+  // Cameras whose centres agree to three times the median or better: at least
+  // half of all.
   size_t num_inliers = 0;
-  // Of their centres, units of the reference.
+  // Root mean squares, units of the reference: of how far their centres are
+  // apart, and of how far those are from their mean.
   double rms = 0;
+  double spread = 0;
 };
 
 // Rotation by the cameras' own, which also serves where their centres lie on a

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 
 namespace octacut {
@@ -21,13 +22,6 @@ constexpr double kBehindPixels = 3;
 constexpr double kContradictionSigmas = 3;
 constexpr double kSigmaOfMad = 1.4826;  // of normal deviations
 constexpr double kLeastContradiction = 0.05;
-
-double Median(std::vector<double> values) {
-  const auto middle =
-      values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 cv::Mat BoxMean(const cv::Mat& values, int radius) {
   const int side = 2 * radius + 1;
@@ -123,6 +117,7 @@ std::vector<bool> ContradictingViews(const std::vector<ViewSupport>& support) {
   }
   const double median = Median(values);
   std::vector<double> deviations;
+  deviations.reserve(values.size());
   for (const double value : values) {
     deviations.push_back(std::abs(value - median));
   }

@@ -55,6 +55,8 @@ TEST(AlignSharedCameras, FindsTheSimilarity) {
   const SharedCameraAlignment alignment = AlignSharedCameras(Ring(9));
   ExpectSame(alignment.reference_from_model, ReferenceFromModel());
   EXPECT_LT(alignment.rms, 1e-9);
+  // A ring of radius 1 that rises and falls by 0.1, 2.5 times as large.
+  EXPECT_NEAR(alignment.spread, 2.5 * std::sqrt(1 + 0.005), 0.01);
 }
 
 TEST(AlignSharedCameras, ServesForCamerasOnALine) {

@@ -19,6 +19,7 @@ Json RoundToJson(const RoundSummary& round) {
           {"search_seconds", round.search_seconds},
           {"silhouette_seconds", round.silhouette_seconds},
           {"solve_seconds", round.solve_seconds},
+          {"taken_back_share", round.taken_back},
           {"withdrawn_vertices", round.num_withdrawn},
           {"hull_tolerance", round.hull_tolerance},
           {"validity_seconds", round.validity_seconds}};

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
+#include "core/refine/surroundings.h"
 
 namespace octacut {
 namespace {
@@ -20,42 +20,6 @@ constexpr int kLastRing = 5;
 // second on they all count (docs/experiments/refinement_weights.md).
 constexpr float kChance = 0.3f;
 constexpr float kSupported = 0.6f;
-
-// The points that are kFirstRing .. kLastRing steps away from another one.
-class Surroundings {
- public:
-  explicit Surroundings(const VertexCorners& neighbors, size_t num_points)
-      : neighbors_(neighbors), reached_from_(num_points, kNowhere) {}
-
-  template <typename Visit>
-  void ForEach(uint32_t point, const Visit& visit) {
-    front_.assign(1, point);
-    reached_from_[point] = point;
-    for (int ring = 1; ring <= kLastRing; ++ring) {
-      next_.clear();
-      for (const uint32_t from : front_) {
-        for (const uint32_t to : neighbors_.Of(from)) {
-          if (reached_from_[to] != point) {
-            reached_from_[to] = point;
-            next_.push_back(to);
-            if (ring >= kFirstRing) {
-              visit(to);
-            }
-          }
-        }
-      }
-      front_.swap(next_);
-    }
-  }
-
- private:
-  static constexpr uint32_t kNowhere = std::numeric_limits<uint32_t>::max();
-
-  const VertexCorners& neighbors_;
-  std::vector<uint32_t> reached_from_;
-  std::vector<uint32_t> front_;
-  std::vector<uint32_t> next_;
-};
 
 // One a point; 1 of points without neighbours that far.
 std::vector<float> EstimateSupport(
@@ -71,13 +35,14 @@ std::vector<float> EstimateSupport(
         for (size_t i = begin; i < end; ++i) {
           int num_seen = 0;
           int num_alike = 0;
-          surroundings.ForEach(uint32_t(i), [&](uint32_t other) {
-            const OffsetMeasurement& theirs = measurements[other];
-            num_seen += is_seen[other];
-            num_alike +=
-                theirs.weight > 0 &&
-                std::abs(theirs.offset - measurements[i].offset) <= tolerance;
-          });
+          surroundings.ForEach(
+              uint32_t(i), kFirstRing, kLastRing, [&](uint32_t other) {
+                const OffsetMeasurement& theirs = measurements[other];
+                num_seen += is_seen[other];
+                num_alike += theirs.weight > 0 &&
+                             std::abs(theirs.offset - measurements[i].offset) <=
+                                 tolerance;
+              });
           if (num_seen > 0) {
             support[i] =
                 Ramp(float(num_alike) / float(num_seen), kChance, kSupported);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
+#include "core/refine/agreement.h"
 #include "core/refine/align_views.h"
 #include "core/refine/border_terms.h"
 #include "core/refine/keep_valid.h"
@@ -146,6 +147,14 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   summary.scale = plan.scale;
   summary.range = plan.range * plan.scale;
   const std::vector<Eigen::Vector3d> before = mesh->positions;
+  const bool can_harm = plan.smooths && plan.scale > 1;
+  const AgreementInputs agreeing{*views, inputs.neighbors, pixel, options};
+  SurfaceAgreement agreement;
+  if (can_harm) {
+    SurfacePoints points =
+        SpreadPoints(*mesh, inputs.neighbors, options.measure_spacing * pixel);
+    agreement = MeasureAgreement(agreeing, std::move(points), context, mesh);
+  }
   SeenSurface seen =
       LookAtSurface(*views,
                     inputs.neighbors,
@@ -201,6 +210,10 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   summary.mean_displacement = MovePoints(
       std::move(seen), std::move(problem), plan.smooths, inputs, context, mesh);
   summary.solve_seconds = stopwatch.Lap();
+  if (can_harm) {
+    summary.taken_back =
+        TakeBackHarm(agreeing, before, agreement, context, mesh);
+  }
   // In each round: what is moved back would stay a pit, and the next round
   // makes it smooth.
   const double tolerance =
@@ -212,34 +225,6 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
                                     mesh);
   summary.validity_seconds = stopwatch.Lap();
   return summary;
-}
-
-double MeanAgreement(const ViewSet& views,
-                     const VertexCorners& neighbors,
-                     double pixel,
-                     const RefineOptions& options,
-                     const Context& context,
-                     IndexedMesh* mesh) {
-  const SeenSurface seen =
-      LookAtSurface(views,
-                    neighbors,
-                    {.pixel = pixel,
-                     .scale = 1,
-                     .spacing = 2 * options.measure_spacing * pixel},
-                    options,
-                    context,
-                    mesh);
-  double sum = 0;
-  for (const OffsetMeasurement& measurement :
-       MeasureOffsets(views,
-                      seen,
-                      RoundPlan(),
-                      options,
-                      "refinement: agreement of the views",
-                      context)) {
-    sum += measurement.score_before;
-  }
-  return sum / double(std::max<size_t>(seen.NumSeen(), 1));
 }
 
 }  // namespace octacut

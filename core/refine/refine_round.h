@@ -27,6 +27,8 @@ struct RoundSummary {
   double hull_tolerance = 0;
   double mean_displacement = 0;  // of the vertices that may move, pixels
   size_t num_aligned = 0;        // views, in the last step
+  // The share of the moves that was taken back because the views agreed less.
+  double taken_back = 0;
   // Vertices that were moved back: into the hull, or for the sake of
   // triangles that were too thin or intersected others.
   size_t num_withdrawn = 0;
@@ -76,14 +78,5 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
                         const Context& context,
                         ViewSet* views,
                         IndexedMesh* mesh);
-
-// Mean agreement (-1 .. 1) of the views about the surface as it is, at the
-// scale of the views.
-double MeanAgreement(const ViewSet& views,
-                     const VertexCorners& neighbors,
-                     double pixel,
-                     const RefineOptions& options,
-                     const Context& context,
-                     IndexedMesh* mesh);
 
 }  // namespace octacut

@@ -10,6 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/untangle.h"
+#include "core/refine/agreement.h"
 #include "core/refine/keep_valid.h"
 
 namespace octacut {
@@ -66,6 +67,16 @@ double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
         "cameras");
   }
   return pixel;
+}
+
+double MeanAgreement(const AgreementInputs& inputs,
+                     const Context& context,
+                     IndexedMesh* mesh) {
+  SurfacePoints points =
+      SpreadPoints(*mesh,
+                   inputs.neighbors,
+                   2 * inputs.options.measure_spacing * inputs.pixel);
+  return MeasureAgreement(inputs, std::move(points), context, mesh).Mean();
 }
 
 std::vector<Eigen::Vector3d> SomePositions(const IndexedMesh& mesh) {
@@ -150,7 +161,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
     projections.push_back(view.projection);
   }
   summary.agreement_before =
-      MeanAgreement(*views, neighbors, pixel, options, context, &unit);
+      MeanAgreement({*views, neighbors, pixel, options}, context, &unit);
   const double edge_shift = views->front().border_shift;
   const double edge_shift_error = views->front().border_shift_error;
   summary.border_shift = edge_shift;
@@ -168,7 +179,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   summary.view_motion =
       MeasureViewMotion(projections, *views, SomePositions(unit));
   summary.agreement_after =
-      MeanAgreement(*views, neighbors, pixel, options, context, &unit);
+      MeanAgreement({*views, neighbors, pixel, options}, context, &unit);
   SummarizeMoves(start, unit, pixel, &summary);
   summary.num_withdrawn +=
       MoveMesh(start, unit.positions, cube, summary.pixel_size, context, &mesh);

@@ -49,10 +49,25 @@ SeenSurface LookAtSurface(const ViewSet& views,
                           const RefineOptions& options,
                           const Context& context,
                           IndexedMesh* mesh) {
+  return LookAtPoints(SpreadPoints(*mesh, neighbors, look.spacing),
+                      views,
+                      neighbors,
+                      look,
+                      options,
+                      context,
+                      mesh);
+}
+
+SeenSurface LookAtPoints(SurfacePoints points,
+                         const ViewSet& views,
+                         const VertexCorners& neighbors,
+                         const Look& look,
+                         const RefineOptions& options,
+                         const Context& context,
+                         IndexedMesh* mesh) {
   Stopwatch stopwatch;
   mesh->normals = ComputeVertexNormals(*mesh, context);
   const double edge = MeanEdge(*mesh, neighbors);
-  SurfacePoints points = SpreadPoints(*mesh, neighbors, look.spacing);
   const double fit_radius =
       options.fit_radius * look.pixel * std::min(look.scale, kMaxFitScale);
   std::vector<LocalSurface> surfaces =

@@ -47,4 +47,14 @@ SeenSurface LookAtSurface(const ViewSet& views,
                           const Context& context,
                           IndexedMesh* mesh);
 
+// The same at points of another look at the mesh, whose vertices may have moved
+// since; `look.spacing` has no effect.
+SeenSurface LookAtPoints(SurfacePoints points,
+                         const ViewSet& views,
+                         const VertexCorners& neighbors,
+                         const Look& look,
+                         const RefineOptions& options,
+                         const Context& context,
+                         IndexedMesh* mesh);
+
 }  // namespace octacut

@@ -1,0 +1,130 @@
+#include "core/refine/agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/parallel.h"
+#include "core/base/ramp.h"
+#include "core/refine/offset_search.h"
+#include "core/refine/seen_surface.h"
+#include "core/refine/surroundings.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kGrain = 4096;
+// Steps between neighbouring points, at least two pixels each, within which a
+// loss of agreement is averaged; 7 gain on drapery what they lose on rocker.
+constexpr int kRings = 5;
+// Losses from which on a move is taken back in part and as a whole.
+constexpr float kSmallLoss = 0.02f;
+constexpr float kLargeLoss = 0.05f;
+
+// The share by which the moves around each point are taken back.
+std::vector<float> SharesOfHarm(const SurfaceAgreement& before,
+                                const SurfaceAgreement& after,
+                                const AgreementInputs& inputs,
+                                const Context& context) {
+  // Patches overlap, so that the losses of so many points are one observation.
+  const double width = 2 * inputs.options.patch.radius + 1;
+  const double overlap =
+      width * width / std::pow(inputs.options.measure_spacing, 2);
+  std::vector<float> shares(before.scores.size(), 0);
+  ParallelFor(context, shares.size(), kGrain, [&](size_t begin, size_t end) {
+    Surroundings surroundings(before.points.neighbors, shares.size());
+    for (size_t i = begin; i < end; ++i) {
+      double sum = 0;
+      double squares = 0;
+      double count = 0;
+      surroundings.ForEach(uint32_t(i), 0, kRings, [&](uint32_t other) {
+        if (before.is_seen[other] && after.is_seen[other]) {
+          const double loss = before.scores[other] - after.scores[other];
+          sum += loss;
+          squares += loss * loss;
+          ++count;
+        }
+      });
+      if (count > 0) {
+        // What scatters about no loss is chance: what the mean surely exceeds
+        // counts.
+        const double mean = sum / count;
+        const double variance = std::max(squares / count - mean * mean, 0.0);
+        const double error = std::sqrt(variance * overlap / count);
+        shares[i] = Ramp(float(mean - error), kSmallLoss, kLargeLoss);
+      }
+    }
+  });
+  return shares;
+}
+
+}  // namespace
+
+double SurfaceAgreement::Mean() const {
+  double sum = 0;
+  double count = 0;
+  for (size_t i = 0; i < scores.size(); ++i) {
+    sum += is_seen[i] ? scores[i] : 0;
+    count += is_seen[i];
+  }
+  return sum / std::max(count, 1.0);
+}
+
+SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
+                                  SurfacePoints points,
+                                  const Context& context,
+                                  IndexedMesh* mesh) {
+  SeenSurface seen = LookAtPoints(std::move(points),
+                                  inputs.views,
+                                  inputs.neighbors,
+                                  {.pixel = inputs.pixel, .scale = 1},
+                                  inputs.options,
+                                  context,
+                                  mesh);
+  Phase phase(
+      context, "refinement: agreement of the views", seen.surfaces.size());
+  const OffsetSearch search{.range = 0,
+                            .step = inputs.options.step,
+                            .spacing = 1,
+                            .min_score = inputs.options.min_score,
+                            .patch = inputs.options.patch};
+  SurfaceAgreement agreement;
+  for (const OffsetMeasurement& measurement : SearchOffsets(inputs.views,
+                                                            seen.surfaces,
+                                                            seen.choices,
+                                                            search,
+                                                            context,
+                                                            &phase)) {
+    agreement.scores.push_back(measurement.score_before);
+  }
+  agreement.points = std::move(seen.points);
+  agreement.is_seen = std::move(seen.is_seen);
+  return agreement;
+}
+
+double TakeBackHarm(const AgreementInputs& inputs,
+                    const std::vector<Eigen::Vector3d>& positions,
+                    const SurfaceAgreement& before,
+                    const Context& context,
+                    IndexedMesh* mesh) {
+  const SurfaceAgreement after =
+      MeasureAgreement(inputs, before.points, context, mesh);
+  const std::vector<float> shares =
+      SharesOfHarm(before, after, inputs, context);
+  const SurfacePoints& points = after.points;
+  double sum = 0;
+  for (size_t v = 0; v < positions.size(); ++v) {
+    // The mean of the points around keeps the moves smooth.
+    const uint32_t own = points.point_of[v];
+    float share = shares[own];
+    for (const uint32_t next : points.neighbors.Of(own)) {
+      share += shares[next];
+    }
+    share /= float(points.neighbors.Of(own).size() + 1);
+    mesh->positions[v] += double(share) * (positions[v] - mesh->positions[v]);
+    sum += share;
+  }
+  return sum / double(std::max<size_t>(positions.size(), 1));
+}
+
+}  // namespace octacut

@@ -1,0 +1,55 @@
+// How well the views agree about the surface as it is, and what to take back
+// where they agree less than before.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/mesh/indexed_mesh.h"
+#include "core/mesh/vertex_corners.h"
+#include "core/refine/refine_options.h"
+#include "core/refine/surface_points.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+// What is looked at, and how; unit coordinates.
+struct AgreementInputs {
+  const ViewSet& views;
+  const VertexCorners& neighbors;  // those of FindVertexNeighbors
+  double pixel;                    // of the views, at the surface
+  const RefineOptions& options;
+};
+
+// At the scale of the views; one element a point.
+struct SurfaceAgreement {
+  SurfacePoints points;
+  std::vector<uint8_t> is_seen;  // by at least two views
+  std::vector<float> scores;     // -1 .. 1, where they see it
+
+  // 0 where nothing is seen.
+  double Mean() const;
+};
+
+// `mesh` is given normals. `points` as those of SpreadPoints.
+SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
+                                  SurfacePoints points,
+                                  const Context& context,
+                                  IndexedMesh* mesh);
+
+// Moves vertices of `mesh` back to `positions`, where `before` was measured, or
+// towards them, where the views agree less than they did there: a surface that
+// is smoothed coarsely loses its narrow folds, which photographs see. What
+// scatters about no change is kept (docs/experiments/refinement_folds.md). The
+// mesh may intersect itself. Returns the share of the way that is taken back,
+// mean over the vertices.
+double TakeBackHarm(const AgreementInputs& inputs,
+                    const std::vector<Eigen::Vector3d>& positions,
+                    const SurfaceAgreement& before,
+                    const Context& context,
+                    IndexedMesh* mesh);
+
+}  // namespace octacut

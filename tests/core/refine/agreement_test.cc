@@ -1,0 +1,72 @@
+#include "core/refine/agreement.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/core/refine/refine_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::RefineScene;
+
+// The scene's sphere, whose halves with x < 0 and x > 0 are so many pixels too
+// large, with a soft step between them.
+IndexedMesh UnevenSphere(const RefineScene& scene, double left, double right) {
+  return scene.ToUnitMesh(
+      RefineScene::Mesh(40, [&](const Eigen::Vector3d& direction) {
+        const double share = std::clamp(5 * direction.x() + 0.5, 0.0, 1.0);
+        return (left + share * (right - left)) * scene.Pixel();
+      }));
+}
+
+// The shares of the moves from `before` to `after` that are taken back on the
+// two halves, far from the step.
+std::array<double, 2> TakeBack(const RefineScene& scene,
+                               IndexedMesh before,
+                               const IndexedMesh& after) {
+  const Context context(2);
+  const VertexCorners neighbors = RefineScene::Neighbors(before);
+  const RefineOptions options;
+  const BoundingCube& cube = scene.test.region.cube;
+  const double pixel = scene.Pixel() / cube.edge;
+  const AgreementInputs inputs{scene.test.views, neighbors, pixel, options};
+  const SurfaceAgreement agreement = MeasureAgreement(
+      inputs,
+      SpreadPoints(before, neighbors, options.measure_spacing * pixel),
+      context,
+      &before);
+  IndexedMesh mesh = after;
+  TakeBackHarm(inputs, before.positions, agreement, context, &mesh);
+  std::array<double, 2> way = {0, 0};
+  std::array<double, 2> taken = {0, 0};
+  for (size_t v = 0; v < mesh.positions.size(); ++v) {
+    const double x =
+        before.positions[v].x() - testing::ToUnit(cube, {0, 0, 0}).x();
+    if (std::abs(x) * cube.edge > 0.3 * RefineScene::kRadius) {
+      way[x > 0] += (after.positions[v] - before.positions[v]).norm();
+      taken[x > 0] += (after.positions[v] - mesh.positions[v]).norm();
+    }
+  }
+  return {taken[0] / way[0], taken[1] / way[1]};
+}
+
+TEST(TakeBackHarm, TakesBackWhatLeavesTheSurfaceAndNothingElse) {
+  const RefineScene scene = testing::MakeRefineScene();
+  const auto [left, right] =
+      TakeBack(scene, UnevenSphere(scene, -2, 0), UnevenSphere(scene, 0, 2));
+  EXPECT_LT(left, 0.02);
+  EXPECT_GT(right, 0.9);
+}
+
+TEST(TakeBackHarm, KeepsMovesWherePhotographsAreNoise) {
+  const RefineScene scene = testing::MakeRefineScene(-60, 200);
+  const auto [left, right] =
+      TakeBack(scene, UnevenSphere(scene, 0, 0), UnevenSphere(scene, 2, 2));
+  EXPECT_LT(left, 0.15);
+  EXPECT_LT(right, 0.15);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -3,19 +3,10 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "plugin/trim.h"
 
 namespace octacut {
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view Trim(std::string_view text) {
-  const size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
-}
 
 // A '#' inside a word belongs to it: paths may contain one.
 std::string_view WithoutComment(std::string_view line) {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "plugin/trim.h"
+
 namespace octacut {
 namespace {
 
@@ -12,14 +14,6 @@ void ParseFloatingPoint(std::string_view text, T* value) {
   if (error != std::errc() || stop != end || !std::isfinite(*value)) {
     throw OptionError("must be a finite number");
   }
-}
-
-std::string_view Trim(std::string_view text) {
-  const size_t begin = text.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) {
-    return {};
-  }
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace octacut {
 namespace {
 
 // Wide enough to judge a surface by, small enough to look at.
-constexpr int kLongestSide = 600;
+constexpr int kPictureSide = 600;
 
 size_t ViewOfMostObject(const Scene& scene) {
   size_t best = 0;
@@ -49,7 +49,7 @@ void WriteRunPicture(const std::filesystem::path& path,
   const View& view = scene.views[ViewOfMostObject(scene)];
   const PinholeCamera camera = Scaled(
       view.camera,
-      double(kLongestSide) / std::max(view.camera.width, view.camera.height));
+      double(kPictureSide) / std::max(view.camera.width, view.camera.height));
   const RayScene rays(mesh);
   RenderOptions clay;
   RenderOptions colored;

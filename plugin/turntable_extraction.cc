@@ -29,8 +29,8 @@ namespace fs = std::filesystem;
 
 // Longest side of the photographs as they are compared, pixels; the borders of
 // larger ones are refined at full size.
-constexpr int kLongestSide = 1024;
-constexpr double kReach = 2;  // of these pixels
+constexpr int kComparedSide = 1024;
+constexpr double kBorderReach = 2;  // of these pixels
 constexpr size_t kMinPhotographs = 3;
 // Photograph, its part around the border with features, and the cut's graph.
 constexpr size_t kTurntableBytesPerPixel = 48;
@@ -88,7 +88,8 @@ std::vector<fs::path> FoldersIn(const fs::path& folder) {
 }
 
 cv::Mat Reduced(const cv::Mat& image) {
-  const double factor = double(kLongestSide) / std::max(image.cols, image.rows);
+  const double factor =
+      double(kComparedSide) / std::max(image.cols, image.rows);
   if (factor >= 1) {
     return image;
   }
@@ -191,8 +192,9 @@ void TurntableFolder::Extract(MaskList* list,
                 if (is_reduced) {
                   const double scale = double(size_.width) / mask.cols;
                   cv::resize(mask, mask, size_, 0, 0, cv::INTER_LINEAR);
-                  mask = RefineBorder(
-                      ReadPhotograph(paths_[i]), mask > 127, kReach * scale);
+                  mask = RefineBorder(ReadPhotograph(paths_[i]),
+                                      mask > 127,
+                                      kBorderReach * scale);
                 }
                 encoded[i] = EncodeMask(mask);
               });

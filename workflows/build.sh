@@ -10,7 +10,8 @@ build=${OCTACUT_BUILD_DIR:-$root/build}
 
 options=(--preset "${OCTACUT_PRESET:-release}")
 if command -v ccache >/dev/null; then
-  options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  # Without this setting, ccache keeps nothing that uses precompiled headers.
+  options+=("-DCMAKE_CXX_COMPILER_LAUNCHER=env;CCACHE_SLOPPINESS=pch_defines,time_macros;ccache")
 fi
 # A build folder stays with the generator that made it.
 if [[ ! -f $build/CMakeCache.txt ]] && command -v ninja >/dev/null; then

@@ -57,10 +57,11 @@ mapfile -t changed < <(
 if ((${#changed[@]} == 0)); then
   exit 0
 fi
-# clang-tidy needs the command of every single file: no unity build.
+# clang-tidy needs the command of every single file (no unity build), and cannot
+# read what g++ has precompiled.
 build=${OCTACUT_BUILD_DIR:-$root/build}/lint
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
-  -DOCTACUT_UNITY_BUILD=OFF >/dev/null
+  -DOCTACUT_UNITY_BUILD=OFF -DOCTACUT_PRECOMPILE=OFF >/dev/null
 printf '%s\n' "${changed[@]}" |
   xargs -P "$(nproc)" -n 1 \
     clang-tidy -p "$build" --quiet --warnings-as-errors='*'

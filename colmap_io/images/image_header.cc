@@ -11,7 +11,7 @@ constexpr std::array<uint8_t, 8> kPngSignature = {
     0x89, 'P', 'N', 'G', 0x0d, 0x0a, 0x1a, 0x0a};
 
 template <size_t N>
-bool ReadBytes(std::istream& stream, std::array<uint8_t, N>* bytes) {
+bool ReadArray(std::istream& stream, std::array<uint8_t, N>* bytes) {
   stream.read(reinterpret_cast<char*>(bytes->data()), N);
   return bool(stream);
 }
@@ -37,12 +37,12 @@ bool IsStartOfFrame(uint8_t marker) {
 // `stream` is behind the first marker, ff d8.
 std::optional<ImageSize> ReadJpegSize(std::istream& stream) {
   std::array<uint8_t, 1> byte{};
-  while (ReadBytes(stream, &byte)) {
+  while (ReadArray(stream, &byte)) {
     if (byte[0] != 0xff) {
       return {};
     }
     do {
-      if (!ReadBytes(stream, &byte)) {
+      if (!ReadArray(stream, &byte)) {
         return {};
       }
     } while (byte[0] == 0xff);
@@ -51,12 +51,12 @@ std::optional<ImageSize> ReadJpegSize(std::istream& stream) {
       continue;
     }
     std::array<uint8_t, 2> length{};
-    if (!ReadBytes(stream, &length) || BigEndian(length.data(), 2) < 2) {
+    if (!ReadArray(stream, &length) || BigEndian(length.data(), 2) < 2) {
       return {};
     }
     if (IsStartOfFrame(marker)) {
       std::array<uint8_t, 5> frame{};  // precision, height, width
-      if (!ReadBytes(stream, &frame)) {
+      if (!ReadArray(stream, &frame)) {
         return {};
       }
       return ImageSize{BigEndian(&frame[3], 2), BigEndian(&frame[1], 2)};
@@ -71,7 +71,7 @@ std::optional<ImageSize> ReadJpegSize(std::istream& stream) {
 
 std::optional<ImageSize> ReadImageSize(std::istream& stream) {
   std::array<uint8_t, 2> magic{};
-  if (!ReadBytes(stream, &magic)) {
+  if (!ReadArray(stream, &magic)) {
     return {};
   }
   if (magic[0] == 0xff && magic[1] == 0xd8) {
@@ -80,7 +80,7 @@ std::optional<ImageSize> ReadImageSize(std::istream& stream) {
   // PNG: signature, then the chunk IHDR (length, type, width, height).
   std::array<uint8_t, 22> rest{};
   if (magic[0] != kPngSignature[0] || magic[1] != kPngSignature[1] ||
-      !ReadBytes(stream, &rest) ||
+      !ReadArray(stream, &rest) ||
       !std::equal(
           kPngSignature.begin() + 2, kPngSignature.end(), rest.begin()) ||
       std::memcmp(&rest[10], "IHDR", 4) != 0) {

@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Decoded bytes of one photograph in flight, a pixel: image, mask, file.
-constexpr size_t kBytesPerPixel = 6;
+constexpr size_t kLoadedBytes = 6;
 
 // An image of the model on its way to a view.
 struct Candidate {
@@ -145,7 +145,7 @@ void Loader::ForEachCandidate(std::string_view phase,
         size_t(candidate.files.camera->width * candidate.files.camera->height));
   }
   ForEachFile({.count = candidates_.size(),
-               .bytes_per_file = kBytesPerPixel * pixels,
+               .bytes_per_file = kLoadedBytes * pixels,
                .byte_budget = options_.decode_budget},
               phase,
               context_,

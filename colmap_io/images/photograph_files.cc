@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 // Bytes a pixel while a photograph is worked on: the file's pixels, those of
 // the view, its mask, and two maps of floats.
-constexpr size_t kBytesPerPixel = 16;
+constexpr size_t kWorkedOnBytes = 16;
 // So fine a level that no photograph is reduced.
 constexpr int kFullResolution = 20;
 
@@ -211,7 +211,7 @@ PhotographFiles OpenPhotographs(const fs::path& workspace_path,
     pixels = std::max(pixels, size_t(file.camera->width * file.camera->height));
   }
   result.photographs.max_held =
-      std::max<size_t>(1, options.decode_budget / (kBytesPerPixel * pixels));
+      std::max<size_t>(1, options.decode_budget / (kWorkedOnBytes * pixels));
   result.photographs.load = [reader](size_t i) { return reader->Load(i); };
   return result;
 }

@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Decoded photograph, help and file.
-constexpr size_t kBytesPerPixel = 8;
+constexpr size_t kDecodedBytes = 8;
 // Part of a reduced pixel that a stroke must cover to count.
 constexpr int kStrokeCoverage = 64;
 // Reduced pixels by which the border of a turntable's mask may be off.
@@ -198,7 +198,7 @@ SegmentationFiles ReadSegmentationFiles(const Workspace& workspace,
   result.files = FindFiles(workspace, options, context);
   result.input.views.resize(result.files.size());
   ForEachFile({.count = result.files.size(),
-               .bytes_per_file = BytesOfLargest(result.files, kBytesPerPixel),
+               .bytes_per_file = BytesOfLargest(result.files, kDecodedBytes),
                .byte_budget = options.decode_budget},
               "reading photographs",
               context,

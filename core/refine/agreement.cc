@@ -7,8 +7,8 @@
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
 #include "core/refine/offset_search.h"
+#include "core/refine/point_rings.h"
 #include "core/refine/seen_surface.h"
-#include "core/refine/surroundings.h"
 
 namespace octacut {
 namespace {
@@ -32,12 +32,12 @@ std::vector<float> SharesOfHarm(const SurfaceAgreement& before,
       width * width / std::pow(inputs.options.measure_spacing, 2);
   std::vector<float> shares(before.scores.size(), 0);
   ParallelFor(context, shares.size(), kGrain, [&](size_t begin, size_t end) {
-    Surroundings surroundings(before.points.neighbors, shares.size());
+    PointRings rings(before.points.neighbors, shares.size());
     for (size_t i = begin; i < end; ++i) {
       double sum = 0;
       double squares = 0;
       double count = 0;
-      surroundings.ForEach(uint32_t(i), 0, kRings, [&](uint32_t other) {
+      rings.ForEach(uint32_t(i), 0, kRings, [&](uint32_t other) {
         if (before.is_seen[other] && after.is_seen[other]) {
           const double loss = before.scores[other] - after.scores[other];
           sum += loss;

@@ -6,7 +6,7 @@
 
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
-#include "core/refine/surroundings.h"
+#include "core/refine/point_rings.h"
 
 namespace octacut {
 namespace {
@@ -31,11 +31,11 @@ std::vector<float> EstimateSupport(
   std::vector<float> support(measurements.size(), 1);
   ParallelFor(
       context, measurements.size(), kGrain, [&](size_t begin, size_t end) {
-        Surroundings surroundings(neighbors, measurements.size());
+        PointRings rings(neighbors, measurements.size());
         for (size_t i = begin; i < end; ++i) {
           int num_seen = 0;
           int num_alike = 0;
-          surroundings.ForEach(
+          rings.ForEach(
               uint32_t(i), kFirstRing, kLastRing, [&](uint32_t other) {
                 const OffsetMeasurement& theirs = measurements[other];
                 num_seen += is_seen[other];

@@ -20,9 +20,9 @@ namespace octacut {
 
 // What a round looks at; lengths in unit coordinates.
 struct Look {
-  double pixel;    // of the views, at the surface
-  double scale;    // pixels between the samples of a patch
-  double spacing;  // between points
+  double pixel;        // of the views, at the surface
+  double scale;        // pixels between the samples of a patch
+  double spacing = 0;  // between points that are spread for it
 };
 
 struct SeenSurface {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 
 namespace octacut {
 namespace {
@@ -69,12 +70,6 @@ Eigen::Vector3d FindFixation(std::span<const Pose> poses) {
     }
   }
   return point;
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

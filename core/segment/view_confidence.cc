@@ -6,6 +6,8 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/median.h"
+
 namespace octacut {
 namespace {
 
@@ -30,18 +32,12 @@ cv::Mat DistanceToOther(const cv::Mat& mask) {
 double Agreement(const cv::Mat& mask, const cv::Mat& others) {
   const cv::Mat allowed = others > 0;
   const cv::Mat counted =
-      (DistanceToOther(mask) > kBorder | DistanceToOther(~mask) > kBorder) &
-      (DistanceToOther(allowed) > kBorder |
-       DistanceToOther(~allowed) > kBorder);
+      ((DistanceToOther(mask) > kBorder) | (DistanceToOther(~mask) > kBorder)) &
+      ((DistanceToOther(allowed) > kBorder) |
+       (DistanceToOther(~allowed) > kBorder));
   const int common = cv::countNonZero(mask & allowed & counted);
   const int either = cv::countNonZero((mask | allowed) & counted);
   return either == 0 ? 0 : double(common) / either;
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace

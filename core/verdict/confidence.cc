@@ -9,7 +9,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 4096;
+constexpr size_t kConfidenceGrain = 4096;
 // Rings of points over which it is asked whether photographs decide: where they
 // seldom do, agreement is chance.
 constexpr int kRegionRings = 3;
@@ -138,12 +138,14 @@ std::vector<float> VertexConfidence(const IndexedMesh& mesh,
     }
     return 1 / (1 + sum / weights);
   };
-  ParallelFor(
-      context, confidence.size(), kGrain, [&](size_t begin, size_t end) {
-        for (size_t v = begin; v < end; ++v) {
-          confidence[v] = at(v);
-        }
-      });
+  ParallelFor(context,
+              confidence.size(),
+              kConfidenceGrain,
+              [&](size_t begin, size_t end) {
+                for (size_t v = begin; v < end; ++v) {
+                  confidence[v] = at(v);
+                }
+              });
   return confidence;
 }
 

@@ -19,7 +19,7 @@
 #include "core/mesh/untangle.h"
 #include "core/print/flat_base.h"
 #include "core/print/place_on_plate.h"
-#include "core/print/stand_plane.h"
+#include "core/print/resting_plane.h"
 #include "plugin/closed_mesh.h"
 #include "plugin/export_scale.h"
 #include "plugin/mesh_json.h"
@@ -199,8 +199,8 @@ Eigen::Vector3d MeshExporter::FindUp(const IndexedMesh& mesh,
                                      Json* json) const {
   Eigen::Vector3d up = ParseUp(up_);
   if (up_ == kStand) {
-    const StandPlane stand =
-        FindStandPlane(mesh, SurroundingsOf(mesh, workspace->model), context);
+    const RestingPlane stand =
+        FindRestingPlane(mesh, SurroundingsOf(mesh, workspace->model), context);
     up = stand.up;
     context.Info(fmt::format(
         "stand: {} of {} sparse points around the object lie in its plane, up "

@@ -236,6 +236,39 @@ void CheckFile(const fs::path& root,
   }
 }
 
+// Types of one name in two headers are two definitions of one entity, which a
+// linker may mix up without a word.
+void CheckTypeNames(const fs::path& root,
+                    std::vector<std::string>* violations) {
+  static const std::regex kType(
+      R"re(^(struct|class|enum class) ([A-Z][A-Za-z]*)[^;]*\{.*)re");
+  std::map<std::string, std::string> headers;  // by the name of the type
+  std::vector<fs::path> files = SourceFiles(root);
+  std::sort(files.begin(), files.end());
+  for (const fs::path& path : files) {
+    const std::string file = fs::relative(path, root).generic_string();
+    if (path.extension() != ".h" || file.starts_with("tests/")) {
+      continue;
+    }
+    std::ifstream stream(path);
+    std::string line;
+    for (size_t number = 1; std::getline(stream, line); ++number) {
+      std::smatch match;
+      if (!std::regex_match(line, match, kType)) {
+        continue;
+      }
+      const auto [other, is_new] = headers.emplace(match[2], file);
+      if (!is_new) {
+        violations->push_back(fmt::format("{}:{}: {} also defines a type {}",
+                                          file,
+                                          number,
+                                          other->second,
+                                          other->first));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> FindRuleViolations(const fs::path& root) {
@@ -244,6 +277,7 @@ std::vector<std::string> FindRuleViolations(const fs::path& root) {
   for (const fs::path& path : SourceFiles(root)) {
     CheckFile(root, core_order, path, &violations);
   }
+  CheckTypeNames(root, &violations);
   std::sort(violations.begin(), violations.end());
   return violations;
 }

@@ -6,7 +6,8 @@
 //  - core knows neither files nor image formats; OpenMesh, Ceres and Embree
 //    stay each in the folder that wraps it;
 //  - quoted includes are paths from the top of the tree, and exist;
-//  - no source file is longer than 450 lines.
+//  - no source file is longer than 450 lines;
+//  - no two headers outside tests define types of the same name.
 #pragma once
 
 #include <filesystem>

@@ -177,6 +177,16 @@ TEST_F(PlantedTree, QuotedIncludesArePathsFromTheTop) {
               ElementsAre(HasSubstr("no path from the top")));
 }
 
+TEST_F(PlantedTree, TypesHaveNamesOfTheirOwn) {
+  Plant("core/grid/a.h", "#pragma once\nclass Point;\nstruct Plane {\n};\n");
+  Plant("core/mesh/b.h", "#pragma once\nclass Point {\n};\n");
+  EXPECT_THAT(FindRuleViolations(root_), IsEmpty());
+  Plant("plugin/c.h", "#pragma once\nclass Plane final : public Point {\n};\n");
+  EXPECT_THAT(FindRuleViolations(root_),
+              ElementsAre(HasSubstr(
+                  "plugin/c.h:2: core/grid/a.h also defines a type Plane")));
+}
+
 TEST_F(PlantedTree, FilesStayShort) {
   std::string text;
   for (size_t i = 0; i < kMaxFileLines; ++i) {

@@ -10,7 +10,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 512;
+constexpr size_t kPairGrain = 512;
 // Eigenvalues of the normal equations below this part of the largest belong
 // to motions that the shape does not determine.
 constexpr double kSmallestEigenvalue = 1e-6;
@@ -31,10 +31,10 @@ NormalEquations Accumulate(const std::vector<AlignPair>& pairs,
                            double size,
                            bool estimate_scale,
                            const Context& context) {
-  std::vector<NormalEquations> chunks(NumChunks(pairs.size(), kGrain));
+  std::vector<NormalEquations> chunks(NumChunks(pairs.size(), kPairGrain));
   ParallelChunks(context,
                  pairs.size(),
-                 kGrain,
+                 kPairGrain,
                  [&](size_t chunk, size_t begin, size_t end) {
                    for (size_t i = begin; i < end; ++i) {
                      const AlignPair& pair = pairs[i];

@@ -15,7 +15,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 2048;
+constexpr size_t kSampleGrain = 2048;
 constexpr uint32_t kNoTriangle = std::numeric_limits<uint32_t>::max();
 
 // Distances from one surface to the other, at the points that count.
@@ -63,23 +63,24 @@ class Measurement {
                     ? "Distances to the reference"
                     : "Distances from the reference",
                 points.size());
-    ParallelFor(context_, points.size(), kGrain, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const SurfaceSample& point = points[i];
-        bool counts = !filter || direction == Direction::kToReference ||
-                      filter(point.triangle, point.point);
-        if (counts) {
-          const RayScene::Closest closest = other.ClosestPoint(point.point);
-          distances[i] = closest.distance;
-          counts = !filter || direction == Direction::kFromReference ||
-                   filter(closest.triangle, closest.point);
-        }
-        if (!counts) {
-          distances[i] = std::numeric_limits<double>::quiet_NaN();
-        }
-      }
-      phase.Advance(end - begin);
-    });
+    ParallelFor(
+        context_, points.size(), kSampleGrain, [&](size_t begin, size_t end) {
+          for (size_t i = begin; i < end; ++i) {
+            const SurfaceSample& point = points[i];
+            bool counts = !filter || direction == Direction::kToReference ||
+                          filter(point.triangle, point.point);
+            if (counts) {
+              const RayScene::Closest closest = other.ClosestPoint(point.point);
+              distances[i] = closest.distance;
+              counts = !filter || direction == Direction::kFromReference ||
+                       filter(closest.triangle, closest.point);
+            }
+            if (!counts) {
+              distances[i] = std::numeric_limits<double>::quiet_NaN();
+            }
+          }
+          phase.Advance(end - begin);
+        });
     return distances;
   }
 

@@ -15,7 +15,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 2048;
+constexpr size_t kVertexGrain = 2048;
 // Below this barycentric coordinate, a point is on the opposite edge.
 constexpr double kOnEdge = 1e-9;
 
@@ -104,17 +104,19 @@ std::vector<float> SignedDistances(const std::vector<Eigen::Vector3d>& points,
   const Sides sides(surface, context);
   std::vector<float> distances(points.size());
   Phase phase(context, "Signed distances", points.size());
-  ParallelFor(context, points.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const RayScene::Closest closest = rays.ClosestPoint(points[i]);
-      const bool counts = !filter || filter(closest.triangle, closest.point);
-      distances[i] = counts
-                         ? static_cast<float>(sides.SignAt(closest, points[i]) *
-                                              closest.distance)
-                         : std::numeric_limits<float>::quiet_NaN();
-    }
-    phase.Advance(end - begin);
-  });
+  ParallelFor(
+      context, points.size(), kVertexGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          const RayScene::Closest closest = rays.ClosestPoint(points[i]);
+          const bool counts =
+              !filter || filter(closest.triangle, closest.point);
+          distances[i] =
+              counts ? static_cast<float>(sides.SignAt(closest, points[i]) *
+                                          closest.distance)
+                     : std::numeric_limits<float>::quiet_NaN();
+        }
+        phase.Advance(end - begin);
+      });
   return distances;
 }
 

@@ -12,7 +12,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 512;
+constexpr size_t kSearchGrain = 512;
 constexpr double kTukey = 4.685;
 // The standard deviation of a normal distribution over its median deviation.
 constexpr double kDeviationOfMedian = 1.4826;
@@ -126,15 +126,16 @@ std::vector<AlignPair> SurfaceIcp::FindPairs(
   const Similarity3d mesh_from_reference = reference_from_mesh.Inverse();
   const size_t num_mesh = mesh_samples_.size();
   std::vector<AlignPair> pairs(num_mesh + reference_samples_.size());
-  ParallelFor(context, pairs.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      pairs[i] = i < num_mesh
-                     ? PairOfMesh(mesh_samples_[i], reference_from_mesh)
-                     : PairOfReference(reference_samples_[i - num_mesh],
-                                       reference_from_mesh,
-                                       mesh_from_reference);
-    }
-  });
+  ParallelFor(
+      context, pairs.size(), kSearchGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          pairs[i] = i < num_mesh
+                         ? PairOfMesh(mesh_samples_[i], reference_from_mesh)
+                         : PairOfReference(reference_samples_[i - num_mesh],
+                                           reference_from_mesh,
+                                           mesh_from_reference);
+        }
+      });
   return pairs;
 }
 

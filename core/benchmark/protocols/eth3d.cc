@@ -17,7 +17,7 @@ constexpr double kCellSize = 0.01;  // metres
 constexpr double kBeamStartRadius = 0.5 * 0.00225;
 constexpr double kBeamHalfAngle = 0.011;  // degrees
 constexpr double kRadiansPerDegree = 0.017453292519943295;
-constexpr size_t kGrain = 1024;
+constexpr size_t kCellGrain = 1024;
 
 // From the tolerance of index `first_accurate` on, a point is accurate; below,
 // it is inaccurate or not observed.
@@ -128,12 +128,13 @@ std::vector<double> MeasureAccuracy(const Points& points,
   Phase phase(context, "Accuracy", scans.size() * points.size());
   for (const LaserScan& scan : scans) {
     const ScanRays rays(scan);
-    ParallelFor(context, points.size(), kGrain, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        rays.Classify(points[i], tolerances, &classes[i]);
-      }
-      phase.Advance(end - begin);
-    });
+    ParallelFor(
+        context, points.size(), kCellGrain, [&](size_t begin, size_t end) {
+          for (size_t i = begin; i < end; ++i) {
+            rays.Classify(points[i], tolerances, &classes[i]);
+          }
+          phase.Advance(end - begin);
+        });
   }
   const auto grids = GridsOf(points);
   std::vector<double> accuracy;

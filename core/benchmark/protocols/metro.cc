@@ -16,7 +16,7 @@ namespace {
 constexpr size_t kSamplesPerTriangle = 10;
 // So many samples at once: of large meshes they would take gigabytes.
 constexpr size_t kBatch = 1'000'000;
-constexpr size_t kGrain = 2048;
+constexpr size_t kMetroGrain = 2048;
 
 struct Side {
   double sum = 0;
@@ -34,11 +34,12 @@ std::vector<double> DistancesTo(const RayScene& surface,
                                 const std::vector<Eigen::Vector3d>& points,
                                 const Context& context) {
   std::vector<double> distances(points.size());
-  ParallelFor(context, points.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      distances[i] = surface.ClosestPoint(points[i]).distance;
-    }
-  });
+  ParallelFor(
+      context, points.size(), kMetroGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          distances[i] = surface.ClosestPoint(points[i]).distance;
+        }
+      });
   return distances;
 }
 

@@ -17,7 +17,7 @@ namespace octacut {
 namespace {
 
 constexpr double kAccuracyFraction = 0.9;
-constexpr size_t kGrain = 2048;
+constexpr size_t kMiddleburyGrain = 2048;
 
 // Infinite for vertices that are closer to `filler`.
 std::vector<double> MeasureVertices(const IndexedMesh& from,
@@ -32,15 +32,17 @@ std::vector<double> MeasureVertices(const IndexedMesh& from,
   }
   std::vector<double> distances(points.size());
   Phase phase(context, "Middlebury", points.size());
-  ParallelFor(context, points.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      distances[i] = surface.ClosestPoint(points[i]).distance;
-      if (filled && filled->ClosestPoint(points[i]).distance < distances[i]) {
-        distances[i] = std::numeric_limits<double>::infinity();
-      }
-    }
-    phase.Advance(end - begin);
-  });
+  ParallelFor(
+      context, points.size(), kMiddleburyGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          distances[i] = surface.ClosestPoint(points[i]).distance;
+          if (filled &&
+              filled->ClosestPoint(points[i]).distance < distances[i]) {
+            distances[i] = std::numeric_limits<double>::infinity();
+          }
+        }
+        phase.Advance(end - begin);
+      });
   return distances;
 }
 

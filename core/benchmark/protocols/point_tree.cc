@@ -12,7 +12,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 2048;
+constexpr size_t kQueryGrain = 2048;
 // Points of a leaf; nanoflann's documentation recommends 10 to 50.
 constexpr size_t kLeafSize = 16;
 
@@ -91,12 +91,13 @@ std::vector<double> ClosestDistances(
     const Context& context) {
   std::vector<double> distances(queries.size());
   Phase phase(context, "Distances between points", queries.size());
-  ParallelFor(context, queries.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      distances[i] = tree.FindClosest(queries[i]).distance;
-    }
-    phase.Advance(end - begin);
-  });
+  ParallelFor(
+      context, queries.size(), kQueryGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          distances[i] = tree.FindClosest(queries[i]).distance;
+        }
+        phase.Advance(end - begin);
+      });
   return distances;
 }
 

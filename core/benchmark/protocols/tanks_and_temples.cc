@@ -25,7 +25,7 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr int kMaxIterations = 20;
 constexpr double kTolerance = 1e-6;
 constexpr double kMaxPoints = 4e6;
-constexpr size_t kGrain = 2048;
+constexpr size_t kVoxelGrain = 2048;
 
 Points Move(const Similarity3d& transform, Points points) {
   for (Eigen::Vector3d& point : points) {
@@ -88,11 +88,12 @@ Similarity3d RunIcp(Points source,
   double rms = -1;
   for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
     std::vector<PointTree::Closest> closest(source.size());
-    ParallelFor(context, source.size(), kGrain, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        closest[i] = target.FindClosest(source[i]);
-      }
-    });
+    ParallelFor(
+        context, source.size(), kVoxelGrain, [&](size_t begin, size_t end) {
+          for (size_t i = begin; i < end; ++i) {
+            closest[i] = target.FindClosest(source[i]);
+          }
+        });
     Points from;
     Points to;
     for (size_t i = 0; i < source.size(); ++i) {

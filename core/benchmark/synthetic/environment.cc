@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/benchmark/synthetic/angles.h"
+
 namespace octacut {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
-
-double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 // 0 well below zero, 1 well above, with a smooth rise of width `softness`.
 float SoftStep(double x, double softness) {

@@ -35,7 +35,7 @@ void LightingOptions::Check() const {
 
 namespace {
 
-constexpr size_t kGrain = 512;
+constexpr size_t kSurfaceGrain = 512;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // How far above the surface rays begin: the mesh is a polyhedron, its own
@@ -95,7 +95,10 @@ std::vector<float> BakeVisibility(const IndexedMesh& mesh,
   const int num_first = std::max(6, count / 4);
   const DiscPattern pattern(count);
   ParallelFor(
-      context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
+      context,
+      mesh.positions.size(),
+      kSurfaceGrain,
+      [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
           const Eigen::Vector3d normal = mesh.normals[i].cast<double>();
           if (normal.dot(frame.z) < -radius) {
@@ -121,7 +124,10 @@ std::vector<float> BakeOpenness(const IndexedMesh& mesh,
   const int num_first = std::max(8, num_samples / 4);
   const DiscPattern pattern(num_samples);
   ParallelFor(
-      context, mesh.positions.size(), kGrain, [&](size_t begin, size_t end) {
+      context,
+      mesh.positions.size(),
+      kSurfaceGrain,
+      [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
           const AxisFrame frame(mesh.normals[i].cast<double>().normalized());
           const Eigen::Vector3d origin = mesh.positions[i] + offset * frame.z;

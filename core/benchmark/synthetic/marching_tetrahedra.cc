@@ -12,7 +12,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 1024;
+constexpr size_t kTetrahedraGrain = 1024;
 
 // Lattice nodes have doubled coordinates: even for cell corners, odd for cell
 // centres. Cells are named by their lowest corner's plain coordinates.
@@ -62,11 +62,12 @@ std::vector<uint64_t> FindSurfaceCells(const ImplicitShape& shape,
   for (int level = 1; level <= lattice.level; ++level) {
     const double edge = lattice.cell * (1 << (lattice.level - level));
     const double reach = shape.lipschitz * edge * std::sqrt(3.0) / 2;
-    std::vector<std::vector<uint64_t>> kept(NumChunks(cells.size(), kGrain));
+    std::vector<std::vector<uint64_t>> kept(
+        NumChunks(cells.size(), kTetrahedraGrain));
     ParallelChunks(
         context,
         cells.size(),
-        kGrain,
+        kTetrahedraGrain,
         [&](size_t chunk, size_t begin, size_t end) {
           for (size_t i = begin; i < end; ++i) {
             const Eigen::Vector3i parent = UnpackKey(cells[i]);
@@ -154,11 +155,12 @@ Sampling SampleLattice(const ImplicitShape& shape,
   });
   const std::vector<uint64_t>& keys = sampling.nodes.Keys();
   sampling.values.resize(keys.size());
-  ParallelFor(context, keys.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      sampling.values[i] = shape(lattice.NodePosition(keys[i]));
-    }
-  });
+  ParallelFor(
+      context, keys.size(), kTetrahedraGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          sampling.values[i] = shape(lattice.NodePosition(keys[i]));
+        }
+      });
   for_tetrahedra([&](const std::array<uint64_t, 4>& tetrahedron) {
     std::array<uint32_t, 4> nodes;
     int num_inside = 0;

@@ -25,7 +25,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr size_t kGrain = 1024;
+constexpr size_t kVertexGrain = 1024;
 
 // Steps of differences, in cells.
 constexpr double kDifference = 1e-3;
@@ -121,7 +121,7 @@ IndexedMesh Polygonize(const ImplicitShape& shape,
   auto& positions = mesh.positions;
   const auto for_vertices = [&](const auto& body) {
     ParallelFor(
-        context, positions.size(), kGrain, [&](size_t begin, size_t end) {
+        context, positions.size(), kVertexGrain, [&](size_t begin, size_t end) {
           for (size_t i = begin; i < end; ++i) {
             body(i);
           }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/check_option.h"
+#include "core/benchmark/synthetic/angles.h"
 
 namespace octacut {
 
@@ -96,8 +97,6 @@ Eigen::Vector3d FromAngles(double azimuth, double sine_of_elevation) {
           radius * std::sin(azimuth),
           sine_of_elevation};
 }
-
-double Radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 std::vector<Eigen::Vector3d> SphereDirections(const RigOptions& options) {
   const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));

@@ -15,8 +15,8 @@ namespace {
 using testing::RingPose;
 using testing::SphereMask;
 
-const SparseCamera kPinhole = {
-    1, camera_model::kPinhole, 640, 480, {600, 610, 321.5, 238.25}};
+const SparseCamera kWindowPinhole = {
+    1, camera_model::kWindowPinhole, 640, 480, {600, 610, 321.5, 238.25}};
 
 Region RegionOfSphere(double radius) {
   Region region;
@@ -30,8 +30,12 @@ Region RegionOfSphere(double radius) {
 TEST(ViewWindow, IsAWholePixelCropAtFullResolution) {
   const Region region = RegionOfSphere(0.4);
   const Rigid3d pose = RingPose(3, 12);
-  const auto window = PlanWindow(
-      kPinhole, FrameOfCamera(kPinhole), pose, region, 9, WindowOptions());
+  const auto window = PlanWindow(kWindowPinhole,
+                                 FrameOfCamera(kWindowPinhole),
+                                 pose,
+                                 region,
+                                 9,
+                                 WindowOptions());
   ASSERT_TRUE(window.has_value());
   EXPECT_EQ(window->fx, 600);
   EXPECT_EQ(window->fy, 610);
@@ -55,11 +59,11 @@ TEST(ViewWindow, IsAWholePixelCropAtFullResolution) {
 TEST(ViewWindow, IsReducedToWhatTheVoxelsNeed) {
   const Region region = RegionOfSphere(1);
   const Rigid3d pose = RingPose(3, 12);
-  const Frame frame = FrameOfCamera(kPinhole);
+  const Frame frame = FrameOfCamera(kWindowPinhole);
   size_t last = 0;
   for (int level = 4; level <= 10; ++level) {
     const auto window =
-        PlanWindow(kPinhole, frame, pose, region, level, WindowOptions());
+        PlanWindow(kWindowPinhole, frame, pose, region, level, WindowOptions());
     ASSERT_TRUE(window.has_value());
     EXPECT_LE(window->fx, 600);
     EXPECT_NEAR(window->fy / window->fx, 610.0 / 600.0, 1e-12);
@@ -87,8 +91,8 @@ TEST(ViewWindow, IsReducedToWhatTheVoxelsNeed) {
 
 TEST(ViewWindow, EndsAtTheFrame) {
   const Region region = RegionOfSphere(4.5);  // holds the camera
-  const auto window = PlanWindow(kPinhole,
-                                 FrameOfCamera(kPinhole),
+  const auto window = PlanWindow(kWindowPinhole,
+                                 FrameOfCamera(kWindowPinhole),
                                  RingPose(0, 12),
                                  region,
                                  9,
@@ -104,8 +108,12 @@ TEST(ViewWindow, IsEmptyWhereTheRegionIsNotSeen) {
   const Rigid3d pose = RingPose(0, 12);
   const auto at = [&](const Eigen::Vector3d& point_in_cam) {
     region.box.translate(pose.Inverse() * point_in_cam - region.box.center());
-    return PlanWindow(
-        kPinhole, FrameOfCamera(kPinhole), pose, region, 9, WindowOptions());
+    return PlanWindow(kWindowPinhole,
+                      FrameOfCamera(kWindowPinhole),
+                      pose,
+                      region,
+                      9,
+                      WindowOptions());
   };
   EXPECT_TRUE(at({0, 0, 4}).has_value());
   EXPECT_FALSE(at({0, 0, -4}).has_value());

@@ -19,9 +19,9 @@ using testing::Recorder;
 using testing::RingModel;
 using testing::WriteText;
 
-const SparseCamera kPinhole = {
-    1, camera_model::kPinhole, 64, 48, {80, 80, 32, 24}};
-const SparseCamera kRadial = {
+const SparseCamera kWorkspacePinhole = {
+    1, camera_model::kWorkspacePinhole, 64, 48, {80, 80, 32, 24}};
+const SparseCamera kWorkspaceRadial = {
     1, camera_model::kSimpleRadial, 640, 480, {500, 320, 240, -0.2}};
 
 class WorkspaceTest : public testing::FolderTest {
@@ -38,7 +38,7 @@ class WorkspaceTest : public testing::FolderTest {
 
 TEST_F(WorkspaceTest, DenseFolder) {
   MakeFolders(folder_);
-  WriteSparseModelBinary(RingModel(kPinhole, 4), folder_ / "sparse");
+  WriteSparseModelBinary(RingModel(kWorkspacePinhole, 4), folder_ / "sparse");
   const Workspace workspace = Open();
   EXPECT_TRUE(workspace.is_dense_folder);
   EXPECT_EQ(workspace.model_path, folder_ / "sparse");
@@ -49,7 +49,7 @@ TEST_F(WorkspaceTest, DenseFolder) {
 
 TEST_F(WorkspaceTest, DistortedModelRightInSparseIsNoDenseFolder) {
   MakeFolders(folder_);
-  WriteSparseModelText(RingModel(kRadial, 4), folder_ / "sparse");
+  WriteSparseModelText(RingModel(kWorkspaceRadial, 4), folder_ / "sparse");
   EXPECT_FALSE(Open().is_dense_folder);
 }
 
@@ -57,7 +57,7 @@ TEST_F(WorkspaceTest, MasksOfADenseFolderMayStandBesideIt) {
   const fs::path dense = folder_ / "dense" / "0";
   fs::create_directories(dense / "images");
   fs::create_directories(folder_ / "masks");
-  WriteSparseModelBinary(RingModel(kPinhole, 4), dense / "sparse");
+  WriteSparseModelBinary(RingModel(kWorkspacePinhole, 4), dense / "sparse");
   const Workspace workspace = OpenWorkspace(dense, {}, Context(1, &recorder_));
   EXPECT_TRUE(fs::equivalent(workspace.mask_path, folder_ / "masks"));
   fs::create_directories(folder_ / "dense" / "masks");
@@ -67,9 +67,12 @@ TEST_F(WorkspaceTest, MasksOfADenseFolderMayStandBesideIt) {
 
 TEST_F(WorkspaceTest, ProjectTakesTheModelWithMostImagesAndSaysSo) {
   MakeFolders(folder_);
-  WriteSparseModelBinary(RingModel(kRadial, 4), folder_ / "sparse" / "0");
-  WriteSparseModelText(RingModel(kRadial, 9), folder_ / "sparse" / "2");
-  WriteSparseModelBinary(RingModel(kRadial, 9), folder_ / "sparse" / "10");
+  WriteSparseModelBinary(RingModel(kWorkspaceRadial, 4),
+                         folder_ / "sparse" / "0");
+  WriteSparseModelText(RingModel(kWorkspaceRadial, 9),
+                       folder_ / "sparse" / "2");
+  WriteSparseModelBinary(RingModel(kWorkspaceRadial, 9),
+                         folder_ / "sparse" / "10");
   const Workspace workspace = Open();
   EXPECT_FALSE(workspace.is_dense_folder);
   EXPECT_EQ(workspace.model_path, folder_ / "sparse" / "2");
@@ -87,7 +90,8 @@ TEST_F(WorkspaceTest, ProjectTakesTheModelWithMostImagesAndSaysSo) {
 
 TEST_F(WorkspaceTest, LeavesADamagedModelOutAndSaysSo) {
   MakeFolders(folder_);
-  WriteSparseModelBinary(RingModel(kRadial, 4), folder_ / "sparse" / "1");
+  WriteSparseModelBinary(RingModel(kWorkspaceRadial, 4),
+                         folder_ / "sparse" / "1");
   WriteText(folder_ / "sparse" / "0" / "cameras.bin", "");
   EXPECT_EQ(Open().model_path, folder_ / "sparse" / "1");
   ASSERT_EQ(recorder_.warnings.size(), 1u);
@@ -106,7 +110,8 @@ TEST_F(WorkspaceTest, NamesThePartThatIsMissing) {
               HasSubstr("nor its subfolders hold a sparse model"));
   WriteText(folder_ / "sparse" / "0" / "cameras.bin", "");
   EXPECT_THAT(InputErrorOf([&] { Open(); }), HasSubstr("sparse/0"));
-  WriteSparseModelBinary(RingModel(kRadial, 4), folder_ / "sparse" / "0");
+  WriteSparseModelBinary(RingModel(kWorkspaceRadial, 4),
+                         folder_ / "sparse" / "0");
   EXPECT_THAT(InputErrorOf([&] { Open(); }), HasSubstr("--mask_path"));
   WorkspaceOptions options;
   options.mask_path = folder_ / "elsewhere";
@@ -140,32 +145,37 @@ TEST_F(WorkspaceTest, FindsMasksInEveryNamingInOrder) {
 
 TEST_F(WorkspaceTest, MaskCamerasOfAProject) {
   MakeFolders(folder_);
-  WriteSparseModelBinary(RingModel(kRadial, 4), folder_ / "sparse" / "0");
+  WriteSparseModelBinary(RingModel(kWorkspaceRadial, 4),
+                         folder_ / "sparse" / "0");
   const Workspace workspace = Open();
   const SparseImage& image = workspace.model.images[0];
   const auto find = [&](MaskGeometry geometry, const ImageSize& size) {
     return MaskCameras(workspace, geometry, {})
-        .Find(image, kRadial, size, "the mask");
+        .Find(image, kWorkspaceRadial, size, "the mask");
   };
-  const PinholeCamera undistorted = UndistortedCamera(kRadial);
+  const PinholeCamera undistorted = UndistortedCamera(kWorkspaceRadial);
   ASSERT_NE(undistorted.width, 640);
   const ImageSize undistorted_size{uint64_t(undistorted.width),
                                    uint64_t(undistorted.height)};
-  EXPECT_EQ(find(MaskGeometry::kAuto, {640, 480}).params, kRadial.params);
-  EXPECT_EQ(find(MaskGeometry::kOriginal, {640, 480}).params, kRadial.params);
+  EXPECT_EQ(find(MaskGeometry::kAuto, {640, 480}).params,
+            kWorkspaceRadial.params);
+  EXPECT_EQ(find(MaskGeometry::kOriginal, {640, 480}).params,
+            kWorkspaceRadial.params);
   for (const auto geometry :
        {MaskGeometry::kAuto, MaskGeometry::kUndistorted}) {
     const SparseCamera camera = find(geometry, undistorted_size);
-    EXPECT_EQ(camera.model_id, camera_model::kPinhole);
+    EXPECT_EQ(camera.model_id, camera_model::kWorkspacePinhole);
     EXPECT_EQ(camera.params[2], undistorted.cx);
   }
   // A dense folder beside knows better than the formula.
-  SparseCamera given = {1, camera_model::kPinhole, 500, 400, {9, 9, 9, 9}};
+  SparseCamera given = {
+      1, camera_model::kWorkspacePinhole, 500, 400, {9, 9, 9, 9}};
   WriteSparseModelBinary(RingModel(given, 4),
                          folder_ / "dense" / "0" / "sparse");
   EXPECT_EQ(find(MaskGeometry::kAuto, {500, 400}).params, given.params);
   // Images of several dense folders have a camera in each.
-  SparseCamera second = {1, camera_model::kPinhole, 501, 401, {8, 8, 8, 8}};
+  SparseCamera second = {
+      1, camera_model::kWorkspacePinhole, 501, 401, {8, 8, 8, 8}};
   WriteSparseModelBinary(RingModel(second, 4),
                          folder_ / "dense" / "1" / "sparse");
   EXPECT_EQ(find(MaskGeometry::kAuto, {500, 400}).params, given.params);
@@ -192,27 +202,32 @@ TEST_F(WorkspaceTest, MaskCamerasOfAProject) {
 TEST_F(WorkspaceTest, MaskCamerasOfADenseFolder) {
   const fs::path dense = folder_ / "dense" / "0";
   MakeFolders(dense);
-  WriteSparseModelBinary(RingModel(kPinhole, 4), dense / "sparse");
+  WriteSparseModelBinary(RingModel(kWorkspacePinhole, 4), dense / "sparse");
   const Workspace workspace = OpenWorkspace(dense, {}, Context(1));
   const SparseImage& image = workspace.model.images[0];
   const auto find = [&](MaskGeometry geometry,
                         const ImageSize& size,
                         const fs::path& original = {}) {
     return MaskCameras(workspace, geometry, original)
-        .Find(image, kPinhole, size, "the mask");
+        .Find(image, kWorkspacePinhole, size, "the mask");
   };
-  EXPECT_EQ(find(MaskGeometry::kAuto, {64, 48}).params, kPinhole.params);
-  EXPECT_EQ(find(MaskGeometry::kUndistorted, {64, 48}).params, kPinhole.params);
+  EXPECT_EQ(find(MaskGeometry::kAuto, {64, 48}).params,
+            kWorkspacePinhole.params);
+  EXPECT_EQ(find(MaskGeometry::kUndistorted, {64, 48}).params,
+            kWorkspacePinhole.params);
   EXPECT_THAT(InputErrorOf([&] {
                 find(MaskGeometry::kAuto, {640, 480});
               }),
               HasSubstr("--original_path"));
-  WriteSparseModelBinary(RingModel(kRadial, 4), folder_ / "elsewhere");
+  WriteSparseModelBinary(RingModel(kWorkspaceRadial, 4), folder_ / "elsewhere");
   EXPECT_EQ(find(MaskGeometry::kAuto, {640, 480}, folder_ / "elsewhere").params,
-            kRadial.params);
-  WriteSparseModelBinary(RingModel(kRadial, 4), folder_ / "sparse" / "0");
-  EXPECT_EQ(find(MaskGeometry::kAuto, {640, 480}).params, kRadial.params);
-  EXPECT_EQ(find(MaskGeometry::kOriginal, {640, 480}).params, kRadial.params);
+            kWorkspaceRadial.params);
+  WriteSparseModelBinary(RingModel(kWorkspaceRadial, 4),
+                         folder_ / "sparse" / "0");
+  EXPECT_EQ(find(MaskGeometry::kAuto, {640, 480}).params,
+            kWorkspaceRadial.params);
+  EXPECT_EQ(find(MaskGeometry::kOriginal, {640, 480}).params,
+            kWorkspaceRadial.params);
   EXPECT_THAT(InputErrorOf([&] {
                 find(MaskGeometry::kOriginal, {64, 48});
               }),
@@ -227,16 +242,18 @@ TEST_F(WorkspaceTest, MaskCamerasOfADenseFolder) {
 TEST_F(WorkspaceTest, MaskCamerasOfTheModelOfTheSameNumber) {
   const fs::path dense = folder_ / "dense" / "1";
   MakeFolders(dense);
-  WriteSparseModelBinary(RingModel(kPinhole, 4), dense / "sparse");
-  SparseCamera own = kRadial;
+  WriteSparseModelBinary(RingModel(kWorkspacePinhole, 4), dense / "sparse");
+  SparseCamera own = kWorkspaceRadial;
   own.params[3] += 0.01;
-  WriteSparseModelBinary(RingModel(kRadial, 4), folder_ / "sparse" / "0");
+  WriteSparseModelBinary(RingModel(kWorkspaceRadial, 4),
+                         folder_ / "sparse" / "0");
   WriteSparseModelBinary(RingModel(own, 4), folder_ / "sparse" / "1");
   const Workspace workspace = OpenWorkspace(dense, {}, Context(1));
-  EXPECT_EQ(MaskCameras(workspace, MaskGeometry::kAuto, {})
-                .Find(workspace.model.images[0], kPinhole, {640, 480}, "")
-                .params,
-            own.params);
+  EXPECT_EQ(
+      MaskCameras(workspace, MaskGeometry::kAuto, {})
+          .Find(workspace.model.images[0], kWorkspacePinhole, {640, 480}, "")
+          .params,
+      own.params);
 }
 
 }  // namespace

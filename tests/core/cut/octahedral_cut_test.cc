@@ -19,7 +19,8 @@ OctahedralCut Solve(const OwnedCutProblem& problem, int num_threads = 1) {
   return SolveOctahedralCut(problem.View(), {}, Context(num_threads));
 }
 
-void ExpectSameCut(const OctahedralCut& actual, const OctahedralCut& expected) {
+void ExpectSameSummary(const OctahedralCut& actual,
+                       const OctahedralCut& expected) {
   EXPECT_EQ(actual.cost_fixed_point, expected.cost_fixed_point);
   EXPECT_EQ(actual.labels, expected.labels);
   EXPECT_EQ(actual.num_nodes, expected.num_nodes);
@@ -164,7 +165,7 @@ TEST(OctahedralCut, MatchesExhaustiveSearch) {
     const OctahedralCut cut = Solve(problem);
     if (cut.num_nodes <= 13) {
       SCOPED_TRACE(round);
-      ExpectSameCut(cut, ExhaustiveCut(problem.View()));
+      ExpectSameSummary(cut, ExhaustiveCut(problem.View()));
       ++compared;
     }
   }
@@ -181,7 +182,7 @@ TEST(OctahedralCut, SameForAnyNumberOfThreads) {
   SetRandomEvidence(0.1f, random, problem);
   const OctahedralCut expected = Solve(problem, 1);
   for (const int num_threads : {1, 2, 4}) {
-    ExpectSameCut(Solve(problem, num_threads), expected);
+    ExpectSameSummary(Solve(problem, num_threads), expected);
   }
 }
 

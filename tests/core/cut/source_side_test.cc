@@ -16,8 +16,8 @@ namespace {
 
 // A block all of whose nodes one source node reaches: nothing flows, since
 // every face of the border is outside.
-struct Block {
-  Block() : walk(problem.crust) {}
+struct ReachedBlock {
+  ReachedBlock() : walk(problem.crust) {}
 
   FlowState<int32_t> State() {
     const std::vector<uint32_t> one_region = {uint32_t(walk.NumBricks())};
@@ -51,7 +51,7 @@ size_t NumReached(const FlowState<int32_t>& state) {
 }
 
 TEST(SourceSide, IsTheSameInRangesOfAnySize) {
-  Block block;
+  ReachedBlock block;
   for (const uint32_t range_bricks : {1u, 7u, 100000u}) {
     FlowState<int32_t> state = block.State();
     FloodSourceSide(state, range_bricks, Context(2));
@@ -64,7 +64,7 @@ TEST(SourceSide, IsTheSameInRangesOfAnySize) {
 // is up to the clock; so it is told later and later.
 TEST(SourceSide, StopsInTheMiddle) {
   constexpr size_t kNodesOfABrick = 3 * 64;
-  Block block;
+  ReachedBlock block;
   for (const uint32_t range_bricks : {1u, 100000u}) {
     bool stopped_within = false;
     for (int delay = 0; delay < 200 && !stopped_within; ++delay) {

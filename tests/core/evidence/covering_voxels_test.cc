@@ -13,14 +13,14 @@ namespace {
 using testing::MakeTestScene;
 using testing::TestScene;
 
-constexpr int kLevel = 5;
+constexpr int kCoveringVoxelsLevel = 5;
 
 // A hand whose upper part a labelling of the hull has lost.
 class CoveringVoxelsTest : public ::testing::Test {
  protected:
   CoveringVoxelsTest() : test_(MakeTestScene("fingers", 200, 150, 16)) {
     VisualHullOptions options;
-    options.hull_level = kLevel;
+    options.hull_level = kCoveringVoxelsLevel;
     hull_ = ComputeVisualHull(
                 test_.views, TestScene::UnitBox(), options, Context(2))
                 .voxels;
@@ -29,7 +29,7 @@ class CoveringVoxelsTest : public ::testing::Test {
     const Eigen::AlignedBox3d& box = test_.synthetic.object.shape.box;
     hull_.ForEach([&](VoxelGrid::Index index, MortonCode code) {
       const Eigen::Vector3d unit =
-          VoxelCenter(DecodeMorton(code), kLevel).cast<double>();
+          VoxelCenter(DecodeMorton(code), kCoveringVoxelsLevel).cast<double>();
       if (testing::ToWorld(test_.region.cube, unit).z() >
           box.max().z() - 0.4 * box.sizes().z()) {
         labels_[index] = 0;

@@ -13,19 +13,19 @@ namespace {
 
 using testing::TestScene;
 
-constexpr int kLevel = 6;
-constexpr float kVoxel = 1.0f / (1 << kLevel);
+constexpr int kDepthConfidenceLevel = 6;
+constexpr float kDepthConfidenceVoxel = 1.0f / (1 << kDepthConfidenceLevel);
 
 // A sphere's views, its hull, and the true depths of every fourth pixel.
-struct Setting {
+struct DepthSetting {
   TestScene test =
       testing::MakeTestScene(testing::TestSpec("sphere", 160, 120, 16));
   VoxelGrid hull;
   std::vector<SweptDepthMap> maps;
 
-  Setting() {
+  DepthSetting() {
     VisualHullOptions options;
-    options.hull_level = kLevel;
+    options.hull_level = kDepthConfidenceLevel;
     hull =
         ComputeVisualHull(test.views, TestScene::UnitBox(), options, Context(2))
             .voxels;
@@ -62,7 +62,7 @@ struct Setting {
   // The depths of a view lie so many voxels behind the truth.
   void PushBack(size_t view, float voxels) {
     for (float& depth : maps[view].depths) {
-      depth = depth > 0 ? depth + voxels * kVoxel : 0;
+      depth = depth > 0 ? depth + voxels * kDepthConfidenceVoxel : 0;
     }
   }
 };
@@ -83,7 +83,7 @@ float MeanConfidence(const SweptDepthMap& map,
 }
 
 TEST(DepthConfidence, IsFullWhereDepthsAreRight) {
-  const Setting setting;
+  const DepthSetting setting;
   const ReliableDepths reliable = setting.Confidence();
   EXPECT_LT(reliable.contradicted_share, 0.05);
   for (size_t i = 0; i < setting.maps.size(); ++i) {
@@ -102,7 +102,7 @@ TEST(DepthConfidence, IsFullWhereDepthsAreRight) {
 }
 
 TEST(DepthConfidence, OfAViewThatLooksThroughSurfacesOfOthersIsNone) {
-  Setting setting;
+  DepthSetting setting;
   setting.PushBack(3, 9);
   const ReliableDepths reliable = setting.Confidence();
   EXPECT_LT(MeanConfidence(setting.maps[3], reliable.confidence[3]), 0.1f);
@@ -116,7 +116,7 @@ TEST(DepthConfidence, OfAViewThatLooksThroughSurfacesOfOthersIsNone) {
 
 // What polished metal does: most depths are reflections behind the surface.
 TEST(DepthConfidence, IsNoneWhereMostDepthsContradictEachOther) {
-  Setting setting;
+  DepthSetting setting;
   for (size_t i = 0; i < setting.maps.size(); ++i) {
     if (i % 3 != 0) {
       setting.PushBack(i, 6 + 3 * float(i % 4));
@@ -136,7 +136,7 @@ TEST(DepthConfidence, IsNoneWhereMostDepthsContradictEachOther) {
 }
 
 // Every `nth` depth.
-void ThinOut(size_t nth, Setting* setting) {
+void ThinOut(size_t nth, DepthSetting* setting) {
   for (SweptDepthMap& map : setting->maps) {
     for (size_t k = 0; k < map.depths.size(); ++k) {
       map.depths[k] = k % nth == 0 ? map.depths[k] : 0;
@@ -146,7 +146,7 @@ void ThinOut(size_t nth, Setting* setting) {
 
 // Porcelain: a depth here and there, of which many are wrong.
 TEST(DepthConfidence, IsNoneWhereDepthsAreFewAndContradictEachOther) {
-  Setting setting;
+  DepthSetting setting;
   for (size_t i = 0; i < setting.maps.size(); i += 2) {
     setting.PushBack(i, 9);
   }
@@ -166,7 +166,7 @@ TEST(DepthConfidence, IsNoneWhereDepthsAreFewAndContradictEachOther) {
 // A mirroring cup in few views: few depths are contradicted, but hardly any
 // surface is there to contradict them.
 TEST(DepthConfidence, IsLessWhereContradictionsAreManyForSoFewDepths) {
-  Setting setting;
+  DepthSetting setting;
   for (size_t i = 0; i < setting.maps.size(); i += 4) {
     setting.PushBack(i, 9);
   }
@@ -181,7 +181,7 @@ TEST(DepthConfidence, IsLessWhereContradictionsAreManyForSoFewDepths) {
 }
 
 TEST(DepthConfidence, IsFullWhereDepthsAreFewAndRight) {
-  Setting setting;
+  DepthSetting setting;
   ThinOut(5, &setting);
   const ReliableDepths few = setting.Confidence();
   for (size_t i = 0; i < setting.maps.size(); ++i) {
@@ -191,7 +191,7 @@ TEST(DepthConfidence, IsFullWhereDepthsAreFewAndRight) {
 
 // A plain mug: a depth here and there although all views have neighbours.
 TEST(DepthConfidence, IsNoneWhereViewsWithNeighborsFindNextToNothing) {
-  Setting setting;
+  DepthSetting setting;
   ThinOut(9, &setting);
   const ReliableDepths far_apart = setting.Confidence(0.5);
   EXPECT_EQ(far_apart.scene_confidence, 1);
@@ -207,7 +207,7 @@ TEST(DepthConfidence, IsNoneWhereViewsWithNeighborsFindNextToNothing) {
 }
 
 TEST(DepthConfidence, IsTheSameForAnyNumberOfThreads) {
-  Setting setting;
+  DepthSetting setting;
   setting.PushBack(2, 7);
   const ReliableDepths one = EstimateDepthConfidence(
       setting.test.views, setting.hull, setting.maps, 1, Context(1));

@@ -20,11 +20,11 @@ using ::testing::HasSubstr;
 using testing::MakeTestScene;
 using testing::TestScene;
 
-constexpr int kLevel = 5;
+constexpr int kDepthSweepLevel = 5;
 
 VoxelGrid HullOf(const TestScene& test) {
   VisualHullOptions options;
-  options.hull_level = kLevel;
+  options.hull_level = kDepthSweepLevel;
   return ComputeVisualHull(
              test.views, TestScene::UnitBox(), options, Context(2))
       .voxels;
@@ -68,7 +68,8 @@ TEST_P(SweptDepthsOf, LieOnTheSurface) {
         EXPECT_EQ(map.DepthAt(float(pixel.x()), float(pixel.y())), depth);
         num_rays += expected > 0;
         if (depth > 0 && expected > 0) {
-          errors.push_back(std::abs(depth - expected) * (1 << kLevel));
+          errors.push_back(std::abs(depth - expected) *
+                           (1 << kDepthSweepLevel));
         }
       }
     }

@@ -13,13 +13,13 @@ namespace {
 using testing::MakeTestScene;
 using testing::TestScene;
 
-constexpr int kLevel = 6;
+constexpr int kFinerDepthsLevel = 6;
 
 // The border of the hull in a crust of five voxels, as if no depth had been
 // found before.
 LabeledVoxels HullSurfaceOf(const TestScene& test) {
   VisualHullOptions options;
-  options.hull_level = kLevel;
+  options.hull_level = kFinerDepthsLevel;
   const LabeledVoxels border =
       ComputeHullSurface(test.views, TestScene::UnitBox(), options, Context(2));
   LabeledVoxels surface{Dilate(border.voxels, 2, Context(2)), {}};
@@ -61,7 +61,7 @@ TEST(FinerDepths, LeadIntoACavityThatTheSurfaceHasFilled) {
   surface.voxels.ForEach([&](VoxelGrid::Index, MortonCode code) {
     EXPECT_NE(finer.voxels.Find(code), VoxelGrid::kNone);
   });
-  const double voxel = test.VoxelSize(kLevel);
+  const double voxel = test.VoxelSize(kFinerDepthsLevel);
   const double top = (kCupDepth + 0.15) / 2;
   const double bottom = top - kCupDepth;
   size_t num_cavity = 0;
@@ -71,7 +71,7 @@ TEST(FinerDepths, LeadIntoACavityThatTheSurfaceHasFilled) {
   finer.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
     const Eigen::Vector3d x = testing::ToWorld(
         test.region.cube,
-        VoxelCenter(DecodeMorton(code), kLevel).cast<double>());
+        VoxelCenter(DecodeMorton(code), kFinerDepthsLevel).cast<double>());
     if (x.head<2>().norm() > 0.5 - 3 * voxel) {
       return;
     }

@@ -17,8 +17,8 @@ namespace {
 using testing::MakeTestScene;
 using testing::TestScene;
 
-constexpr int kLevel = 5;
-constexpr float kVoxel = 1.0f / (1 << kLevel);
+constexpr int kScoreVolumeLevel = 5;
+constexpr float kScoreVolumeVoxel = 1.0f / (1 << kScoreVolumeLevel);
 
 // Rays of a view with a plane whose score chance does not reach.
 size_t CountMatched(const ScoreVolume& volume) {
@@ -38,7 +38,7 @@ size_t CountMatched(const ScoreVolume& volume) {
 TEST(ScorePlanes, OneNeighborIsEnoughWhereTheOthersDoNotSeeIt) {
   const TestScene test = MakeTestScene("sphere", 160, 120, 32);
   VisualHullOptions options;
-  options.hull_level = kLevel;
+  options.hull_level = kScoreVolumeLevel;
   const VoxelGrid hull =
       ComputeVisualHull(test.views, TestScene::UnitBox(), options, Context(2))
           .voxels;
@@ -57,8 +57,8 @@ TEST(ScorePlanes, OneNeighborIsEnoughWhereTheOthersDoNotSeeIt) {
     ++reference;
   }
   ASSERT_EQ(neighbors.size(), 4u);
-  const size_t num_seen =
-      CountMatched(ScorePlanes(views, reference, neighbors, kVoxel, 2));
+  const size_t num_seen = CountMatched(
+      ScorePlanes(views, reference, neighbors, kScoreVolumeVoxel, 2));
   ASSERT_GT(num_seen, 200u);
   std::mt19937 random(1);
   for (int i = 1; i < 4; ++i) {
@@ -66,10 +66,10 @@ TEST(ScorePlanes, OneNeighborIsEnoughWhereTheOthersDoNotSeeIt) {
       grey = float(random() % 256);
     }
   }
-  const size_t num_alone =
-      CountMatched(ScorePlanes(views, reference, neighbors, kVoxel, 2, true));
-  const size_t num_together =
-      CountMatched(ScorePlanes(views, reference, neighbors, kVoxel, 2, false));
+  const size_t num_alone = CountMatched(
+      ScorePlanes(views, reference, neighbors, kScoreVolumeVoxel, 2, true));
+  const size_t num_together = CountMatched(
+      ScorePlanes(views, reference, neighbors, kScoreVolumeVoxel, 2, false));
   EXPECT_GT(double(num_alone), 0.6 * double(num_seen));
   EXPECT_LT(double(num_together), 0.8 * double(num_alone));
 }

@@ -11,14 +11,14 @@ namespace {
 using testing::MakeTestScene;
 using testing::TestScene;
 
-constexpr int kLevel = 5;
+constexpr int kUncoveredSilhouettesLevel = 5;
 constexpr FaceLabels kInside = 63;
 
 class UncoveredSilhouettesTest : public ::testing::Test {
  protected:
   UncoveredSilhouettesTest() : test_(MakeTestScene("fingers", 200, 150, 16)) {
     VisualHullOptions options;
-    options.hull_level = kLevel;
+    options.hull_level = kUncoveredSilhouettesLevel;
     hull_ = ComputeVisualHull(
                 test_.views, TestScene::UnitBox(), options, Context(2))
                 .voxels;
@@ -38,7 +38,8 @@ class UncoveredSilhouettesTest : public ::testing::Test {
   Eigen::Vector3d World(MortonCode code) const {
     return testing::ToWorld(
         test_.region.cube,
-        VoxelCenter(DecodeMorton(code), kLevel).cast<double>());
+        VoxelCenter(DecodeMorton(code), kUncoveredSilhouettesLevel)
+            .cast<double>());
   }
 
   TestScene test_;

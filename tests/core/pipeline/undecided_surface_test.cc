@@ -8,7 +8,7 @@
 namespace octacut {
 namespace {
 
-constexpr int kLevel = 5;
+constexpr int kCrustLevel = 5;
 
 // A crust of 10 voxels across z; below z = 15 is inside.
 Crust FlatCrust() {
@@ -21,7 +21,7 @@ Crust FlatCrust() {
     }
   }
   Crust crust;
-  crust.voxels = VoxelGrid::FromCodes(kLevel, codes);
+  crust.voxels = VoxelGrid::FromCodes(kCrustLevel, codes);
   crust.prior.resize(crust.voxels.Size());
   crust.ties.resize(crust.voxels.Size());
   crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
@@ -61,7 +61,7 @@ float DecidedByAgreement(float confidence, int depth_level) {
   const Crust crust = FlatCrust();
   std::vector<MortonCode> codes;
   crust.voxels.ForEach([&](VoxelGrid::Index, MortonCode code) {
-    for (int level = kLevel; level > depth_level; --level) {
+    for (int level = kCrustLevel; level > depth_level; --level) {
       code = ParentCode(code);
     }
     codes.push_back(code);
@@ -77,14 +77,14 @@ float DecidedByAgreement(float confidence, int depth_level) {
 }
 
 TEST(UndecidedSurface, CoarseAgreementDecidesOnlyWhereDepthsAreReliedUpon) {
-  EXPECT_EQ(DecidedByAgreement(0, kLevel), 0);
-  EXPECT_NEAR(DecidedByAgreement(0.25f, kLevel - 1), 0.5f, 1e-5f);
-  EXPECT_EQ(DecidedByAgreement(0.5f, kLevel), 1);
+  EXPECT_EQ(DecidedByAgreement(0, kCrustLevel), 0);
+  EXPECT_NEAR(DecidedByAgreement(0.25f, kCrustLevel - 1), 0.5f, 1e-5f);
+  EXPECT_EQ(DecidedByAgreement(0.5f, kCrustLevel), 1);
 }
 
 TEST(UndecidedSurface, FineAgreementDecidesWhateverDepthsSay) {
-  EXPECT_EQ(DecidedByAgreement(0, kLevel - 2), 1);
-  EXPECT_EQ(DecidedByAgreement(1, kLevel - 2), 1);
+  EXPECT_EQ(DecidedByAgreement(0, kCrustLevel - 2), 1);
+  EXPECT_EQ(DecidedByAgreement(1, kCrustLevel - 2), 1);
 }
 
 TEST(UndecidedSurface, StaysWhereTheCoarserOneIs) {

@@ -18,7 +18,7 @@ using testing::RenderAllAround;
 
 // 28 views of an object that no mirror maps onto itself: two boxes, of which
 // one stands at the end of the other.
-std::vector<View> Views() {
+std::vector<View> ConsistentViews() {
   static const std::vector<View> views = [] {
     const auto lying = Box(Eigen::AlignedBox3d(
         Eigen::Vector3d(-0.5, -0.15, -0.2), Eigen::Vector3d(0.5, 0.15, 0)));
@@ -58,7 +58,7 @@ std::vector<size_t> NumbersOf(const Contradictions& contradictions) {
 }
 
 TEST(FindContradictions, GoodViewsFit) {
-  const Contradictions found = Find(Views());
+  const Contradictions found = Find(ConsistentViews());
   EXPECT_TRUE(found.is_judged);
   EXPECT_THAT(found.views, IsEmpty());
   EXPECT_LT(found.largest_left.unexplained, 0.005);
@@ -66,7 +66,7 @@ TEST(FindContradictions, GoodViewsFit) {
 }
 
 TEST(FindContradictions, MasksOffByPixelsFit) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   for (size_t v = 0; v < views.size(); ++v) {
     const cv::Mat cross = cv::Mat::ones(5, 5, CV_8UC1);
     cv::Mat& mask = views[v].mask;
@@ -76,7 +76,7 @@ TEST(FindContradictions, MasksOffByPixelsFit) {
 }
 
 TEST(FindContradictions, ObjectsThatLeaveTheFrameFit) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   for (size_t v = 0; v < views.size(); v += 2) {
     // The left half of the photograph is all there is.
     views[v].mask = views[v].mask(cv::Rect(0, 0, 170, 240)).clone();
@@ -86,7 +86,7 @@ TEST(FindContradictions, ObjectsThatLeaveTheFrameFit) {
 }
 
 TEST(FindContradictions, ShiftedMask) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   Shift(16, 0, &views[5]);
   const Contradictions found = Find(views);
   ASSERT_THAT(NumbersOf(found), ElementsAre(5));
@@ -96,31 +96,31 @@ TEST(FindContradictions, ShiftedMask) {
 }
 
 TEST(FindContradictions, MirroredMask) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   cv::flip(views[8].mask.clone(), views[8].mask, 1);
   EXPECT_THAT(NumbersOf(Find(views)), ElementsAre(8));
 }
 
 TEST(FindContradictions, ExchangedMasks) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   std::swap(views[3].mask, views[12].mask);
   EXPECT_THAT(NumbersOf(Find(views)), ElementsAre(3, 12));
 }
 
 TEST(FindContradictions, ExchangedPoses) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   std::swap(views[3].cam_from_world, views[12].cam_from_world);
   EXPECT_THAT(NumbersOf(Find(views)), ElementsAre(3, 12));
 }
 
 TEST(FindContradictions, MaskOfAPartOfTheObject) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   views[6].mask.rowRange(0, 120).setTo(0);
   EXPECT_THAT(NumbersOf(Find(views)), ElementsAre(6));
 }
 
 TEST(FindContradictions, ThingBesideTheObjectIsNotGrave) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   cv::Mat& mask = views[6].mask;
   const cv::Rect extent = cv::boundingRect(mask);
   const int side = int(std::sqrt(0.17 * cv::countNonZero(mask)));
@@ -132,7 +132,7 @@ TEST(FindContradictions, ThingBesideTheObjectIsNotGrave) {
 }
 
 TEST(FindContradictions, ThirdOfTheViews) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   std::vector<size_t> bad;
   for (size_t v = 0; v < 27; v += 3) {
     bad.push_back(v);
@@ -142,7 +142,7 @@ TEST(FindContradictions, ThirdOfTheViews) {
 }
 
 TEST(FindContradictions, IsTheSameForAnyNumberOfThreads) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   Shift(16, 0, &views[5]);
   Shift(0, 12, &views[20]);
   const Contradictions a = Find(views, 1);
@@ -155,7 +155,7 @@ TEST(FindContradictions, IsTheSameForAnyNumberOfThreads) {
 }
 
 TEST(FindContradictions, ThreeViewsAreNotJudged) {
-  std::vector<View> views = Views();
+  std::vector<View> views = ConsistentViews();
   views.resize(3);
   EXPECT_FALSE(Find(views).is_judged);
 }

@@ -21,7 +21,7 @@ using testing::LabelSolid;
 using testing::Solid;
 
 constexpr int kLevel = 6;
-const Eigen::Vector3d kMiddle(0.5, 0.5, 0.5);
+const Eigen::Vector3d kViewedMiddle(0.5, 0.5, 0.5);
 
 Visibility Estimate(const ViewSet& views,
                     const Solid& solid,
@@ -46,11 +46,12 @@ TEST(Visibility, SelectsTheMostFrontalViewsOfABall) {
   const ViewSet views = BareViews(testing::DirectionsAllAround(30));
   VisibilityOptions options;
   options.max_views = 5;
-  const Visibility visibility = Estimate(views, Ball(kMiddle, 0.3), options);
+  const Visibility visibility =
+      Estimate(views, Ball(kViewedMiddle, 0.3), options);
   testing::Random random(1);
   for (int i = 0; i < 300; ++i) {
     const Eigen::Vector3d normal = random.Direction();
-    const Eigen::Vector3d point = kMiddle + 0.3 * normal;
+    const Eigen::Vector3d point = kViewedMiddle + 0.3 * normal;
     std::vector<double> expected;
     for (int v = 0; v < int(views.size()); ++v) {
       const double angle = AngleToNormal(views, v, point, normal);
@@ -78,8 +79,8 @@ TEST(Visibility, SelectsTheMostFrontalViewsOfABall) {
 TEST(Visibility, ViewsWithPixelsLargerThanVoxelsWeighLess) {
   const Eigen::Vector3d oblique = Eigen::Vector3d(1, 0, 1.5).normalized();
   const ViewSet views = BareViews({4 * Eigen::Vector3d::UnitZ(), oblique});
-  const Visibility visibility = Estimate(views, Ball(kMiddle, 0.3));
-  const Eigen::Vector3d point = kMiddle + 0.3 * Eigen::Vector3d::UnitZ();
+  const Visibility visibility = Estimate(views, Ball(kViewedMiddle, 0.3));
+  const Eigen::Vector3d point = kViewedMiddle + 0.3 * Eigen::Vector3d::UnitZ();
   const Visibility::Selection selection =
       visibility.Select(point.cast<float>(), Eigen::Vector3f::UnitZ());
   ASSERT_EQ(selection.count, 2);
@@ -90,7 +91,7 @@ TEST(Visibility, ViewsWithPixelsLargerThanVoxelsWeighLess) {
 TEST(Visibility, NoViewSeesTheBack) {
   const ViewSet views = BareViews(
       {Eigen::Vector3d::UnitX(), Eigen::Vector3d(1, 0.2, 0).normalized()});
-  const Visibility visibility = Estimate(views, Ball(kMiddle, 0.3));
+  const Visibility visibility = Estimate(views, Ball(kViewedMiddle, 0.3));
   EXPECT_EQ(visibility.Select({0.8f, 0.5f, 0.5f}, {1, 0, 0}).count, 2);
   EXPECT_EQ(visibility.Select({0.2f, 0.5f, 0.5f}, {-1, 0, 0}).count, 0);
   EXPECT_EQ(visibility.Select({0.5f, 0.5f, 0.8f}, {0, 0, 1}).count, 0);
@@ -132,7 +133,8 @@ TEST(Visibility, TheToleranceIsInVoxelsAlongTheNormal) {
   const ViewSet views = BareViews({Eigen::Vector3d::UnitX()});
   VisibilityOptions options;
   options.depth_tolerance = 4;
-  const Visibility visibility = Estimate(views, Ball(kMiddle, 0.3), options);
+  const Visibility visibility =
+      Estimate(views, Ball(kViewedMiddle, 0.3), options);
   const auto sees = [&](float depth_in_voxels) {
     const float x = 0.8f - depth_in_voxels / (1 << kLevel);
     return visibility.Select({x, 0.5f, 0.5f}, {1, 0, 0}).count == 1;
@@ -147,12 +149,13 @@ TEST(Visibility, TheToleranceIsInVoxelsAlongTheNormal) {
 TEST(Visibility, PointsOutOfTheFrameAreNotSeen) {
   ViewSet views = BareViews({Eigen::Vector3d::UnitX()});
   views[0].projection.width /= 2;  // the right half is gone
-  const Visibility visibility = Estimate(views, Ball(kMiddle, 0.3));
+  const Visibility visibility = Estimate(views, Ball(kViewedMiddle, 0.3));
   int seen = 0;
   for (const float y : {0.35f, 0.65f}) {
     const float x = 0.5f + std::sqrt(0.09f - 0.15f * 0.15f);
     const Eigen::Vector3f point(x, y, 0.5f);
-    const Eigen::Vector3f normal = (point - kMiddle.cast<float>()).normalized();
+    const Eigen::Vector3f normal =
+        (point - kViewedMiddle.cast<float>()).normalized();
     seen += visibility.Select(point, normal).count;
   }
   EXPECT_EQ(seen, 1);
@@ -160,7 +163,7 @@ TEST(Visibility, PointsOutOfTheFrameAreNotSeen) {
 
 TEST(Visibility, IsTheSameForAnyNumberOfThreads) {
   const ViewSet views = BareViews(testing::DirectionsAllAround(20));
-  const Solid ball = Ball(kMiddle, 0.33);
+  const Solid ball = Ball(kViewedMiddle, 0.33);
   const Visibility expected =
       Estimate(views, ball, VisibilityOptions(), Context(1));
   for (const int num_threads : {2, 4}) {

@@ -15,15 +15,16 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-CompareMeshesOptions FewSamples(int64_t count = 20000) {
+CompareMeshesOptions FewComparedSamples(int64_t count = 20000) {
   CompareMeshesOptions options;
   options.num_samples = count;
   return options;
 }
 
-MeshComparison Compare(const IndexedMesh& mesh,
-                       const IndexedMesh& reference,
-                       const CompareMeshesOptions& options = FewSamples()) {
+MeshComparison Compare(
+    const IndexedMesh& mesh,
+    const IndexedMesh& reference,
+    const CompareMeshesOptions& options = FewComparedSamples()) {
   return CompareMeshes(mesh, reference, options, Context(2));
 }
 
@@ -57,7 +58,7 @@ TEST(CompareMeshes, TiltedPlaneOverALargeOne) {
   for (Eigen::Vector3d& p : ground.positions) {
     p = 3 * p - Eigen::Vector3d(1, 1, 0);
   }
-  CompareMeshesOptions options = FewSamples();
+  CompareMeshesOptions options = FewComparedSamples();
   const double diagonal = 3 * std::sqrt(2.0);
   options.thresholds = {h / 4 / diagonal, 2 * h / diagonal};
   options.accuracy_fraction = 0.3;
@@ -79,7 +80,7 @@ TEST(CompareMeshes, TiltedPlaneOverALargeOne) {
 
 TEST(CompareMeshes, ConcentricSpheres) {
   const MeshComparison result =
-      Compare(Sphere(60, 1.02), Sphere(60, 1.0), FewSamples(10000));
+      Compare(Sphere(60, 1.02), Sphere(60, 1.0), FewComparedSamples(10000));
   // A chord of the 240-gon lies 1e-4 below its circle.
   for (const DistanceStatistics& side :
        {result.to_reference, result.from_reference}) {
@@ -93,7 +94,7 @@ TEST(CompareMeshes, ConcentricSpheres) {
 TEST(CompareMeshes, ShiftedCube) {
   const double d = 0.1;
   const MeshComparison result =
-      Compare(Moved(Cube(4), {d, 0, 0}), Cube(3), FewSamples(200000));
+      Compare(Moved(Cube(4), {d, 0, 0}), Cube(3), FewComparedSamples(200000));
   // The volume of the six faces: the front one is d away; points of the back
   // one are inside, at the smaller of d and their distance b to the square's
   // border (fraction (1 - 2t)^2 has b > t); the four others reach beyond by up
@@ -135,7 +136,7 @@ TEST(CompareMeshes, OnlyTheReferenceThatCounts) {
   const IndexedMesh whole = Sphere(40);
   const IndexedMesh half =
       KeepTriangles(whole, [](const Eigen::Vector3d& p) { return p.z() > 0; });
-  CompareMeshesOptions options = FewSamples();
+  CompareMeshesOptions options = FewComparedSamples();
   options.reference_filter = [](uint32_t, const Eigen::Vector3d& point) {
     return point.z() > 0.05;
   };
@@ -144,7 +145,7 @@ TEST(CompareMeshes, OnlyTheReferenceThatCounts) {
   EXPECT_NEAR(result.from_reference.max, 0, 1e-12);
   EXPECT_NEAR(result.from_reference.num_samples, 20000 * 0.475, 40);
   EXPECT_NEAR(result.judged_share, 0.475, 2e-3);
-  EXPECT_EQ(Compare(half, whole, FewSamples()).judged_share, 1);
+  EXPECT_EQ(Compare(half, whole, FewComparedSamples()).judged_share, 1);
   // A mesh that is wrong only where the reference does not count.
   const IndexedMesh dented =
       Sphere(40, [](const Eigen::Vector3d& p) -> Eigen::Vector3d {
@@ -262,7 +263,7 @@ void ExpectSame(const DistanceStatistics& a, const DistanceStatistics& b) {
 }
 
 TEST(CompareMeshes, SameBytesForAnyNumberOfThreads) {
-  CompareMeshesOptions options = FewSamples();
+  CompareMeshesOptions options = FewComparedSamples();
   options.align = true;
   options.alignment.num_samples = 2000;
   const IndexedMesh mesh = Moved(Potato(15), {0.01, 0.02, -0.01});
@@ -293,7 +294,7 @@ TEST(CompareMeshes, AligningFirstRemovesASimilarity) {
       Eigen::AngleAxisd(0.03, Eigen::Vector3d(1, 2, 2) / 3).toRotationMatrix();
   moved.translation = {0.01, -0.02, 0.005};
   const IndexedMesh reference = Potato(20);
-  CompareMeshesOptions options = FewSamples();
+  CompareMeshesOptions options = FewComparedSamples();
   const IndexedMesh mesh = TransformMesh(reference, moved);
   EXPECT_GT(Compare(mesh, reference, options).to_reference.mean, 0.01);
   options.align = true;

@@ -1,4 +1,4 @@
-#include "core/print/stand_plane.h"
+#include "core/print/resting_plane.h"
 
 #include <fmt/format.h>
 
@@ -173,9 +173,9 @@ class StandSearch {
 
 }  // namespace
 
-StandPlane FindStandPlane(const IndexedMesh& mesh,
-                          const Surroundings& surroundings,
-                          const Context& context) {
+RestingPlane FindRestingPlane(const IndexedMesh& mesh,
+                              const Surroundings& surroundings,
+                              const Context& context) {
   const Phase phase(context, "stand");
   const StandSearch search(mesh, surroundings);
   std::optional<Plane> plane = search.Search(context);
@@ -190,7 +190,7 @@ StandPlane FindStandPlane(const IndexedMesh& mesh,
   for (int i = 0; i < kFits; ++i) {
     plane = search.Fit(search.PointsOn(*plane));
   }
-  StandPlane stand;
+  RestingPlane stand;
   stand.up = plane->up;
   stand.offset = plane->offset;
   stand.num_candidates = search.NumCandidates();

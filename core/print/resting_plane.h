@@ -17,7 +17,7 @@ struct Surroundings {
   double noise = 0;  // expected error of a point
 };
 
-struct StandPlane {
+struct RestingPlane {
   // Unit normal, to the side of the object; `up`.dot(x) = `offset` for points x
   // of the plane.
   Eigen::Vector3d up;
@@ -35,8 +35,8 @@ struct StandPlane {
 // lowest point of the mesh closer than a tenth of the diagonal of its bounding
 // box. Only points within twice the diagonal count. Depends on Context::Seed().
 // Throws InputError where no plane has 20 points and a tenth of those around.
-StandPlane FindStandPlane(const IndexedMesh& mesh,
-                          const Surroundings& surroundings,
-                          const Context& context);
+RestingPlane FindRestingPlane(const IndexedMesh& mesh,
+                              const Surroundings& surroundings,
+                              const Context& context);
 
 }  // namespace octacut

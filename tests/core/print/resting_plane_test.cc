@@ -1,4 +1,4 @@
-#include "core/print/stand_plane.h"
+#include "core/print/resting_plane.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ const Context kOneThread(1);
 
 // A unit sphere at (0, 0, 1) on the plane z = 0, turned by `world_from_table`,
 // with a wall behind it that has more points than the table.
-class StandPlaneTest : public ::testing::Test {
+class RestingPlaneTest : public ::testing::Test {
  protected:
-  StandPlaneTest() : mesh_(Moved(Sphere(12), {0, 0, 1})) {
+  RestingPlaneTest() : mesh_(Moved(Sphere(12), {0, 0, 1})) {
     around_.noise = 0.003;
     for (uint64_t i = 0; i < 300; ++i) {
       Add({4 * Draw(i, 0) - 2, 4 * Draw(i, 1) - 2, Noise(i)});
@@ -46,7 +46,7 @@ class StandPlaneTest : public ::testing::Test {
   Surroundings around_;
 };
 
-TEST_F(StandPlaneTest, FindsTheTableInAnyFrame) {
+TEST_F(RestingPlaneTest, FindsTheTableInAnyFrame) {
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(2.1, Eigen::Vector3d(1, -2, 0.3).normalized())
           .toRotationMatrix();
@@ -60,7 +60,7 @@ TEST_F(StandPlaneTest, FindsTheTableInAnyFrame) {
     };
     IndexedMesh mesh = mesh_;
     mesh.positions = moved(mesh.positions);
-    const StandPlane stand = FindStandPlane(
+    const RestingPlane stand = FindRestingPlane(
         mesh,
         {moved(around_.points), moved(around_.camera_centers), around_.noise},
         kOneThread);
@@ -75,16 +75,16 @@ TEST_F(StandPlaneTest, FindsTheTableInAnyFrame) {
   }
 }
 
-TEST_F(StandPlaneTest, ATableThatTheObjectDoesNotTouchIsNone) {
+TEST_F(RestingPlaneTest, ATableThatTheObjectDoesNotTouchIsNone) {
   for (Eigen::Vector3d& position : mesh_.positions) {
     position.z() += 1;
   }
-  EXPECT_THROW(FindStandPlane(mesh_, around_, kOneThread), InputError);
+  EXPECT_THROW(FindRestingPlane(mesh_, around_, kOneThread), InputError);
 }
 
-TEST_F(StandPlaneTest, NoPointsAreAnError) {
+TEST_F(RestingPlaneTest, NoPointsAreAnError) {
   around_.points.clear();
-  EXPECT_THROW(FindStandPlane(mesh_, around_, kOneThread), InputError);
+  EXPECT_THROW(FindRestingPlane(mesh_, around_, kOneThread), InputError);
 }
 
 }  // namespace

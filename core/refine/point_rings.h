@@ -12,10 +12,10 @@ namespace octacut {
 
 // Visits points ring by ring, where `neighbors` are those of SurfacePoints. One
 // object serves one thread.
-class Surroundings {
+class PointRings {
  public:
   // Keeps a reference to `neighbors`.
-  Surroundings(const VertexCorners& neighbors, size_t num_points)
+  PointRings(const VertexCorners& neighbors, size_t num_points)
       : neighbors_(neighbors), reached_from_(num_points, kNowhere) {}
 
   // Calls `visit` with each point that is `first` to `last` steps away from

@@ -16,7 +16,7 @@ using testing::RingPose;
 using testing::SphereMask;
 
 const SparseCamera kWindowPinhole = {
-    1, camera_model::kWindowPinhole, 640, 480, {600, 610, 321.5, 238.25}};
+    1, camera_model::kPinhole, 640, 480, {600, 610, 321.5, 238.25}};
 
 Region RegionOfSphere(double radius) {
   Region region;

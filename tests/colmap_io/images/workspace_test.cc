@@ -20,7 +20,7 @@ using testing::RingModel;
 using testing::WriteText;
 
 const SparseCamera kWorkspacePinhole = {
-    1, camera_model::kWorkspacePinhole, 64, 48, {80, 80, 32, 24}};
+    1, camera_model::kPinhole, 64, 48, {80, 80, 32, 24}};
 const SparseCamera kWorkspaceRadial = {
     1, camera_model::kSimpleRadial, 640, 480, {500, 320, 240, -0.2}};
 
@@ -164,18 +164,16 @@ TEST_F(WorkspaceTest, MaskCamerasOfAProject) {
   for (const auto geometry :
        {MaskGeometry::kAuto, MaskGeometry::kUndistorted}) {
     const SparseCamera camera = find(geometry, undistorted_size);
-    EXPECT_EQ(camera.model_id, camera_model::kWorkspacePinhole);
+    EXPECT_EQ(camera.model_id, camera_model::kPinhole);
     EXPECT_EQ(camera.params[2], undistorted.cx);
   }
   // A dense folder beside knows better than the formula.
-  SparseCamera given = {
-      1, camera_model::kWorkspacePinhole, 500, 400, {9, 9, 9, 9}};
+  SparseCamera given = {1, camera_model::kPinhole, 500, 400, {9, 9, 9, 9}};
   WriteSparseModelBinary(RingModel(given, 4),
                          folder_ / "dense" / "0" / "sparse");
   EXPECT_EQ(find(MaskGeometry::kAuto, {500, 400}).params, given.params);
   // Images of several dense folders have a camera in each.
-  SparseCamera second = {
-      1, camera_model::kWorkspacePinhole, 501, 401, {8, 8, 8, 8}};
+  SparseCamera second = {1, camera_model::kPinhole, 501, 401, {8, 8, 8, 8}};
   WriteSparseModelBinary(RingModel(second, 4),
                          folder_ / "dense" / "1" / "sparse");
   EXPECT_EQ(find(MaskGeometry::kAuto, {500, 400}).params, given.params);

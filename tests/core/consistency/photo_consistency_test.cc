@@ -19,7 +19,7 @@ using testing::MakeSphereScene;
 using testing::SphereScene;
 using testing::SphereSpec;
 
-constexpr int kPhiLevel = SphereScene::kPhiLevel;
+constexpr int kPhiLevel = SphereScene::kLevel;
 
 double MedianPhi(const SphereScene& sphere,
                  const std::vector<float>& phi,
@@ -270,7 +270,7 @@ TEST(ConsistencyOptions, AreRejectedWithFieldAndConstraint) {
 // A voxel covers some 1.5 pixels here.
 TEST(PhotoConsistency, PatchesGrowUntilTheySpanEnoughPixels) {
   const SphereScene sphere = MakeSphereScene(testing::SphereSpec());
-  const float voxel = 1.0f / (1 << SphereScene::kPhiLevel);
+  const float voxel = 1.0f / (1 << SphereScene::kLevel);
   double pixels = 0;
   for (const PreparedView& view : sphere.test.views) {
     pixels += view.projection.CenterFootprint(voxel) /

@@ -12,8 +12,8 @@ namespace {
 
 using testing::TestScene;
 
-constexpr int kLevel = 5;
-constexpr float kVoxel = 1.0f / (1 << kLevel);
+constexpr int kDepthsLevel = 5;
+constexpr float kVoxel = 1.0f / (1 << kDepthsLevel);
 
 // A sphere's views, the hull, and maps with the depth of the middle of the cube
 // at every fourth pixel.
@@ -25,7 +25,7 @@ struct Setting {
 
   Setting() {
     VisualHullOptions options;
-    options.hull_level = kLevel;
+    options.hull_level = kDepthsLevel;
     hull =
         ComputeVisualHull(test.views, TestScene::UnitBox(), options, Context(2))
             .voxels;
@@ -121,7 +121,8 @@ TEST(KeepPlausible, RemovesWhatLiesBehindMatter) {
   EXPECT_EQ(all, Count(setting.maps));
   // One voxel near the middle, before or behind it: some rays run through it.
   const Eigen::Vector3i off_middle =
-      Eigen::Vector3i::Constant(1 << (kLevel - 1)) + Eigen::Vector3i(4, 0, 0);
+      Eigen::Vector3i::Constant(1 << (kDepthsLevel - 1)) +
+      Eigen::Vector3i(4, 0, 0);
   solid[setting.hull.Find(off_middle)] = true;
   EXPECT_LT(count(solid), all);
   EXPECT_GT(count(solid), all * 9 / 10);

@@ -18,7 +18,7 @@ namespace {
 using testing::MakeTestScene;
 using testing::TestScene;
 
-constexpr int kLevel = 6;
+constexpr int kSurfaceLevel = 6;
 
 struct HullMesh {
   IndexedMesh mesh;
@@ -27,7 +27,7 @@ struct HullMesh {
 
 HullMesh MeshOfHull(const TestScene& test,
                     const Eigen::AlignedBox3f& box,
-                    int level = kLevel) {
+                    int level = kSurfaceLevel) {
   VisualHullOptions options;
   options.hull_level = level;
   const LabeledVoxels surface =
@@ -72,7 +72,7 @@ TEST(HullSurface, OfASphereIsTheIntersectionOfItsCones) {
   EXPECT_EQ(hull.audit.num_components, 1u);
   EXPECT_EQ(hull.audit.genus, 0);
 
-  const double voxel = test.VoxelSize(kLevel);
+  const double voxel = test.VoxelSize(kSurfaceLevel);
   double sum = 0;
   for (const Eigen::Vector3d& position : hull.mesh.positions) {
     const double distance = DistanceToSphereHull(test, radius, position);
@@ -112,7 +112,8 @@ TEST(HullSurface, OfATorusHasItsHole) {
   EXPECT_GT(hull.audit.volume, torus);
   EXPECT_LT(hull.audit.volume, 1.35 * torus);
   for (const Eigen::Vector3d& position : hull.mesh.positions) {
-    EXPECT_GT(test.synthetic.object.shape(position), -test.VoxelSize(kLevel));
+    EXPECT_GT(test.synthetic.object.shape(position),
+              -test.VoxelSize(kSurfaceLevel));
   }
 }
 
@@ -129,7 +130,7 @@ TEST(HullSurface, IsClosedWhereTheBoxClipsIt) {
     EXPECT_EQ(hull.audit.genus, 0);
     const double top =
         testing::ToUnit(test.region.cube, hull.audit.bounding_box.max()).y();
-    EXPECT_NEAR(top, cut, 1.0 / (1 << kLevel));
+    EXPECT_NEAR(top, cut, 1.0 / (1 << kSurfaceLevel));
   }
 }
 

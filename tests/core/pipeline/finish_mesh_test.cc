@@ -9,8 +9,8 @@
 namespace octacut {
 namespace {
 
-constexpr int kLevel = 6;
-constexpr double kVoxel = 1.0 / (1 << kLevel);
+constexpr int kMeshLevel = 6;
+constexpr double kVoxel = 1.0 / (1 << kMeshLevel);
 
 // Two balls, joined by a thick bar and one of two voxels.
 LabeledVoxels BallsWithBars() {
@@ -18,12 +18,13 @@ LabeledVoxels BallsWithBars() {
     const Eigen::Vector3d nearest(std::clamp(p.x(), 0.28, 0.72), y, 0.5);
     return (p - nearest).norm();
   };
-  const LabelledCrust crust = LabelShape(kLevel, [&](const Eigen::Vector3d& p) {
-    return std::min({(p - Eigen::Vector3d(0.28, 0.5, 0.5)).norm() - 0.17,
-                     (p - Eigen::Vector3d(0.72, 0.5, 0.5)).norm() - 0.17,
-                     bar(p, 0.6) - 3 * kVoxel,
-                     bar(p, 0.4) - 1.1 * kVoxel});
-  });
+  const LabelledCrust crust =
+      LabelShape(kMeshLevel, [&](const Eigen::Vector3d& p) {
+        return std::min({(p - Eigen::Vector3d(0.28, 0.5, 0.5)).norm() - 0.17,
+                         (p - Eigen::Vector3d(0.72, 0.5, 0.5)).norm() - 0.17,
+                         bar(p, 0.6) - 3 * kVoxel,
+                         bar(p, 0.4) - 1.1 * kVoxel});
+      });
   return {crust.crust, crust.labels};
 }
 

@@ -85,12 +85,9 @@ TEST(HullSurface, OfASphereIsTheIntersectionOfItsCones) {
   size_t count = 0;
   constexpr int kSamples = 80;
   for (int i = 0; i < kSamples * kSamples * kSamples; ++i) {
-    const Eigen::Vector3d unit =
-        (Eigen::Vector3d(
-             i % kSamples, i / kSamples % kSamples, i / kSamples / kSamples)
-             .array() +
-         0.5) /
-        kSamples;
+    const Eigen::Array3i node(
+        i % kSamples, i / kSamples % kSamples, i / kSamples / kSamples);
+    const Eigen::Vector3d unit = (node.cast<double>() + 0.5) / kSamples;
     count += DistanceToSphereHull(
                  test, radius, testing::ToWorld(test.region.cube, unit)) <= 0;
   }

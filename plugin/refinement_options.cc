@@ -12,6 +12,7 @@ Json RoundToJson(const RoundSummary& round) {
           {"silhouette_targets", round.num_contour_targets},
           {"border_shift", round.border_shift},
           {"mean_displacement", round.mean_displacement},
+          {"agreement_seconds", round.agreement_seconds},
           {"fit_seconds", round.fit_seconds},
           {"view_seconds", round.view_seconds},
           {"aligned_views", round.num_aligned},

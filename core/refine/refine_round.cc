@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "core/base/stopwatch.h"
@@ -64,19 +63,25 @@ OffsetSearch MakeSearch(const RoundPlan& plan, const RefineOptions& options) {
   return search;
 }
 
+// Offsets of the fitted surfaces that others support.
 std::vector<OffsetMeasurement> MeasureOffsets(const ViewSet& views,
                                               const SeenSurface& seen,
                                               const RoundPlan& plan,
-                                              const RefineOptions& options,
-                                              std::string_view phase_name,
+                                              const RoundInputs& inputs,
                                               const Context& context) {
-  Phase phase(context, phase_name, seen.surfaces.size());
-  return SearchOffsets(views,
-                       seen.surfaces,
-                       seen.choices,
-                       MakeSearch(plan, options),
-                       context,
-                       &phase);
+  const OffsetSearch search = MakeSearch(plan, inputs.options);
+  Phase phase(
+      context,
+      fmt::format("refinement: offsets up to {:.2g} pixels", search.range),
+      seen.surfaces.size());
+  std::vector<OffsetMeasurement> measurements = SearchOffsets(
+      views, seen.surfaces, seen.choices, search, context, &phase);
+  DropChanceOffsets(seen.points.neighbors,
+                    seen.is_seen,
+                    kSupportTolerance * plan.scale * inputs.pixel,
+                    context,
+                    &measurements);
+  return measurements;
 }
 
 // Lengths in pixels.
@@ -94,6 +99,43 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
   }
   summary->num_measured = NumMeasured(measurements);
   problem.is_free = Dilate(seen.is_seen, seen.points.neighbors, kBlendRings);
+  return problem;
+}
+
+// What photographs and masks say of the surface that is seen.
+OffsetProblem PoseProblem(const ViewSet& views,
+                          const SeenSurface& seen,
+                          const RoundPlan& plan,
+                          const RoundInputs& inputs,
+                          const Context& context,
+                          RoundSummary* summary) {
+  Stopwatch stopwatch;
+  const std::vector<OffsetMeasurement> measurements =
+      MeasureOffsets(views, seen, plan, inputs, context);
+  OffsetProblem problem =
+      MakeProblem(seen, measurements, inputs.pixel, plan.scale, summary);
+  summary->search_seconds = stopwatch.Lap();
+  summary->border_shift = plan.border_shift;
+  summary->hull_tolerance = kLargestHullTolerance;
+  const RefineOptions& options = inputs.options;
+  if (options.silhouette_weight > 0) {
+    const std::vector<ContourTarget> contours = FindContourTargets(
+        views,
+        seen.rays,
+        seen.surfaces,
+        seen.points.neighbors,
+        {.range = summary->range, .border_shift = plan.border_shift},
+        context);
+    JudgeBorders(contours,
+                 seen.surfaces,
+                 measurements,
+                 plan,
+                 options.border_noise,
+                 summary);
+    AddContourTargets(
+        contours, inputs.pixel, options.silhouette_weight, &problem);
+  }
+  summary->silhouette_seconds = stopwatch.Lap();
   return problem;
 }
 
@@ -147,6 +189,7 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   summary.scale = plan.scale;
   summary.range = plan.range * plan.scale;
   const std::vector<Eigen::Vector3d> before = mesh->positions;
+  Stopwatch stopwatch;
   const bool can_harm = plan.smooths && plan.scale > 1;
   const AgreementInputs agreeing{*views, inputs.neighbors, pixel, options};
   SurfaceAgreement agreement;
@@ -155,6 +198,7 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
         SpreadPoints(*mesh, inputs.neighbors, options.measure_spacing * pixel);
     agreement = MeasureAgreement(agreeing, std::move(points), context, mesh);
   }
+  summary.agreement_seconds = stopwatch.Lap();
   SeenSurface seen =
       LookAtSurface(*views,
                     inputs.neighbors,
@@ -168,45 +212,14 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   summary.num_seen = seen.NumSeen();
   summary.fit_seconds = seen.fit_seconds;
   summary.view_seconds = seen.view_seconds;
-  Stopwatch stopwatch;
+  stopwatch.Lap();
   if (plan.aligns) {
     Align(seen, options, context, views, &summary);
   }
   summary.alignment_seconds = stopwatch.Lap();
-  std::vector<OffsetMeasurement> measurements = MeasureOffsets(
-      *views,
-      seen,
-      plan,
-      options,
-      fmt::format("refinement: offsets up to {:.2g} pixels", summary.range),
-      context);
-  DropChanceOffsets(seen.points.neighbors,
-                    seen.is_seen,
-                    kSupportTolerance * plan.scale * pixel,
-                    context,
-                    &measurements);
   OffsetProblem problem =
-      MakeProblem(seen, measurements, pixel, plan.scale, &summary);
-  summary.search_seconds = stopwatch.Lap();
-  summary.border_shift = plan.border_shift;
-  summary.hull_tolerance = kLargestHullTolerance;
-  if (options.silhouette_weight > 0) {
-    const std::vector<ContourTarget> contours = FindContourTargets(
-        *views,
-        seen.rays,
-        seen.surfaces,
-        seen.points.neighbors,
-        {.range = summary.range, .border_shift = plan.border_shift},
-        context);
-    JudgeBorders(contours,
-                 seen.surfaces,
-                 measurements,
-                 plan,
-                 options.border_noise,
-                 &summary);
-    AddContourTargets(contours, pixel, options.silhouette_weight, &problem);
-  }
-  summary.silhouette_seconds = stopwatch.Lap();
+      PoseProblem(*views, seen, plan, inputs, context, &summary);
+  stopwatch.Lap();
   summary.mean_displacement = MovePoints(
       std::move(seen), std::move(problem), plan.smooths, inputs, context, mesh);
   summary.solve_seconds = stopwatch.Lap();
@@ -214,6 +227,7 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
     summary.taken_back =
         TakeBackHarm(agreeing, before, agreement, context, mesh);
   }
+  summary.agreement_seconds += stopwatch.Lap();
   // In each round: what is moved back would stay a pit, and the next round
   // makes it smooth.
   const double tolerance =

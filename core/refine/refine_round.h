@@ -32,6 +32,7 @@ struct RoundSummary {
   // Vertices that were moved back: into the hull, or for the sake of
   // triangles that were too thin or intersected others.
   size_t num_withdrawn = 0;
+  double agreement_seconds = 0;  // before and after
   double fit_seconds = 0;
   double view_seconds = 0;
   double alignment_seconds = 0;

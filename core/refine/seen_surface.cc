@@ -49,13 +49,13 @@ SeenSurface LookAtSurface(const ViewSet& views,
                           const RefineOptions& options,
                           const Context& context,
                           IndexedMesh* mesh) {
-  return LookAtPoints(SpreadPoints(*mesh, neighbors, look.spacing),
-                      views,
-                      neighbors,
-                      look,
-                      options,
-                      context,
-                      mesh);
+  Stopwatch stopwatch;
+  SurfacePoints points = SpreadPoints(*mesh, neighbors, look.spacing);
+  const double spread_seconds = stopwatch.Lap();
+  SeenSurface seen = LookAtPoints(
+      std::move(points), views, neighbors, look, options, context, mesh);
+  seen.fit_seconds += spread_seconds;
+  return seen;
 }
 
 SeenSurface LookAtPoints(SurfacePoints points,

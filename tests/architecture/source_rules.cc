@@ -145,7 +145,7 @@ std::string CheckInclude(const fs::path& root,
     return fmt::format("\"{}\" is no path from the top of the tree", header);
   }
   if (IndexOf(kTopFolders, to.top)) {
-    const std::string problem = CheckLayers(from, to);
+    std::string problem = CheckLayers(from, to);
     if (!problem.empty()) {
       return problem;
     }
@@ -241,7 +241,7 @@ void CheckFile(const fs::path& root,
 void CheckTypeNames(const fs::path& root,
                     std::vector<std::string>* violations) {
   static const std::regex kType(
-      R"re(^(struct|class|enum class) ([A-Z][A-Za-z]*)[^;]*\{.*)re");
+      R"re(^(struct|class|enum class) ([A-Z][A-Za-z0-9]*)[^;]*)re");
   std::map<std::string, std::string> headers;  // by the name of the type
   std::vector<fs::path> files = SourceFiles(root);
   std::sort(files.begin(), files.end());

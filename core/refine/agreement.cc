@@ -14,9 +14,12 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 4096;
-// Steps between neighbouring points, at least two pixels each, within which a
-// loss of agreement is averaged; 7 gain on drapery what they lose on rocker.
-constexpr int kRings = 5;
+// Pixels between points: patches of 7 pixels overlap, and half as far takes
+// three times as long for the same result.
+constexpr double kSpacing = 4;
+// Steps between neighbouring points within which a loss of agreement is
+// averaged (docs/experiments/refinement_folds.md).
+constexpr int kRings = 3;
 // Losses from which on a move is taken back in part and as a whole.
 constexpr float kSmallLoss = 0.02f;
 constexpr float kLargeLoss = 0.05f;
@@ -28,8 +31,7 @@ std::vector<float> SharesOfHarm(const SurfaceAgreement& before,
                                 const Context& context) {
   // Patches overlap, so that the losses of so many points are one observation.
   const double width = 2 * inputs.options.patch.radius + 1;
-  const double overlap =
-      width * width / std::pow(inputs.options.measure_spacing, 2);
+  const double overlap = width * width / (kSpacing * kSpacing);
   std::vector<float> shares(before.scores.size(), 0);
   ParallelFor(context, shares.size(), kGrain, [&](size_t begin, size_t end) {
     PointRings rings(before.points.neighbors, shares.size());
@@ -58,22 +60,10 @@ std::vector<float> SharesOfHarm(const SurfaceAgreement& before,
   return shares;
 }
 
-}  // namespace
-
-double SurfaceAgreement::Mean() const {
-  double sum = 0;
-  double count = 0;
-  for (size_t i = 0; i < scores.size(); ++i) {
-    sum += is_seen[i] ? scores[i] : 0;
-    count += is_seen[i];
-  }
-  return sum / std::max(count, 1.0);
-}
-
-SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
-                                  SurfacePoints points,
-                                  const Context& context,
-                                  IndexedMesh* mesh) {
+SurfaceAgreement MeasureAt(SurfacePoints points,
+                           const AgreementInputs& inputs,
+                           const Context& context,
+                           IndexedMesh* mesh) {
   SeenSurface seen = LookAtPoints(std::move(points),
                                   inputs.views,
                                   inputs.neighbors,
@@ -102,13 +92,35 @@ SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
   return agreement;
 }
 
+}  // namespace
+
+double SurfaceAgreement::Mean() const {
+  double sum = 0;
+  double count = 0;
+  for (size_t i = 0; i < scores.size(); ++i) {
+    sum += is_seen[i] ? scores[i] : 0;
+    count += is_seen[i];
+  }
+  return sum / std::max(count, 1.0);
+}
+
+SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
+                                  const Context& context,
+                                  IndexedMesh* mesh) {
+  return MeasureAt(
+      SpreadPoints(*mesh, inputs.neighbors, kSpacing * inputs.pixel),
+      inputs,
+      context,
+      mesh);
+}
+
 double TakeBackHarm(const AgreementInputs& inputs,
                     const std::vector<Eigen::Vector3d>& positions,
                     const SurfaceAgreement& before,
                     const Context& context,
                     IndexedMesh* mesh) {
   const SurfaceAgreement after =
-      MeasureAgreement(inputs, before.points, context, mesh);
+      MeasureAt(before.points, inputs, context, mesh);
   const std::vector<float> shares =
       SharesOfHarm(before, after, inputs, context);
   const SurfacePoints& points = after.points;

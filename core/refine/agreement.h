@@ -34,9 +34,8 @@ struct SurfaceAgreement {
   double Mean() const;
 };
 
-// `mesh` is given normals. `points` as those of SpreadPoints.
+// At points some pixels apart. `mesh` is given normals.
 SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
-                                  SurfacePoints points,
                                   const Context& context,
                                   IndexedMesh* mesh);
 

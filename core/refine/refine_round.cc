@@ -194,9 +194,7 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   const AgreementInputs agreeing{*views, inputs.neighbors, pixel, options};
   SurfaceAgreement agreement;
   if (can_harm) {
-    SurfacePoints points =
-        SpreadPoints(*mesh, inputs.neighbors, options.measure_spacing * pixel);
-    agreement = MeasureAgreement(agreeing, std::move(points), context, mesh);
+    agreement = MeasureAgreement(agreeing, context, mesh);
   }
   summary.agreement_seconds = stopwatch.Lap();
   SeenSurface seen =

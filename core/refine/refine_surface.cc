@@ -69,16 +69,6 @@ double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
   return pixel;
 }
 
-double MeanAgreement(const AgreementInputs& inputs,
-                     const Context& context,
-                     IndexedMesh* mesh) {
-  SurfacePoints points =
-      SpreadPoints(*mesh,
-                   inputs.neighbors,
-                   2 * inputs.options.measure_spacing * inputs.pixel);
-  return MeasureAgreement(inputs, std::move(points), context, mesh).Mean();
-}
-
 std::vector<Eigen::Vector3d> SomePositions(const IndexedMesh& mesh) {
   const size_t stride = std::max<size_t>(mesh.positions.size() / 1000, 1);
   std::vector<Eigen::Vector3d> some;
@@ -160,13 +150,16 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   for (const PreparedView& view : *views) {
     projections.push_back(view.projection);
   }
-  summary.agreement_before =
-      MeanAgreement({*views, neighbors, pixel, options}, context, &unit);
+  const AgreementInputs agreeing{*views, neighbors, pixel, options};
+  summary.agreement_before = MeasureAgreement(agreeing, context, &unit).Mean();
   const double edge_shift = views->front().border_shift;
   const double edge_shift_error = views->front().border_shift_error;
   summary.border_shift = edge_shift;
+  // Of glossy objects, coarse images agree by chance: poses that are aligned by
+  // these get worse.
+  bool knows_most = true;
   for (RoundPlan plan : PlanRounds(options)) {
-    plan.aligns &= !summary.rounds.empty() && summary.rounds.back().KnowsMost();
+    plan.aligns &= knows_most && !summary.rounds.empty();
     plan.edge_shift = edge_shift;
     plan.edge_shift_error = edge_shift_error;
     plan.border_shift = summary.border_shift;
@@ -174,12 +167,12 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
         {start, neighbors, pixel, options}, plan, context, views, &unit);
     summary.num_withdrawn += round.num_withdrawn;
     summary.border_shift = round.border_shift;
+    knows_most &= round.KnowsMost();
     summary.rounds.push_back(std::move(round));
   }
   summary.view_motion =
       MeasureViewMotion(projections, *views, SomePositions(unit));
-  summary.agreement_after =
-      MeanAgreement({*views, neighbors, pixel, options}, context, &unit);
+  summary.agreement_after = MeasureAgreement(agreeing, context, &unit).Mean();
   SummarizeMoves(start, unit, pixel, &summary);
   summary.num_withdrawn +=
       MoveMesh(start, unit.positions, cube, summary.pixel_size, context, &mesh);

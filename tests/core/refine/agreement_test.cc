@@ -32,11 +32,7 @@ std::array<double, 2> TakeBack(const RefineScene& scene,
   const BoundingCube& cube = scene.test.region.cube;
   const double pixel = scene.Pixel() / cube.edge;
   const AgreementInputs inputs{scene.test.views, neighbors, pixel, options};
-  const SurfaceAgreement agreement = MeasureAgreement(
-      inputs,
-      SpreadPoints(before, neighbors, options.measure_spacing * pixel),
-      context,
-      &before);
+  const SurfaceAgreement agreement = MeasureAgreement(inputs, context, &before);
   IndexedMesh mesh = after;
   TakeBackHarm(inputs, before.positions, agreement, context, &mesh);
   std::array<double, 2> way = {0, 0};

@@ -51,21 +51,14 @@ Eigen::AlignedBox3f BoxInUnitCoordinates(const Region& region) {
 void ReportLevel(const LevelSummary& level, const Context& context) {
   context.Info(
       fmt::format("Level {} ({}^3 voxels): {} voxels in the crust, {} in the "
-                  "cut, cost {:.6g}.",
+                  "cut ({} at the "
+                  "border of the crust), cost {:.6g}.",
                   level.level,
                   level.resolution,
                   level.num_crust_voxels,
                   level.num_cut_voxels,
+                  level.num_border_voxels,
                   level.cut_cost));
-  if (level.num_border_voxels > 0) {
-    context.Warn(fmt::format(
-        "Level {}: {} voxels of the cut still touch the border of the crust "
-        "after it was enlarged {} times. The surface may be inaccurate there; "
-        "a higher `max_grow_rounds` may help.",
-        level.level,
-        level.num_border_voxels,
-        level.num_grow_rounds));
-  }
 }
 
 // The scene with its masks repaired, and what the steps take from it.

@@ -20,6 +20,8 @@ inline constexpr float kMaxEvidence = 6 * kMaxCutWeight;
 
 // `weight` in (0, kMaxCutWeight].
 inline int32_t FixedWeight(float weight) {
+  // Weights are positive, and std::lround is a function call.
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings)
   const int32_t fixed = int32_t(double(weight) * kCutScale + 0.5);
   return fixed < 1 ? 1 : fixed;
 }

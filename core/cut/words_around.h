@@ -78,7 +78,7 @@ inline uint32_t WordsAround::Below(int32_t offset, uint32_t bound) const {
 
 inline uint32_t WordsAround::Matching(int32_t mask, const Array& values) const {
   const __m128i bits = _mm_set1_epi32(mask);
-  const auto equal = [&](int half) {
+  const auto equal = [&](size_t half) {
     const __m128i asked = _mm_loadu_si128(
         reinterpret_cast<const __m128i*>(values.data() + 4 * half));
     return _mm_cmpeq_epi32(_mm_and_si128(halves_[half], bits), asked);

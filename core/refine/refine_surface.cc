@@ -163,12 +163,12 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
     plan.edge_shift = edge_shift;
     plan.edge_shift_error = edge_shift_error;
     plan.border_shift = summary.border_shift;
-    RoundSummary round = RefineOnce(
+    const RoundSummary round = RefineOnce(
         {start, neighbors, pixel, options}, plan, context, views, &unit);
     summary.num_withdrawn += round.num_withdrawn;
     summary.border_shift = round.border_shift;
     knows_most &= round.KnowsMost();
-    summary.rounds.push_back(std::move(round));
+    summary.rounds.push_back(round);
   }
   summary.view_motion =
       MeasureViewMotion(projections, *views, SomePositions(unit));

@@ -68,6 +68,7 @@ std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
   }
   const double usual = Median(agreements);
   std::vector<double> distances;
+  distances.reserve(agreements.size());
   for (const double agreement : agreements) {
     distances.push_back(std::abs(agreement - usual));
   }

@@ -13,6 +13,7 @@
 #include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/camera_projector.h"
 #include "core/base/check_option.h"
+#include "core/base/median.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/self_intersections.h"
@@ -48,7 +49,7 @@ class MeshExporter : public Command {
   std::optional<Workspace> OpenIfNeeded(const Context& context) const;
   // Up in the frame of the mesh; adds what was found to the report.
   Eigen::Vector3d FindUp(const IndexedMesh& mesh,
-                         const Workspace* workspace,
+                         const std::optional<Workspace>& workspace,
                          const Context& context,
                          Json* json) const;
   // The mesh as it is printed; lowers `plate_from_mesh` by what is cut off.
@@ -125,7 +126,7 @@ Eigen::Vector3d ParseUp(const std::string& text) {
   } catch (const OptionError&) {
     numbers = {0, 0, 0};
   }
-  const Eigen::Vector3d up = ToVector(numbers);
+  Eigen::Vector3d up = ToVector(numbers);
   CheckOption(up.allFinite() && up.norm() > 0,
               "up",
               text,
@@ -182,25 +183,20 @@ Surroundings SurroundingsOf(const IndexedMesh& mesh, const SparseModel& model) {
     surroundings.points.push_back(point.xyz);
     errors.push_back(point.error >= 0 ? point.error : 1);
   }
-  const auto median = [](std::vector<double>* values) {
-    const auto middle = values->begin() + std::ptrdiff_t(values->size() / 2);
-    std::nth_element(values->begin(), middle, values->end());
-    return *middle;
-  };
   if (!pixels.empty() && !errors.empty()) {
-    surroundings.noise = median(&pixels) * median(&errors);
+    surroundings.noise = Median(pixels) * Median(errors);
   }
   return surroundings;
 }
 
 Eigen::Vector3d MeshExporter::FindUp(const IndexedMesh& mesh,
-                                     const Workspace* workspace,
+                                     const std::optional<Workspace>& workspace,
                                      const Context& context,
                                      Json* json) const {
   Eigen::Vector3d up = ParseUp(up_);
   if (up_ == kStand) {
-    const RestingPlane stand =
-        FindRestingPlane(mesh, SurroundingsOf(mesh, workspace->model), context);
+    const RestingPlane stand = FindRestingPlane(
+        mesh, SurroundingsOf(mesh, workspace.value().model), context);
     up = stand.up;
     context.Info(fmt::format(
         "stand: {} of {} sparse points around the object lie in its plane, up "
@@ -280,7 +276,7 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
   const ExportScale scale = scale_.Find(opened, context);
   Json json;
   json["scale"] = scale.json;
-  const Eigen::Vector3d up = FindUp(mesh, opened, context, &json);
+  const Eigen::Vector3d up = FindUp(mesh, workspace, context, &json);
   Similarity3d plate_from_mesh = PlaceOnPlate(mesh, scale.factor, up);
   const IndexedMesh print = MakePrint(mesh, context, &plate_from_mesh, &json);
   const MeshAudit audit = AuditMesh(print, context);

@@ -68,7 +68,7 @@ class PlantedTree : public ::testing::Test {
   std::vector<std::string> WithInclude(const fs::path& path,
                                        const std::string& include) {
     Plant(path, fmt::format("// A file.\n#include {}\n", include));
-    const std::vector<std::string> violations = FindRuleViolations(root_);
+    std::vector<std::string> violations = FindRuleViolations(root_);
     fs::remove(root_ / path);
     return violations;
   }
@@ -133,7 +133,7 @@ TEST_F(PlantedTree, CompareAndSyntheticStandBeside) {
 TEST_F(PlantedTree, CoreNamesNoOptions) {
   const auto with_text = [&](const fs::path& path) {
     Plant(path, "const char* text = \"use --input_path\";\n");
-    const std::vector<std::string> violations = FindRuleViolations(root_);
+    std::vector<std::string> violations = FindRuleViolations(root_);
     fs::remove(root_ / path);
     return violations;
   };

@@ -63,7 +63,7 @@ TEST(SourceSide, IsTheSameInRangesOfAnySize) {
 // range: either flood must stop in the middle. Where it is when it is told to
 // is up to the clock; so it is told later and later.
 TEST(SourceSide, StopsInTheMiddle) {
-  constexpr size_t kNodesOfABrick = 3 * 64;
+  constexpr size_t kNodesOfABrick = 3 * size_t{64};
   ReachedBlock block;
   for (const uint32_t range_bricks : {1u, 100000u}) {
     bool stopped_within = false;

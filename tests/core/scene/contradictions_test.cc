@@ -19,7 +19,7 @@ using testing::RenderAllAround;
 // 28 views of an object that no mirror maps onto itself: two boxes, of which
 // one stands at the end of the other.
 std::vector<View> ConsistentViews() {
-  static const std::vector<View> views = [] {
+  static const std::vector<View> kViews = [] {
     const auto lying = Box(Eigen::AlignedBox3d(
         Eigen::Vector3d(-0.5, -0.15, -0.2), Eigen::Vector3d(0.5, 0.15, 0)));
     const auto standing = Box(Eigen::AlignedBox3d(
@@ -32,7 +32,7 @@ std::vector<View> ConsistentViews() {
           return lying(origin, direction) || standing(origin, direction);
         });
   }();
-  std::vector<View> copies = views;
+  std::vector<View> copies = kViews;
   for (View& view : copies) {
     view.mask = view.mask.clone();
   }

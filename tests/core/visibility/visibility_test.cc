@@ -115,6 +115,7 @@ TEST(Visibility, ABallHidesTheOneBehindIt) {
                            const Eigen::Vector3f& normal) {
     std::vector<int> seeing;
     const Visibility::Selection selection = visibility.Select(point, normal);
+    seeing.reserve(size_t(selection.count));
     for (int k = 0; k < selection.count; ++k) {
       seeing.push_back(selection.views[k].view);
     }

@@ -119,10 +119,10 @@ ExportScale ExportScaleOptions::FromMarkers(const Workspace& workspace,
   return {scale.factor, ScaleToJson(scale)};
 }
 
-ExportScale ExportScaleOptions::Find(const Workspace* workspace,
+ExportScale ExportScaleOptions::Find(const std::optional<Workspace>& workspace,
                                      const Context& context) const {
   if (aruco_side_ > 0) {
-    return FromMarkers(*workspace, context);
+    return FromMarkers(workspace.value(), context);
   }
   ExportScale scale;
   std::string source = "none";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "colmap_io/images/workspace.h"
@@ -11,6 +12,8 @@
 
 namespace octacut {
 
+// clang-tidy does not see that moving a Json cannot fail.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 struct ExportScale {
   double factor = 1;
   // {"source": "none", "scale_factor", "known_length" or "aruco", "factor",
@@ -24,9 +27,10 @@ class ExportScaleOptions {
   // Throws OptionError.
   void Check() const;
   bool NeedsWorkspace() const { return aruco_side_ > 0; }
-  // `workspace` may be null unless NeedsWorkspace(). Warns where nothing is
+  // `workspace` may be empty unless NeedsWorkspace(). Warns where nothing is
   // given.
-  ExportScale Find(const Workspace* workspace, const Context& context) const;
+  ExportScale Find(const std::optional<Workspace>& workspace,
+                   const Context& context) const;
 
  private:
   ExportScale FromMarkers(const Workspace& workspace,

@@ -16,12 +16,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path MakeLogFilePath(const fs::path& requested, std::string_view run_name) {
-  if (requested.extension() == ".log") {
-    return requested;
+fs::path MakeLogFilePath(const fs::path& log_path, std::string_view run_name) {
+  if (log_path.extension() == ".log") {
+    return log_path;
   }
   const fs::path folder =
-      requested.empty() ? fs::temp_directory_path() : requested;
+      log_path.empty() ? fs::temp_directory_path() : log_path;
   return folder / fmt::format("octacut-{}-{:%Y%m%d-%H%M%S}-{}.log",
                               run_name,
                               fmt::localtime(std::time(nullptr)),

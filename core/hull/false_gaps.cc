@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <Eigen/LU>
 #include <set>
+#include <utility>
 
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/hull/mask_gaps.h"
 #include "core/hull/visual_hull.h"
@@ -69,9 +71,7 @@ double MedianLeft(const ViewSet& views,
   for (size_t i = 0; i < pixels.size(); i += stride) {
     left.push_back(CountLeft(views, view, pixels[i]));
   }
-  const auto median = left.begin() + ptrdiff_t(left.size() / 2);
-  std::nth_element(left.begin(), median, left.end());
-  return *median;
+  return Median(std::move(left));
 }
 
 bool IsFalse(const ViewSet& views, const GapOfView& candidate) {

@@ -48,11 +48,18 @@ Eigen::AlignedBox3f BoxInUnitCoordinates(const Region& region) {
   return {to_unit(region.box.min()), to_unit(region.box.max())};
 }
 
+void CheckInput(const Scene& scene,
+                const Region& region,
+                const ReconstructionOptions& options) {
+  options.Check();
+  CheckScene(scene, true);
+  CheckFloatsResolve(region.cube, options.target_level);
+}
+
 void ReportLevel(const LevelSummary& level, const Context& context) {
   context.Info(
       fmt::format("Level {} ({}^3 voxels): {} voxels in the crust, {} in the "
-                  "cut ({} at the "
-                  "border of the crust), cost {:.6g}.",
+                  "cut ({} at the border of the crust), cost {:.6g}.",
                   level.level,
                   level.resolution,
                   level.num_crust_voxels,
@@ -98,6 +105,16 @@ VoxelGrid CarveHull(const PreparedScene& scene,
   });
   summary->hull = std::move(hull.summary);
   return std::move(hull.voxels);
+}
+
+IndexedMesh HullMesh(const PreparedScene& scene,
+                     const BoundingCube& cube,
+                     const ReconstructionOptions& options,
+                     const Context& context) {
+  return PositionedMesh(
+      ComputeHullSurface(scene.views, scene.box, options.hull, context),
+      cube,
+      context);
 }
 
 // Trims the hull by the masks that can be relied upon, too.
@@ -191,9 +208,7 @@ Reconstruction Reconstruct(const Scene& scene,
                            const ReconstructionOptions& options,
                            const Context& context,
                            const LevelObserver& observer) {
-  options.Check();
-  CheckScene(scene, true);
-  CheckFloatsResolve(region.cube, options.target_level);
+  CheckInput(scene, region, options);
   Reconstruction result;
   ReconstructionSummary& summary = result.summary;
 
@@ -201,11 +216,7 @@ Reconstruction Reconstruct(const Scene& scene,
   ViewSet& views = prepared.views;
   VoxelGrid hull = CarveHull(prepared, options, context, &summary);
   if (observer) {
-    observer(-1,
-             PositionedMesh(
-                 ComputeHullSurface(views, prepared.box, options.hull, context),
-                 region.cube,
-                 context));
+    observer(-1, HullMesh(prepared, region.cube, options, context));
   }
   const InsideEvidence evidence =
       EstimateEvidence(views, options, context, &hull, &summary);

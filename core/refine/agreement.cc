@@ -15,7 +15,7 @@ namespace {
 
 constexpr size_t kGrain = 4096;
 // Pixels between points: patches of 7 pixels overlap, and half as far takes
-// three times as long for the same result.
+// more than twice as long for the same result.
 constexpr double kSpacing = 4;
 // Steps between neighbouring points within which a loss of agreement is
 // averaged (docs/experiments/refinement_folds.md).

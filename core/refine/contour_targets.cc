@@ -5,8 +5,10 @@
 #include <Eigen/Geometry>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 
 namespace octacut {
@@ -34,7 +36,9 @@ std::optional<float> FindBorder(const PreparedView& view,
   if (before < kObjectCoverage) {
     return std::nullopt;
   }
-  for (float at = -range + kProbeStep; at <= range; at += kProbeStep) {
+  const int num_steps = int(2 * range / kProbeStep);
+  for (int i = 1; i <= num_steps; ++i) {
+    const float at = float(i) * kProbeStep - range;
     const float after = coverage(at);
     if ((before < kObjectCoverage) != (after < kObjectCoverage)) {
       if (border) {
@@ -163,9 +167,7 @@ std::optional<double> MedianDistance(
     distances.push_back(
         std::abs(contour.edge.target * contour.pixels_per_unit));
   }
-  const auto middle = distances.begin() + distances.size() / 2;
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return Median(std::move(distances));
 }
 
 }  // namespace octacut

@@ -85,11 +85,12 @@ std::vector<OffsetMeasurement> MeasureOffsets(const ViewSet& views,
 }
 
 // Lengths in pixels.
-OffsetProblem MakeProblem(const SeenSurface& seen,
-                          const std::vector<OffsetMeasurement>& measurements,
-                          double pixel,
-                          double scale,
-                          RoundSummary* summary) {
+OffsetProblem MakeOffsetTerms(
+    const SeenSurface& seen,
+    const std::vector<OffsetMeasurement>& measurements,
+    double pixel,
+    double scale,
+    RoundSummary* summary) {
   OffsetProblem problem;
   for (size_t i = 0; i < measurements.size(); ++i) {
     const OffsetMeasurement& measurement = measurements[i];
@@ -103,7 +104,7 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
 }
 
 // What photographs and masks say of the surface that is seen.
-OffsetProblem PoseProblem(const ViewSet& views,
+OffsetProblem MakeProblem(const ViewSet& views,
                           const SeenSurface& seen,
                           const RoundPlan& plan,
                           const RoundInputs& inputs,
@@ -113,7 +114,7 @@ OffsetProblem PoseProblem(const ViewSet& views,
   const std::vector<OffsetMeasurement> measurements =
       MeasureOffsets(views, seen, plan, inputs, context);
   OffsetProblem problem =
-      MakeProblem(seen, measurements, inputs.pixel, plan.scale, summary);
+      MakeOffsetTerms(seen, measurements, inputs.pixel, plan.scale, summary);
   summary->search_seconds = stopwatch.Lap();
   summary->border_shift = plan.border_shift;
   summary->hull_tolerance = kLargestHullTolerance;
@@ -216,7 +217,7 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   }
   summary.alignment_seconds = stopwatch.Lap();
   OffsetProblem problem =
-      PoseProblem(*views, seen, plan, inputs, context, &summary);
+      MakeProblem(*views, seen, plan, inputs, context, &summary);
   stopwatch.Lap();
   summary.mean_displacement = MovePoints(
       std::move(seen), std::move(problem), plan.smooths, inputs, context, mesh);

@@ -155,11 +155,14 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   const double edge_shift = views->front().border_shift;
   const double edge_shift_error = views->front().border_shift_error;
   summary.border_shift = edge_shift;
-  // Of glossy objects, coarse images agree by chance: poses that are aligned by
-  // these get worse.
-  bool knows_most = true;
   for (RoundPlan plan : PlanRounds(options)) {
-    plan.aligns &= knows_most && !summary.rounds.empty();
+    // Coarse images of glossy objects agree by chance, and poses that are
+    // aligned by them get worse.
+    plan.aligns &=
+        !summary.rounds.empty() &&
+        std::all_of(summary.rounds.begin(),
+                    summary.rounds.end(),
+                    [](const auto& round) { return round.KnowsMost(); });
     plan.edge_shift = edge_shift;
     plan.edge_shift_error = edge_shift_error;
     plan.border_shift = summary.border_shift;
@@ -167,7 +170,6 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
         {start, neighbors, pixel, options}, plan, context, views, &unit);
     summary.num_withdrawn += round.num_withdrawn;
     summary.border_shift = round.border_shift;
-    knows_most &= round.KnowsMost();
     summary.rounds.push_back(round);
   }
   summary.view_motion =

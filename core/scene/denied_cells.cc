@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 
 namespace octacut {
@@ -22,10 +24,9 @@ int LevelFor(const std::vector<View>& views, const Eigen::AlignedBox3d& box) {
     sizes.push_back(depth > 0 ? box.sizes().maxCoeff() * view.camera.fx / depth
                               : 0);
   }
-  const auto median = sizes.begin() + ptrdiff_t(sizes.size() / 2);
-  std::nth_element(sizes.begin(), median, sizes.end());
+  const double size = Median(std::move(sizes));
   return std::clamp(
-      int(std::ceil(std::log2(std::max(1.0, *median / kPixelsPerCell)))),
+      int(std::ceil(std::log2(std::max(1.0, size / kPixelsPerCell)))),
       kMinLevel,
       kMaxLevel);
 }

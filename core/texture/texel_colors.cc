@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
+#include "core/base/median.h"
 #include "core/texture/blend_weights.h"
 
 namespace octacut {
@@ -152,10 +154,7 @@ float TexelColors::Noise() const {
   if (deviations.empty()) {
     return kLeastNoise;
   }
-  const auto middle =
-      deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
-  std::nth_element(deviations.begin(), middle, deviations.end());
-  return std::max(kLeastNoise, *middle);
+  return std::max(kLeastNoise, octacut::Median(std::move(deviations)));
 }
 
 }  // namespace octacut

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/workspace.h"
@@ -184,7 +185,7 @@ Surroundings SurroundingsOf(const IndexedMesh& mesh, const SparseModel& model) {
     errors.push_back(point.error >= 0 ? point.error : 1);
   }
   if (!pixels.empty() && !errors.empty()) {
-    surroundings.noise = Median(pixels) * Median(errors);
+    surroundings.noise = Median(std::move(pixels)) * Median(std::move(errors));
   }
   return surroundings;
 }
@@ -272,8 +273,7 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
       "output_path", output_path_, input_path_, "the mesh to export");
   const IndexedMesh mesh = ReadClosedMesh(input_path_, context);
   const std::optional<Workspace> workspace = OpenIfNeeded(context);
-  const Workspace* const opened = workspace ? &*workspace : nullptr;
-  const ExportScale scale = scale_.Find(opened, context);
+  const ExportScale scale = scale_.Find(workspace, context);
   Json json;
   json["scale"] = scale.json;
   const Eigen::Vector3d up = FindUp(mesh, workspace, context, &json);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/mesh/cloud.h"
 
@@ -46,10 +47,7 @@ double MedianDistance(std::vector<AlignPair>::const_iterator begin,
   if (distances.empty()) {
     return 0;
   }
-  const auto middle =
-      distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  return *middle;
+  return Median(std::move(distances));
 }
 
 }  // namespace

@@ -70,7 +70,8 @@ data_sets=(
 )
 
 # Those in which photographs decide little, or folds hide what is in them: of
-# octacut's own and of the data sets.
+# octacut's own, of the data sets' true meshes photographed in other materials,
+# and of the data sets.
 hard_scenes=(
   "metal --scene example --Scene.material metal --Degrade.pixel_noise 1 --reference_resolution 200"
   "porcelain --scene example --Scene.material porcelain --Degrade.pixel_noise 1 --reference_resolution 200"
@@ -82,6 +83,13 @@ hard_scenes=(
   "drapery-1 --scene drapery --Scene.fold_depth 1 --reference_resolution 160"
   "drapery-2 --scene drapery --Scene.fold_depth 2 --reference_resolution 160"
   "drapery-4 --scene drapery --Scene.fold_depth 4 --reference_resolution 160"
+  "metal-rocker --mesh_path DATA_FOLDER/rocker/gt/mesh.ply --Scene.material metal --Degrade.pixel_noise 1"
+  "plaster-rocker --mesh_path DATA_FOLDER/rocker/gt/mesh.ply --Scene.material plaster --Degrade.pixel_noise 1"
+  "metal-igea --mesh_path DATA_FOLDER/igea/gt/mesh.ply --Scene.material metal --Degrade.pixel_noise 1"
+  "plaster-igea --mesh_path DATA_FOLDER/igea/gt/mesh.ply --Scene.material plaster --Degrade.pixel_noise 1"
+  "metal-homer --mesh_path DATA_FOLDER/homer/gt/mesh.ply --Scene.material metal --Degrade.pixel_noise 1"
+  "porcelain-cheburashka --mesh_path DATA_FOLDER/cheburashka/gt/mesh.ply --Scene.material porcelain --Degrade.pixel_noise 1"
+  "plaster-cheburashka --mesh_path DATA_FOLDER/cheburashka/gt/mesh.ply --Scene.material plaster --Degrade.pixel_noise 1"
 )
 hard_data_sets=(
   "bird         bird        sparse/0  -           0 0"
@@ -304,7 +312,20 @@ with_scene() {
     all+=("${options[@]}")
   fi
   "$1" "$work/scenes/$scene" "$degradation" "$folder/example.json" "" \
-    example_creator --output_path "$folder" --overwrite 1 "${all[@]}"
+    example_creator --output_path "$folder" --overwrite 1 \
+    "${all[@]/#DATA_FOLDER/$data}"
+}
+
+# is_missing SCENE: an own scene photographs a mesh that is not there.
+is_missing() {
+  local options=() option
+  line_of "$1" "${made_scenes[@]}" || return 1
+  for option in "${options[@]}"; do
+    if [[ $option == DATA_FOLDER/* && ! -f ${option/#DATA_FOLDER/$data} ]]; then
+      return 0
+    fi
+  done
+  return 1
 }
 
 # level_of SCENE: where its runs end.
@@ -484,6 +505,10 @@ run() {
   elif [[ $dataset != - && ! -d $workspace/$model ]]; then
     state=left_out
     error="skipped: $workspace/$model is missing"
+    echo "== $name: $error"
+  elif is_missing "$scene"; then
+    state=left_out
+    error="skipped: the mesh that it photographs is missing"
     echo "== $name: $error"
   else
     echo "== $name"

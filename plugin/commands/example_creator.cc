@@ -7,6 +7,7 @@
 
 #include "core/base/check_option.h"
 #include "core/benchmark/synthetic/synthetic_scene.h"
+#include "plugin/closed_mesh.h"
 #include "plugin/example_workspace.h"
 #include "plugin/report.h"
 
@@ -21,6 +22,7 @@ class ExampleCreator : public Command {
 
  private:
   std::filesystem::path output_path_;
+  std::filesystem::path mesh_path_;
   ExampleWorkspaceOptions workspace_;
   SceneSpec scene_;
 };
@@ -152,6 +154,10 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
               &scene_.object,
               fmt::format("Object to create. One of: {}.",
                           fmt::join(ObjectNames(), ", ")));
+  options.Add("mesh_path",
+              &mesh_path_,
+              "Closed mesh (PLY, OBJ, OFF or STL) to photograph instead of an "
+              "object of --scene, z upward. It is scaled to two units.");
   options.Add("num_views", &scene_.rig.num_views, "Number of photographs.");
   options.Add(
       "width", &scene_.rig.width, "Width of the photographs in pixels.");
@@ -237,6 +243,9 @@ void ExampleCreator::Run(const CommandEnvironment& environment) {
       scene_.object,
       fmt::format("must be one of {}", fmt::join(objects, ", ")));
   scene_.Check();
+  if (!mesh_path_.empty()) {
+    scene_.mesh = ReadClosedMesh(mesh_path_, context);
+  }
   PrepareExampleFolder(output_path_, workspace_);
   const std::filesystem::path report_path = output_path_ / kExampleReportName;
   Json report = MakeReport(environment);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
 #include "colmap_io/mesh/mesh_io.h"
@@ -17,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
+using std::string_literals::operator""s;
 
 std::vector<std::string> QuickExample(const fs::path& folder) {
   return {"example_creator",
@@ -95,6 +97,33 @@ TEST(ExampleCreator, WritesAWorkspaceThatCanBeReadBack) {
   EXPECT_EQ(report["complete"], true);
   EXPECT_EQ(report["reference"]["genus"], 1);
   EXPECT_EQ(report["options"]["Rig"]["k1"], -0.1);
+}
+
+TEST(ExampleCreator, PhotographsAMeshFile) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(RunOctacut(QuickExample(folder / "torus")).exit_code, 0);
+  const fs::path mesh_path = folder / "torus" / "gt" / "reference.ply";
+  std::vector<std::string> arguments = QuickExample(folder / "w");
+  std::replace(arguments.begin(), arguments.end(), "torus"s, "sphere"s);
+  arguments.insert(arguments.end(), {"--mesh_path", mesh_path.string()});
+  const ProgramResult result = RunOctacut(arguments);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json report = Json::parse(ReadFile(folder / "w" / kExampleReportName));
+  EXPECT_EQ(report["reference"]["genus"], 1);
+  EXPECT_EQ(ReadMesh(folder / "w" / "gt" / "reference.ply").mesh.triangles,
+            ReadMesh(mesh_path).mesh.triangles);
+}
+
+TEST(ExampleCreator, RejectsAnOpenMesh) {
+  const TemporaryFolder folder;
+  folder.Write("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  std::vector<std::string> arguments = QuickExample(folder / "w");
+  arguments.insert(arguments.end(),
+                   {"--mesh_path", (folder / "open.off").string()});
+  const ProgramResult result = RunOctacut(arguments);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("open.off: "));
+  EXPECT_FALSE(fs::exists(folder / "w"));
 }
 
 TEST(ExampleCreator, NeverDestroysWhatIsNoExample) {

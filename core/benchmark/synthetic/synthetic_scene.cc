@@ -10,6 +10,8 @@
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
 #include "core/benchmark/synthetic/sparse_points.h"
+#include "core/mesh/audit.h"
+#include "core/mesh/normals.h"
 #include "core/raycast/tone_curve.h"
 
 namespace octacut {
@@ -56,6 +58,22 @@ SceneSpec QuickScene(const std::string& object,
 }
 
 namespace {
+
+IndexedMesh MeshOfTwoUnits(const IndexedMesh& given, const Context& context) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : given.positions) {
+    box.extend(position);
+  }
+  IndexedMesh mesh;
+  mesh.triangles = given.triangles;
+  mesh.positions.reserve(given.positions.size());
+  const double scale = 2 / box.sizes().maxCoeff();
+  for (const Eigen::Vector3d& position : given.positions) {
+    mesh.positions.emplace_back(scale * (position - box.center()));
+  }
+  mesh.normals = ComputeVertexNormals(mesh, context);
+  return mesh;
+}
 
 void ColorReference(const TextureOptions& texture,
                     const Context& context,
@@ -216,8 +234,15 @@ SyntheticScene MakeScene(const SceneSpec& spec, const Context& context) {
   spec.Check();
   SyntheticScene scene;
   scene.spec = spec;
-  scene.object = MakeObject(spec.object, spec.parameters);
-  scene.reference = Polygonize(scene.object.shape, spec.reference, context);
+  if (spec.mesh) {
+    scene.reference = MeshOfTwoUnits(*spec.mesh, context);
+    const MeshAudit audit = AuditMesh(scene.reference, context);
+    scene.object.genus = int(audit.genus);
+    scene.object.num_components = int(audit.num_components);
+  } else {
+    scene.object = MakeObject(spec.object, spec.parameters);
+    scene.reference = Polygonize(scene.object.shape, spec.reference, context);
+  }
   const Material material =
       MakeMaterial(spec.material, spec.texture, spec.lighting);
   ColorReference(material.texture, context, scene.reference);

@@ -2,10 +2,13 @@
 // silhouettes, cameras, sparse points, and the mesh that a reconstruction is
 // judged by. Used by tests, benchmarks and the bundled example alike.
 //
-// World frame: the object's own, z upward, about two units in size.
+// World frame: the object's own, z upward, about two units in size. A given
+// mesh is moved there and scaled: its bounding box is around the origin and has
+// a longest side of two units.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +41,9 @@ struct StandOptions {
 
 struct SceneSpec {
   std::string object = "example";  // see MakeObject
+  // Photographed instead of `object`: closed and oriented outward. Its normals
+  // and colours are not used.
+  std::optional<IndexedMesh> mesh;
   ObjectParameters parameters;
   PolygonizeOptions reference;
   RigOptions rig;
@@ -92,8 +98,8 @@ struct SyntheticPoint {
 
 struct SyntheticScene {
   SceneSpec spec;
-  SyntheticObject object;
-  IndexedMesh reference;  // with vertex normals and colours
+  SyntheticObject object;  // of a given mesh without a shape
+  IndexedMesh reference;   // with vertex normals and colours
   std::vector<SyntheticView> views;
   std::vector<SyntheticPoint> points;
   // On a turntable: photographs without the object, the stand turned.

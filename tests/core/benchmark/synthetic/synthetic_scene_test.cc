@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstring>
+#include <Eigen/Geometry>
+#include <opencv2/core.hpp>
 
 #include "core/base/error.h"
 
@@ -34,6 +36,33 @@ TEST(MakeScene, GivesTheSameBytesForAnyNumberOfThreads) {
                 many.views[i].cam_from_world.rotation);
     }
     EXPECT_EQ(one.points.size(), many.points.size());
+  }
+}
+
+TEST(MakeScene, PhotographsAGivenMesh) {
+  SceneSpec spec = QuickScene("torus", 80, 60, 3);
+  const SyntheticScene torus = MakeScene(spec, Context(2));
+  // Somewhere else and in other units.
+  IndexedMesh mesh = torus.reference;
+  for (Eigen::Vector3d& position : mesh.positions) {
+    position = 40 * position + Eigen::Vector3d(300, -20, 7);
+  }
+  spec.object = "sphere";
+  spec.mesh = mesh;
+  const SyntheticScene scene = MakeScene(spec, Context(2));
+  EXPECT_EQ(scene.object.genus, 1);
+  EXPECT_EQ(scene.object.num_components, 1);
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : scene.reference.positions) {
+    box.extend(position);
+  }
+  EXPECT_NEAR(box.sizes().maxCoeff(), 2, 1e-12);
+  EXPECT_LT(box.center().norm(), 1e-12);
+  // The rig frames the object, so the silhouettes are those of the torus.
+  ASSERT_EQ(scene.views.size(), 3u);
+  for (size_t i = 0; i < scene.views.size(); ++i) {
+    EXPECT_LT(cv::norm(scene.views[i].mask, torus.views[i].mask, cv::NORM_L1),
+              0.01 * cv::norm(torus.views[i].mask, cv::NORM_L1));
   }
 }
 

@@ -59,8 +59,7 @@ void DeclareDegradation(OptionManager& options, DegradeOptions* degrade) {
               "the image.");
 }
 
-// The object's form and what its surface looks like.
-void DeclareSurface(OptionManager& options, SceneSpec* scene) {
+void DeclareForm(OptionManager& options, SceneSpec* scene) {
   options
       .Add("Scene.cup_depth",
            &scene->parameters.cup_depth,
@@ -85,6 +84,10 @@ void DeclareSurface(OptionManager& options, SceneSpec* scene) {
   options.Add("Scene.fold_depth",
               &scene->parameters.fold_depth,
               "Depth of the folds of the drapery relative to their width.");
+}
+
+// What the object's surface looks like.
+void DeclareSurface(OptionManager& options, SceneSpec* scene) {
   options.AddEnum("Scene.material",
                   &scene->material,
                   {{"diffuse", MaterialKind::kDiffuse},
@@ -121,6 +124,10 @@ void DeclareSurface(OptionManager& options, SceneSpec* scene) {
            &scene->texture.plain_size,
            "Size of the parts without texture; the object is about 2 in size.")
       .ForExperts();
+}
+
+// What is around the object.
+void DeclareSurroundings(OptionManager& options, SceneSpec* scene) {
   options
       .AddEnum(
           "Scene.background",
@@ -141,6 +148,50 @@ void DeclareSurface(OptionManager& options, SceneSpec* scene) {
   options.Add("Scene.specular",
               &scene->lighting.specular,
               "Strength of the highlights; 0 is matt.");
+}
+
+// How the cameras stand around the object.
+void DeclareRig(OptionManager& options, RigOptions* rig) {
+  options.AddEnum(
+      "Rig.kind",
+      &rig->kind,
+      {{"sphere", RigKind::kSphere},
+       {"rings", RigKind::kRings},
+       {"turntable", RigKind::kTurntable}},
+      "Arrangement of the cameras around the object. On a turntable, a "
+      "room stands still with the camera.");
+  options
+      .Add("Rig.min_elevation",
+           &rig->min_elevation,
+           "Minimum elevation of the cameras above the horizon of the "
+           "object in degrees.")
+      .ForExperts();
+  options
+      .Add("Rig.max_elevation",
+           &rig->max_elevation,
+           "Maximum elevation of the cameras above the horizon of the "
+           "object in degrees.")
+      .ForExperts();
+  options
+      .Add("Rig.focal_length",
+           &rig->focal_length,
+           "Focal length relative to the larger side of the image.")
+      .ForExperts();
+  options
+      .Add("Rig.fill",
+           &rig->fill,
+           "Size of the object relative to the smaller side of the image.")
+      .ForExperts();
+  options
+      .Add("Rig.far_factor",
+           &rig->far_factor,
+           "Factor by which every second camera is farther away.")
+      .ForExperts();
+  options
+      .Add("Rig.k1",
+           &rig->k1,
+           "Coefficient of radial distortion (SIMPLE_RADIAL).")
+      .ForExperts();
 }
 
 void ExampleCreator::DeclareOptions(OptionManager& options) {
@@ -184,47 +235,10 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
   options.Add("reference_resolution",
               &scene_.reference.resolution,
               "Number of cells along the longest side of the reference mesh.");
-  options.AddEnum(
-      "Rig.kind",
-      &scene_.rig.kind,
-      {{"sphere", RigKind::kSphere},
-       {"rings", RigKind::kRings},
-       {"turntable", RigKind::kTurntable}},
-      "Arrangement of the cameras around the object. On a turntable, a "
-      "room stands still with the camera.");
-  options
-      .Add("Rig.min_elevation",
-           &scene_.rig.min_elevation,
-           "Minimum elevation of the cameras above the horizon of the "
-           "object in degrees.")
-      .ForExperts();
-  options
-      .Add("Rig.max_elevation",
-           &scene_.rig.max_elevation,
-           "Maximum elevation of the cameras above the horizon of the "
-           "object in degrees.")
-      .ForExperts();
-  options
-      .Add("Rig.focal_length",
-           &scene_.rig.focal_length,
-           "Focal length relative to the larger side of the image.")
-      .ForExperts();
-  options
-      .Add("Rig.fill",
-           &scene_.rig.fill,
-           "Size of the object relative to the smaller side of the image.")
-      .ForExperts();
-  options
-      .Add("Rig.far_factor",
-           &scene_.rig.far_factor,
-           "Factor by which every second camera is farther away.")
-      .ForExperts();
-  options
-      .Add("Rig.k1",
-           &scene_.rig.k1,
-           "Coefficient of radial distortion (SIMPLE_RADIAL).")
-      .ForExperts();
+  DeclareRig(options, &scene_.rig);
+  DeclareForm(options, &scene_);
   DeclareSurface(options, &scene_);
+  DeclareSurroundings(options, &scene_);
   DeclareDegradation(options, &scene_.degrade);
 }
 

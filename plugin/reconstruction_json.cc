@@ -57,6 +57,7 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
             {"plausible_depths", summary.evidence.num_plausible},
             {"free_voxels", summary.evidence.num_free_voxels},
             {"contradicted_depths", summary.evidence.contradicted_share},
+            {"hull_agreement", summary.hull_agreement},
             {"found_depths", summary.evidence.found_share},
             {"seconds", summary.evidence_seconds}}},
           {"levels", levels},

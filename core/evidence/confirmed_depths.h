@@ -27,7 +27,8 @@ bool AnyVoxelBefore(const VoxelGrid& hull,
                     const Visit& visit) {
   const float resolution = float(hull.Resolution());
   const float step = 0.5f / (resolution * ray.norm());
-  for (float d = depth - clearance / resolution; d > 0; d -= step) {
+  float d = depth - clearance / resolution;
+  while (d > 0) {
     const Eigen::Vector3f point = origin + d * ray;
     if ((point.array() < 0).any() || (point.array() >= 1).any()) {
       return false;
@@ -37,6 +38,7 @@ bool AnyVoxelBefore(const VoxelGrid& hull,
     if (index != VoxelGrid::kNone && visit(index)) {
       return true;
     }
+    d -= step;
   }
   return false;
 }

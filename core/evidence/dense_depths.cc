@@ -91,7 +91,7 @@ std::vector<cv::Mat> SweepDenseDepths(const Scene& scene,
   const auto counts = CountAgreeing(views, maps, neighbors, voxel, context);
   maps = KeepAgreeing(std::move(maps), counts, options.min_agreeing_views);
   // Outvoted depths go; the confidence in the others is not asked.
-  maps = EstimateDepthConfidence(views, hull, maps, 0, context).maps;
+  maps = EstimateDepthConfidence(views, hull, maps, 0, 1, context).maps;
   // Samples half a voxel apart on a surface that turns away by 70 degrees.
   const float tolerance = kDepthAgreement * voxel;
   std::vector<cv::Mat> depths(maps.size());

@@ -39,6 +39,9 @@ constexpr float kManyShare = 0.25f;
 // few depths, and right ones, so regions are not asked.
 constexpr float kSparse = 0.3f;
 constexpr float kDense = 0.5f;
+// The same where photographs show what the object mirrors: metal with relief
+// has up to 0.36.
+constexpr float kDenseForMirrors = 0.7f;
 // Where views have all their neighbours, up to this share the object has next
 // to nothing to match, and few contradictions do not speak for its depths:
 // plain and mirroring cups, boxes and lumps have 0.05 to 0.14, while textured
@@ -208,7 +211,8 @@ size_t CountObjectSamples(const Silhouette& silhouette,
 // How far the depths of the whole scene can be relied upon.
 float ConfidenceOfScene(double contradicted_share,
                         double found_share,
-                        double surrounded_share) {
+                        double surrounded_share,
+                        float shown) {
   const float dense = Ramp(float(found_share), kSparse, kDense);
   const float consistent =
       Ramp(float(contradicted_share), kManyShare, kSureShare) *
@@ -218,7 +222,8 @@ float ConfidenceOfScene(double contradicted_share,
   const float can_be_few =
       std::max(Ramp(float(found_share), kBlank, kSparse),
                Ramp(float(surrounded_share), kNearby, kFarApart));
-  return std::max(dense, consistent * can_be_few);
+  return std::max(Ramp(float(found_share), kDense, kDenseForMirrors),
+                  shown * std::max(dense, consistent * can_be_few));
 }
 
 std::vector<float> ConfidenceOfRegions(const ViewProjection& projection,
@@ -249,6 +254,7 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
                                        const VoxelGrid& hull,
                                        const std::vector<SweptDepthMap>& maps,
                                        double surrounded_share,
+                                       float shown,
                                        const Context& context) {
   const std::vector<uint16_t> counts =
       CountSurfaces(views, hull, maps, context);
@@ -282,7 +288,7 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
   result.contradicted_share = share(num_contradicted, num_depths);
   result.found_share = share(num_depths, num_samples);
   result.scene_confidence = ConfidenceOfScene(
-      result.contradicted_share, result.found_share, surrounded_share);
+      result.contradicted_share, result.found_share, surrounded_share, shown);
   for (std::vector<float>& of_view : result.confidence) {
     for (float& value : of_view) {
       value *= result.scene_confidence;

@@ -38,11 +38,14 @@ struct ReliableDepths {
 
 // `maps` holds confirmed depths, one map a view. `surrounded_share` is the
 // share of the views with as many neighbours, near enough to be matched, as the
-// sweep compares.
+// sweep compares. `shown` says how far the photographs show the surface and not
+// what it mirrors (0 .. 1): depths of mirrors have no confidence unless they
+// are dense.
 ReliableDepths EstimateDepthConfidence(const ViewSet& views,
                                        const VoxelGrid& hull,
                                        const std::vector<SweptDepthMap>& maps,
                                        double surrounded_share,
+                                       float shown,
                                        const Context& context);
 
 // For each voxel of the hull the mean confidence in the depths that views have

@@ -229,8 +229,9 @@ FinerEvidence FindFinerDepths(const ViewSet& views,
   finer.voxels = Union(surface.voxels, maps.beyond);
   // Here only some squares are searched: few depths tell nothing.
   constexpr double kSurroundedShare = 0;
+  constexpr float kShown = 1;  // depth_confidence has it
   ReliableDepths depths = EstimateDepthConfidence(
-      views, finer.voxels, maps.agreeing, kSurroundedShare, context);
+      views, finer.voxels, maps.agreeing, kSurroundedShare, kShown, context);
   LimitConfidence(
       views, depth_confidence, surface.voxels.Level(), context, &depths);
   InsideEvidenceOptions without_ballooning = options;

@@ -214,6 +214,7 @@ void InsideEvidenceOptions::Check() const {
 InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                                       const VoxelGrid& hull,
                                       const InsideEvidenceOptions& options,
+                                      float shown,
                                       const Context& context) {
   options.Check();
   const float voxel = 1.0f / float(hull.Resolution());
@@ -227,8 +228,8 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   const double surrounded_share =
       1 - double(CountLonely(neighbors, options.sweep.num_neighbors)) /
               double(neighbors.size());
-  ReliableDepths depths =
-      EstimateDepthConfidence(views, hull, agreeing, surrounded_share, context);
+  ReliableDepths depths = EstimateDepthConfidence(
+      views, hull, agreeing, surrounded_share, shown, context);
   InsideEvidence evidence;
   evidence.mask_confidence =
       EstimateMaskConfidence(views, KeepReliable(depths), context);

@@ -69,9 +69,11 @@ struct InsideEvidence {
   InsideEvidenceSummary summary;
 };
 
+// `shown` as EstimateDepthConfidence has it.
 InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                                       const VoxelGrid& hull,
                                       const InsideEvidenceOptions& options,
+                                      float shown,
                                       const Context& context);
 
 }  // namespace octacut

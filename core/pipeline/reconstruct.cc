@@ -15,6 +15,7 @@
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/hull_border.h"
 #include "core/pipeline/level_step.h"
+#include "core/pipeline/shown_surface.h"
 #include "core/views/border_edges.h"
 #include "core/views/view_set.h"
 
@@ -107,25 +108,19 @@ VoxelGrid CarveHull(const PreparedScene& scene,
   return std::move(hull.voxels);
 }
 
-IndexedMesh HullMesh(const PreparedScene& scene,
-                     const BoundingCube& cube,
-                     const ReconstructionOptions& options,
-                     const Context& context) {
-  return PositionedMesh(
-      ComputeHullSurface(scene.views, scene.box, options.hull, context),
-      cube,
-      context);
-}
-
 // Trims the hull by the masks that can be relied upon, too.
 InsideEvidence EstimateEvidence(const ViewSet& views,
+                                const LabeledVoxels& hull_surface,
                                 const ReconstructionOptions& options,
                                 const Context& context,
                                 VoxelGrid* hull,
                                 ReconstructionSummary* summary) {
   InsideEvidence evidence = Timed(&summary->evidence_seconds, [&] {
-    InsideEvidence found =
-        EstimateInsideEvidence(views, *hull, options.evidence, context);
+    const ShownSurface shown =
+        MeasureShownSurface(views, hull_surface, options.refinement, context);
+    summary->hull_agreement = shown.agreement;
+    InsideEvidence found = EstimateInsideEvidence(
+        views, *hull, options.evidence, shown.share, context);
     *hull = TrimHull(views, *hull, context, &found);
     return found;
   });
@@ -215,11 +210,13 @@ Reconstruction Reconstruct(const Scene& scene,
   PreparedScene prepared = Prepare(scene, region, options, context, &summary);
   ViewSet& views = prepared.views;
   VoxelGrid hull = CarveHull(prepared, options, context, &summary);
+  const LabeledVoxels hull_surface =
+      ComputeHullSurface(views, prepared.box, options.hull, context);
   if (observer) {
-    observer(-1, HullMesh(prepared, region.cube, options, context));
+    observer(-1, PositionedMesh(hull_surface, region.cube, context));
   }
   const InsideEvidence evidence =
-      EstimateEvidence(views, options, context, &hull, &summary);
+      EstimateEvidence(views, hull_surface, options, context, &hull, &summary);
 
   LabelHierarchy hierarchy;
   std::vector<float> decided;

@@ -55,6 +55,7 @@ struct ReconstructionSummary {
   RemoveHandlesSummary handles;
   std::optional<RefineSummary> refinement;  // where options.refine says so
   double prepare_seconds = 0;
+  double hull_agreement = 0;  // as ShownSurface has it
   double hull_seconds = 0;
   double evidence_seconds = 0;
   double meshing_seconds = 0;

@@ -64,18 +64,19 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
                            const AgreementInputs& inputs,
                            const Context& context,
                            IndexedMesh* mesh) {
-  SeenSurface seen = LookAtPoints(std::move(points),
-                                  inputs.views,
-                                  inputs.neighbors,
-                                  {.pixel = inputs.pixel, .scale = 1},
-                                  inputs.options,
-                                  context,
-                                  mesh);
+  SeenSurface seen =
+      LookAtPoints(std::move(points),
+                   inputs.views,
+                   inputs.neighbors,
+                   {.pixel = inputs.pixel, .scale = inputs.scale},
+                   inputs.options,
+                   context,
+                   mesh);
   Phase phase(
       context, "refinement: agreement of the views", seen.surfaces.size());
   const OffsetSearch search{.range = 0,
                             .step = inputs.options.step,
-                            .spacing = 1,
+                            .spacing = inputs.scale,
                             .min_score = inputs.options.min_score,
                             .patch = inputs.options.patch};
   SurfaceAgreement agreement;
@@ -104,11 +105,34 @@ double SurfaceAgreement::Mean() const {
   return sum / std::max(count, 1.0);
 }
 
+double SurfaceAgreement::UpperDecile() const {
+  PointRings rings(points.neighbors, scores.size());
+  std::vector<double> means;
+  for (size_t i = 0; i < scores.size(); ++i) {
+    double sum = 0;
+    double count = 0;
+    rings.ForEach(uint32_t(i), 0, kRings, [&](uint32_t other) {
+      sum += is_seen[other] ? scores[other] : 0;
+      count += is_seen[other];
+    });
+    if (is_seen[i]) {
+      means.push_back(sum / count);
+    }
+  }
+  if (means.empty()) {
+    return 0;
+  }
+  const auto decile = means.begin() + ptrdiff_t(means.size() * 9 / 10);
+  std::nth_element(means.begin(), decile, means.end());
+  return *decile;
+}
+
 SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
                                   const Context& context,
                                   IndexedMesh* mesh) {
   return MeasureAt(
-      SpreadPoints(*mesh, inputs.neighbors, kSpacing * inputs.pixel),
+      SpreadPoints(
+          *mesh, inputs.neighbors, kSpacing * inputs.scale * inputs.pixel),
       inputs,
       context,
       mesh);

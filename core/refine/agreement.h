@@ -22,9 +22,10 @@ struct AgreementInputs {
   const VertexCorners& neighbors;  // those of FindVertexNeighbors
   double pixel;                    // of the views, at the surface
   const RefineOptions& options;
+  double scale = 1;  // pixels between the samples of a patch
 };
 
-// At the scale of the views; one element a point.
+// At that scale; one element a point.
 struct SurfaceAgreement {
   SurfacePoints points;
   std::vector<uint8_t> is_seen;  // by at least two views
@@ -32,9 +33,12 @@ struct SurfaceAgreement {
 
   // 0 where nothing is seen.
   double Mean() const;
+  // Of the means over the points around each point: what a tenth of them
+  // exceeds. 0 where nothing is seen.
+  double UpperDecile() const;
 };
 
-// At points some pixels apart. `mesh` is given normals.
+// At points four samples apart. `mesh` is given normals.
 SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
                                   const Context& context,
                                   IndexedMesh* mesh);

@@ -18,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-using std::string_literals::operator""s;
 
 std::vector<std::string> QuickExample(const fs::path& folder) {
   return {"example_creator",
@@ -104,7 +103,10 @@ TEST(ExampleCreator, PhotographsAMeshFile) {
   ASSERT_EQ(RunOctacut(QuickExample(folder / "torus")).exit_code, 0);
   const fs::path mesh_path = folder / "torus" / "gt" / "reference.ply";
   std::vector<std::string> arguments = QuickExample(folder / "w");
-  std::replace(arguments.begin(), arguments.end(), "torus"s, "sphere"s);
+  std::replace(arguments.begin(),
+               arguments.end(),
+               std::string("torus"),
+               std::string("sphere"));
   arguments.insert(arguments.end(), {"--mesh_path", mesh_path.string()});
   const ProgramResult result = RunOctacut(arguments);
   ASSERT_EQ(result.exit_code, 0) << result.err;

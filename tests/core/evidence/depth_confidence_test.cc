@@ -54,9 +54,10 @@ struct DepthSetting {
     }
   }
 
-  ReliableDepths Confidence(double surrounded_share = 0) const {
+  ReliableDepths Confidence(double surrounded_share = 0,
+                            float shown = 1) const {
     return EstimateDepthConfidence(
-        test.views, hull, maps, surrounded_share, Context(2));
+        test.views, hull, maps, surrounded_share, shown, Context(2));
   }
 
   // The depths of a view lie so many voxels behind the truth.
@@ -206,13 +207,24 @@ TEST(DepthConfidence, IsNoneWhereViewsWithNeighborsFindNextToNothing) {
             0);
 }
 
+TEST(DepthConfidence, IsNoneOfMirrorsUnlessDepthsAreDense) {
+  DepthSetting setting;
+  const ReliableDepths dense = setting.Confidence(0, 0);
+  EXPECT_GT(dense.found_share, 0.7);
+  EXPECT_EQ(dense.scene_confidence, 1);
+  ThinOut(3, &setting);
+  EXPECT_EQ(setting.Confidence(0, 0).scene_confidence, 0);
+  EXPECT_EQ(setting.Confidence(0, 0.5f).scene_confidence, 0.5f);
+  EXPECT_EQ(setting.Confidence(0, 1).scene_confidence, 1);
+}
+
 TEST(DepthConfidence, IsTheSameForAnyNumberOfThreads) {
   DepthSetting setting;
   setting.PushBack(2, 7);
   const ReliableDepths one = EstimateDepthConfidence(
-      setting.test.views, setting.hull, setting.maps, 1, Context(1));
+      setting.test.views, setting.hull, setting.maps, 1, 1, Context(1));
   const ReliableDepths three = EstimateDepthConfidence(
-      setting.test.views, setting.hull, setting.maps, 1, Context(3));
+      setting.test.views, setting.hull, setting.maps, 1, 1, Context(3));
   EXPECT_EQ(one.confidence, three.confidence);
   EXPECT_EQ(one.contradicted_share, three.contradicted_share);
 }

@@ -64,7 +64,7 @@ TEST(InsideEvidence, IsNegativeInACavityAndPositiveInItsWalls) {
   constexpr int kLevel = 6;
   const VoxelGrid hull = HullOf(test, kLevel);
   const InsideEvidence evidence = EstimateInsideEvidence(
-      test.views, hull, InsideEvidenceOptions(), Context(2));
+      test.views, hull, InsideEvidenceOptions(), 1, Context(2));
   ASSERT_EQ(evidence.values.size(), hull.Size());
   const double voxel = test.VoxelSize(kLevel);
   const double top = (0.5 + 0.15) / 2;
@@ -92,7 +92,7 @@ TEST(InsideEvidence, OfASolidKeepsWhatTheHullHas) {
   const TestScene test = MakeTestScene("sphere", 160, 120, 24);
   const VoxelGrid hull = HullOf(test, 5);
   const InsideEvidence evidence = EstimateInsideEvidence(
-      test.views, hull, InsideEvidenceOptions(), Context(2));
+      test.views, hull, InsideEvidenceOptions(), 1, Context(2));
   const Shares inner =
       SharesWhere(test, hull, evidence, [&](const Eigen::Vector3d& x) {
         return x.norm() < 0.8 - 1.5 * test.VoxelSize(5);
@@ -110,7 +110,7 @@ TEST(InsideEvidence, CountsWhatItSays) {
   const TestScene test = MakeTestScene("cup", 120, 90, 16);
   const VoxelGrid hull = HullOf(test, 5);
   const InsideEvidence evidence = EstimateInsideEvidence(
-      test.views, hull, InsideEvidenceOptions(), Context(1));
+      test.views, hull, InsideEvidenceOptions(), 1, Context(1));
   size_t num_free = 0;
   for (const float value : evidence.values) {
     ASSERT_TRUE(std::isfinite(value));
@@ -120,7 +120,7 @@ TEST(InsideEvidence, CountsWhatItSays) {
   for (const int num_threads : {2, 4}) {
     EXPECT_EQ(
         EstimateInsideEvidence(
-            test.views, hull, InsideEvidenceOptions(), Context(num_threads))
+            test.views, hull, InsideEvidenceOptions(), 1, Context(num_threads))
             .values,
         evidence.values);
   }
@@ -135,7 +135,7 @@ TEST(InsideEvidence, IsTheBallooningWhereNothingIsSeen) {
   options.sweep.max_angle = 10;
   options.ballooning = 0.25;
   const InsideEvidence evidence =
-      EstimateInsideEvidence(test.views, hull, options, Context(2));
+      EstimateInsideEvidence(test.views, hull, options, 1, Context(2));
   EXPECT_EQ(evidence.summary.num_depths, 0u);
   for (const float value : evidence.values) {
     EXPECT_EQ(value, 0.25f);

@@ -34,7 +34,7 @@ class MaskConfidence : public ::testing::Test {
             moved.views, TestScene::UnitBox(), options, Context(2))
             .voxels;
     return EstimateInsideEvidence(
-               moved.views, hull, InsideEvidenceOptions(), Context(2))
+               moved.views, hull, InsideEvidenceOptions(), 1, Context(2))
         .mask_confidence;
   }
 

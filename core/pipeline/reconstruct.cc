@@ -108,6 +108,15 @@ VoxelGrid CarveHull(const PreparedScene& scene,
   return std::move(hull.voxels);
 }
 
+LabeledVoxels HullSurface(const PreparedScene& scene,
+                          const ReconstructionOptions& options,
+                          const Context& context,
+                          ReconstructionSummary* summary) {
+  return Timed(&summary->hull_seconds, [&] {
+    return ComputeHullSurface(scene.views, scene.box, options.hull, context);
+  });
+}
+
 // Trims the hull by the masks that can be relied upon, too.
 InsideEvidence EstimateEvidence(const ViewSet& views,
                                 const LabeledVoxels& hull_surface,
@@ -210,8 +219,7 @@ Reconstruction Reconstruct(const Scene& scene,
   PreparedScene prepared = Prepare(scene, region, options, context, &summary);
   ViewSet& views = prepared.views;
   VoxelGrid hull = CarveHull(prepared, options, context, &summary);
-  const LabeledVoxels hull_surface =
-      ComputeHullSurface(views, prepared.box, options.hull, context);
+  const auto hull_surface = HullSurface(prepared, options, context, &summary);
   if (observer) {
     observer(-1, PositionedMesh(hull_surface, region.cube, context));
   }

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/mesh/bounding_box.h"
 #include "core/raycast/ray_scene.h"
 
 namespace octacut {
@@ -49,10 +50,7 @@ class StandSearch {
  public:
   StandSearch(const IndexedMesh& mesh, const Surroundings& surroundings)
       : surroundings_(surroundings) {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& position : mesh.positions) {
-      box.extend(position);
-    }
+    const Eigen::AlignedBox3d box = BoundingBox(mesh);
     center_ = box.center();
     diagonal_ = box.diagonal().norm();
     tolerance_ = std::clamp(3 * surroundings.noise,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/mesh/bounding_box.h"
 #include "core/mesh/vertex_corners.h"
 #include "core/refine/offset_search.h"
 #include "core/refine/seen_surface.h"
@@ -81,10 +82,7 @@ OffsetSearch MakeSearch(const RefineOptions& options) {
 }
 
 double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    box.extend(position);
-  }
+  const Eigen::AlignedBox3d box = BoundingBox(mesh);
   return PixelSize(views, box.center().cast<float>());
 }
 

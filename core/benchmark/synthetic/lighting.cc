@@ -8,6 +8,7 @@
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
+#include "core/mesh/bounding_box.h"
 #include "core/raycast/sampling.h"
 
 namespace octacut {
@@ -41,10 +42,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // How far above the surface rays begin: the mesh is a polyhedron, its own
 // neighbouring triangles must not count.
 double RayOffset(const IndexedMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    box.extend(position);
-  }
+  const Eigen::AlignedBox3d box = BoundingBox(mesh);
   return 5e-4 * box.diagonal().norm();
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/base/parallel.h"
 #include "core/benchmark/synthetic/surface_shader.h"
+#include "core/mesh/bounding_box.h"
 #include "core/raycast/tone_curve.h"
 
 namespace octacut {
@@ -22,10 +23,7 @@ RenderSubject MakeRenderSubject(const IndexedMesh& mesh,
   texture.Check();
   lighting.Check();
   RenderSubject subject{mesh, rays, texture, lighting, background};
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    box.extend(position);
-  }
+  const Eigen::AlignedBox3d box = BoundingBox(mesh);
   subject.center = box.center();
   subject.radius = 0;
   for (const Eigen::Vector3d& position : mesh.positions) {
@@ -120,10 +118,7 @@ class ViewRenderer {
     min_x_ = min_y_ = 0;
     max_x_ = camera.width;
     max_y_ = camera.height;
-    Eigen::AlignedBox3d box;
-    for (const Vector3d& position : subject_.mesh.positions) {
-      box.extend(position);
-    }
+    const Eigen::AlignedBox3d box = BoundingBox(subject_.mesh);
     Eigen::AlignedBox2d rectangle;
     for (int k = 0; k < 8; ++k) {
       const Vector3d corner =
@@ -191,8 +186,10 @@ class ViewRenderer {
     constexpr int kSide = 8;
     Hits hits;
     for (int i = 0; i < kSide * kSide; ++i) {
+      const int column = i % kSide;
+      const int row = i / kSide;
       const Vector3d ray =
-          Ray(x + (i % kSide + 0.5) / kSide, y + (i / kSide + 0.5) / kSide);
+          Ray(x + (column + 0.5) / kSide, y + (row + 0.5) / kSide);
       if (const auto hit =
               subject_.rays.FirstHit(world_from_cam_.translation, ray)) {
         Count(*hit, hits);
@@ -206,8 +203,7 @@ class ViewRenderer {
     const BackgroundOptions& background = subject_.background;
     const float t =
         static_cast<float>(y + 0.5) / static_cast<float>(lens_.camera.height);
-    const Vector3f plain =
-        background.top + t * (background.bottom - background.top);
+    Vector3f plain = background.top + t * (background.bottom - background.top);
     if (background.kind == BackgroundKind::kPlain) {
       return plain;
     }

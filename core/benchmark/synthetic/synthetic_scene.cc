@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/benchmark/synthetic/sparse_points.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/bounding_box.h"
 #include "core/mesh/normals.h"
 #include "core/raycast/tone_curve.h"
 
@@ -60,10 +61,7 @@ SceneSpec QuickScene(const std::string& object,
 namespace {
 
 IndexedMesh MeshOfTwoUnits(const IndexedMesh& given, const Context& context) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : given.positions) {
-    box.extend(position);
-  }
+  const Eigen::AlignedBox3d box = BoundingBox(given);
   IndexedMesh mesh;
   mesh.triangles = given.triangles;
   mesh.positions.reserve(given.positions.size());
@@ -105,10 +103,7 @@ IndexedMesh AddStand(const IndexedMesh& object,
   if (!stand.is_there) {
     return mesh;
   }
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : object.positions) {
-    box.extend(position);
-  }
+  const Eigen::AlignedBox3d box = BoundingBox(object);
   double radius = 0;
   for (const Eigen::Vector3d& position : object.positions) {
     radius = std::max(radius, (position - box.center()).head<2>().norm());
@@ -135,10 +130,7 @@ IndexedMesh AddStand(const IndexedMesh& object,
 
 // The sphere that the cameras are set up for, which is around the object alone.
 void FrameObject(const IndexedMesh& object, RenderSubject* subject) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : object.positions) {
-    box.extend(position);
-  }
+  const Eigen::AlignedBox3d box = BoundingBox(object);
   subject->center = box.center();
   subject->radius = 0;
   for (const Eigen::Vector3d& position : object.positions) {

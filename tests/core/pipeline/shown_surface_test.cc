@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "core/benchmark/synthetic/material.h"
 #include "core/hull/hull_surface.h"
 #include "tests/core/views/test_scene.h"
@@ -11,8 +9,8 @@
 namespace octacut {
 namespace {
 
-ShownSurface Shown(const std::string& object, MaterialKind material) {
-  SceneSpec spec = testing::TestSpec(object, 160, 120, 20);
+ShownSurface ShownOfLump(MaterialKind material) {
+  SceneSpec spec = testing::TestSpec("lump", 160, 120, 20);
   spec.material = material;
   const testing::TestScene test = testing::MakeTestScene(spec);
   const LabeledVoxels hull = ComputeHullSurface(
@@ -24,9 +22,9 @@ TEST(MeasureShownSurface, TellsMirrorsFromMattAndGlazedObjects) {
   for (const MaterialKind material : {MaterialKind::kDiffuse,
                                       MaterialKind::kPlaster,
                                       MaterialKind::kPorcelain}) {
-    EXPECT_EQ(Shown("lump", material).share, 1) << int(material);
+    EXPECT_EQ(ShownOfLump(material).share, 1) << int(material);
   }
-  const ShownSurface metal = Shown("lump", MaterialKind::kMetal);
+  const ShownSurface metal = ShownOfLump(MaterialKind::kMetal);
   EXPECT_EQ(metal.share, 0);
   EXPECT_LT(metal.agreement, 0.3);
 }

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "core/mesh/indexed_mesh.h"
+
+namespace octacut {
+
+// Of all vertices, in the coordinates of the mesh; empty where there are none.
+inline Eigen::AlignedBox3d BoundingBox(const IndexedMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    box.extend(position);
+  }
+  return box;
+}
+
+}  // namespace octacut

@@ -81,9 +81,11 @@ void DeclareForm(OptionManager& options, SceneSpec* scene) {
            "Width of the widest folds of the drapery; the narrowest are a "
            "fifth as wide.")
       .ForExperts();
-  options.Add("Scene.fold_depth",
-              &scene->parameters.fold_depth,
-              "Depth of the folds of the drapery relative to their width.");
+  options
+      .Add("Scene.fold_depth",
+           &scene->parameters.fold_depth,
+           "Depth of the folds of the drapery relative to their width.")
+      .ForExperts();
 }
 
 // What the object's surface looks like.

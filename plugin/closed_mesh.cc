@@ -22,16 +22,4 @@ IndexedMesh ReadClosedMesh(const fs::path& path, const Context& context) {
   return mesh;
 }
 
-void CheckIsAnotherFile(const char* option,
-                        const fs::path& path,
-                        const fs::path& other,
-                        const char* what) {
-  std::error_code ignored;
-  if (fs::equivalent(path, other, ignored) ||
-      path.lexically_normal() == other.lexically_normal()) {
-    throw OptionError(
-        fmt::format("{} = {}: must not be {}", option, path.string(), what));
-  }
-}
-
 }  // namespace octacut

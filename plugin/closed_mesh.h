@@ -14,11 +14,4 @@ namespace octacut {
 IndexedMesh ReadClosedMesh(const std::filesystem::path& path,
                            const Context& context);
 
-// Throws OptionError "<option> = ...: must not be <what>" where `path` leads to
-// the same file as `other`.
-void CheckIsAnotherFile(const char* option,
-                        const std::filesystem::path& path,
-                        const std::filesystem::path& other,
-                        const char* what);
-
 }  // namespace octacut

@@ -6,6 +6,7 @@
 
 #include "colmap_io/images/marker_sightings.h"
 #include "core/base/check_option.h"
+#include "core/base/error.h"
 
 namespace octacut {
 namespace {
@@ -101,8 +102,11 @@ void ExportScaleOptions::Check() const {
 
 ExportScale ExportScaleOptions::FromMarkers(const Workspace& workspace,
                                             const Context& context) const {
-  const MarkerScale scale = MeasureMarkerScale(
-      FindMarkerSightings(workspace, dictionary_, context), aruco_side_);
+  const std::vector<MarkerSighting> sightings =
+      FindMarkerSightings(workspace, dictionary_, context);
+  const MarkerScale scale = NamingErrors(workspace.image_path.string(), [&] {
+    return MeasureMarkerScale(sightings, aruco_side_);
+  });
   context.Info(fmt::format(
       "ArUco markers: {} measured, sides agree to {:.2f} %, corners to {:.2f} "
       "pixels; a unit of the mesh is {:.6g} mm",

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_io.h"
+#include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
@@ -98,7 +98,8 @@ std::string NameAmong(const fs::path& path,
          MarkOfDepths(path);
 }
 
-std::vector<fs::path> SplitPaths(const std::vector<fs::path>& values) {
+std::vector<fs::path> SplitPaths(const std::string& option,
+                                 const std::vector<fs::path>& values) {
   std::vector<fs::path> paths;
   for (const fs::path& value : values) {
     std::error_code ignored;
@@ -106,30 +107,18 @@ std::vector<fs::path> SplitPaths(const std::vector<fs::path>& values) {
       paths.push_back(value);
       continue;
     }
-    std::istringstream list(value.string());
+    // The comma at the end lets a name end the list, even an empty one.
+    std::istringstream list(value.string() + ',');
     for (std::string part; std::getline(list, part, ',');) {
-      if (!part.empty()) {
-        paths.emplace_back(part);
-      }
+      CheckOption(!part.empty(),
+                  option,
+                  value.string(),
+                  "must be names of files separated by commas, none of them "
+                  "empty");
+      paths.emplace_back(part);
     }
   }
   return paths;
-}
-
-void CheckReportPath(const fs::path& output_path,
-                     const std::vector<fs::path>& meshes) {
-  if (output_path.empty()) {
-    return;
-  }
-  for (const fs::path& mesh : meshes) {
-    std::error_code ignored;
-    if (fs::equivalent(mesh, output_path, ignored)) {
-      throw OptionError(fmt::format(
-          "output_path = {}: must not be one of the compared meshes",
-          output_path.string()));
-    }
-  }
-  CheckFilePath(output_path);
 }
 
 }  // namespace octacut

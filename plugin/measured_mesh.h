@@ -44,14 +44,10 @@ std::string NameAmong(const std::filesystem::path& path,
                       const std::vector<std::filesystem::path>& paths);
 
 // The meshes that a repeatable option names: each value is a path, or several
-// separated by commas where no file has the whole name.
+// separated by commas where no file has the whole name. Throws OptionError for
+// a value with an empty name.
 std::vector<std::filesystem::path> SplitPaths(
+    const std::string& option,
     const std::vector<std::filesystem::path>& values);
-
-// A report that replaced one of the meshes would be a bad surprise: throws
-// OptionError for an output_path that is one of them, InputError for one that
-// cannot be written. An empty one is none.
-void CheckReportPath(const std::filesystem::path& output_path,
-                     const std::vector<std::filesystem::path>& meshes);
 
 }  // namespace octacut

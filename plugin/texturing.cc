@@ -6,7 +6,6 @@
 #include <numeric>
 #include <opencv2/core.hpp>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/write_image.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/check_option.h"
@@ -20,6 +19,10 @@ namespace octacut {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Photographs from all sides show more; the least that an object whose lower
+// half was never photographed has.
+constexpr double kMostUnseen = 0.5;
 
 // In the order of their names, the first photograph of each `step` of them, or
 // all others.
@@ -91,16 +94,34 @@ Json SummaryToJson(const TextureSummary& summary,
           {"views", views}};
 }
 
+TexturingResult Texture(const IndexedMesh& mesh,
+                        const std::string& mesh_name,
+                        const Photographs& photographs,
+                        const TexturingOptions& options,
+                        const Context& context) {
+  try {
+    TexturingResult result = TextureMesh(mesh, photographs, options, context);
+    if (result.summary.unseen_area > kMostUnseen) {
+      context.Warn(fmt::format(
+          "{}: the photographs show only {:.0f} % of the surface; the rest "
+          "continues the colours around it. Check that the mesh is in the "
+          "frame of the sparse model.",
+          mesh_name,
+          100 * (1 - result.summary.unseen_area)));
+    }
+    return result;
+  } catch (const MeshNotSeenError& error) {
+    throw InputError(fmt::format("{}: {}", mesh_name, error.what()));
+  }
+}
+
 Json AddNormalMap(const IndexedMesh& full,
                   const fs::path& path,
                   const Context& context,
                   TexturingResult* result) {
-  NormalMapSummary summary;
-  try {
-    summary = BakeNormals(full, result->layout, context, &result->textured);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
-  }
+  const NormalMapSummary summary = NamingErrors(path.string(), [&] {
+    return BakeNormals(full, result->layout, context, &result->textured);
+  });
   context.Info(fmt::format(
       "Normal map: normals of the full mesh differ by {:.2f} degrees on "
       "average; {:.2f} % of the texels are further than {:.4g} from it.",
@@ -197,7 +218,7 @@ void TexturingArguments::Declare(OptionManager& options) {
               "makes a smaller texture.");
   options.AddEnum(
       "image_format",
-      &files.image_format,
+      &images.image_format,
       {{"png", TextureImageFormat::kPng}, {"jpeg", TextureImageFormat::kJpeg}},
       "Format of the texture's images.");
   options.Add("picture_path",
@@ -223,7 +244,7 @@ void TexturingArguments::Declare(OptionManager& options) {
       .ForExperts();
 }
 
-void TexturingArguments::Check() const {
+void TexturingArguments::Check(FileRoles* files) const {
   texture.Check();
   CheckOption(hold_out == 0 || hold_out >= 2,
               "hold_out",
@@ -239,8 +260,20 @@ void TexturingArguments::Check() const {
               normal_map_path.string(),
               "needs an output_path that ends with .glb or .obj: .ply files "
               "have no normal maps");
+  files->Read(normal_map_path, "the mesh of normal_map_from");
+  for (const fs::path& path : compare_paths) {
+    files->Read(path, "a mesh of compare_path");
+  }
+  for (const fs::path& path :
+       TexturedMeshPaths(output_path, images, texture.max_pages)) {
+    files->Write("output_path",
+                 path,
+                 path == output_path ? "the textured mesh"
+                                     : "a file of the textured mesh");
+  }
   if (!picture_path.empty()) {
-    CheckFilePath(picture_path);
+    CheckImagePath("picture_path", picture_path);
+    files->Write("picture_path", picture_path, "the picture");
   }
 }
 
@@ -265,7 +298,7 @@ Json TextureAndWrite(const IndexedMesh& mesh,
                                ? IndexedMesh()
                                : ReadMesh(arguments.normal_map_path).mesh;
   TexturingResult result =
-      TextureMesh(mesh, photographs, arguments.texture, context);
+      Texture(mesh, mesh_name, photographs, arguments.texture, context);
   Json json = SummaryToJson(result.summary, files.summary, photographs);
   if (!arguments.normal_map_path.empty()) {
     json["normal_map"] =
@@ -280,7 +313,7 @@ Json TextureAndWrite(const IndexedMesh& mesh,
   }
   Json written = Json::array();
   for (const fs::path& path : WriteTexturedMesh(
-           arguments.output_path, result.textured, arguments.files)) {
+           arguments.output_path, result.textured, arguments.images)) {
     written.push_back(path.string());
   }
   json["files"] = written;

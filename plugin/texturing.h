@@ -10,13 +10,14 @@
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
 #include "core/texture/texture_mesh.h"
+#include "plugin/file_roles.h"
 #include "plugin/option_manager.h"
 
 namespace octacut {
 
 struct TexturingArguments {
   TexturingOptions texture;
-  TexturedMeshOptions files;
+  TexturedMeshOptions images;
   std::filesystem::path output_path;
   std::filesystem::path picture_path;  // empty: no picture
   // The full mesh whose normals become a normal map; empty: no normal map.
@@ -27,8 +28,9 @@ struct TexturingArguments {
   std::vector<std::filesystem::path> compare_paths;
 
   void Declare(OptionManager& options);
-  // To be asked before any long work.
-  void Check() const;
+  // Also that nothing that is written replaces one of `files`, which it joins;
+  // to be asked before any long work.
+  void Check(FileRoles* files) const;
 };
 
 // Textures `mesh`, whose name for messages is `mesh_name`, from the workspace's

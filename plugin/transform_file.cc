@@ -29,6 +29,9 @@ Eigen::Matrix4d MatrixOf(const Similarity3d& transform) {
 
 Similarity3d ReadTransform(const std::filesystem::path& path) {
   std::ifstream stream(path);
+  if (!stream) {
+    throw InputError(fmt::format("{}: cannot be opened", path.string()));
+  }
   stream.imbue(std::locale::classic());
   Eigen::Matrix4d matrix;
   for (int i = 0; i < 16; ++i) {

@@ -121,7 +121,8 @@ void WorkspaceArguments::DeclareConfidence(OptionManager& options) {
       .ForExperts();
 }
 
-void WorkspaceArguments::Complete(const fs::path& default_output) {
+FileRoles WorkspaceArguments::Complete(const fs::path& default_output,
+                                       FileRoles files) {
   loading.Check();
   if (!bounding_box.empty()) {
     loading.region.bounding_box = BoundingBoxFromNumbers(bounding_box);
@@ -137,23 +138,19 @@ void WorkspaceArguments::Complete(const fs::path& default_output) {
     report_path = Beside(".json");
   }
   CheckMeshPath(output_path);
+  CheckOption(MeshFormatOf(output_path) != MeshFormat::k3mf,
+              "output_path",
+              output_path.string(),
+              "must not be a .3mf file, whose units are millimetres; "
+              "mesh_exporter writes those");
   CheckOption(!confidence || MeshFormatOf(output_path) == MeshFormat::kPly,
               "confidence",
               confidence,
               "requires an output_path with the extension .ply");
   // The report is written last; that it cannot be must not be news then.
-  CheckReportIsNot(output_path, "the mesh");
-  CheckFilePath(report_path);
-}
-
-void WorkspaceArguments::CheckReportIsNot(const fs::path& other,
-                                          const std::string& what) const {
-  std::error_code ignored;
-  CheckOption(fs::weakly_canonical(report_path, ignored) !=
-                  fs::weakly_canonical(other, ignored),
-              "report_path",
-              report_path.string(),
-              "must not be the same file as " + what);
+  files.Write("output_path", output_path, "the mesh");
+  files.Write("report_path", report_path, "the report");
+  return files;
 }
 
 fs::path WorkspaceArguments::Beside(const std::string& ending) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "colmap_io/images/load_scene.h"
+#include "plugin/file_roles.h"
 #include "plugin/option_manager.h"
 
 namespace octacut {
@@ -34,12 +35,11 @@ struct WorkspaceArguments {
   void Declare(OptionManager& options);
   // For the commands that compare photographs.
   void DeclareConfidence(OptionManager& options);
-  // Fills in the defaults and checks that the mesh can be written; to be
-  // asked before any long work.
-  void Complete(const std::filesystem::path& default_output);
-  // That the report would not replace `other`, which is `what`.
-  void CheckReportIsNot(const std::filesystem::path& other,
-                        const std::string& what) const;
+  // Fills in the defaults and checks that mesh and report can be written and
+  // replace none of `files`, which the command reads; to be asked before any
+  // long work. Returns `files` with mesh and report.
+  FileRoles Complete(const std::filesystem::path& default_output,
+                     FileRoles files = {});
   // The output path with another ending, for files beside the mesh.
   std::filesystem::path Beside(const std::string& ending) const;
 };

@@ -16,6 +16,11 @@
 #   --work_path FOLDER    for textured meshes, pictures, reports; default
 #                         build/texture
 #   --view_blending NAME  best (default) or median
+#   --pictures_path DIR   also write the pictures of docs/texture.md there: each
+#                         set, and igea with 3,000 triangles without and with a
+#                         normal map
+#   --large_set SET       also texture SET's full mesh, simplified to 300,000
+#                         triangles, from all photographs, and print what it took
 #   --num_threads N       default 1
 set -euo pipefail
 
@@ -25,6 +30,8 @@ threads=1
 blending=best
 make_meshes=0
 sets=
+pictures=
+large_set=
 folders=()
 while (($#)); do
   case $1 in
@@ -36,6 +43,8 @@ while (($#)); do
     --work_path) work=${2:?"$1 needs a value"} && shift 2 ;;
     --view_blending) blending=${2:?"$1 needs a value"} && shift 2 ;;
     --make_meshes) make_meshes=${2:?"$1 needs a value"} && shift 2 ;;
+    --pictures_path) pictures=${2:?"$1 needs a value"} && shift 2 ;;
+    --large_set) large_set=${2:?"$1 needs a value"} && shift 2 ;;
     --num_threads) threads=${2:?"$1 needs a value"} && shift 2 ;;
     -*)
       echo "benchmark_texture: $1: no such option; --help lists them" >&2
@@ -100,7 +109,7 @@ for name in ${sets//,/ }; do
   { time "$octacut" mesh_texturer --workspace_path "$data/$name" \
     --input_path "$model" --mesh_path "$meshes/${name}_100k.ply" \
     --output_path "$work/$name.glb" --report_path "$work/$name.json" \
-    --picture_path "$work/$name.png" --view_blending "$blending" --hold_out 8 \
+    --picture_path "${pictures:-$work}/texture_$name.jpg" --view_blending "$blending" --hold_out 8 \
     --compare_path "$meshes/$name.ply" --num_threads "$threads" \
     >"$work/$name.log" 2>&1; } 2>"$work/$name.cpu" || {
     echo "benchmark_texture: $name: $(tail -n 1 "$work/$name.log")" >&2
@@ -118,3 +127,34 @@ for name in ${sets//,/ }; do
       + [$cpu, ($bytes / 1e9 | fixed(1))]
     | "| " + join(" | ") + " |"' "$work/$name.json"
 done
+
+# simplify SET NUMBER
+simplify() {
+  "$octacut" mesh_simplifier --input_path "$meshes/$1.ply" \
+    --output_path "$work/$1_$2.ply" --target_faces "$2" \
+    --num_threads "$threads" &>"$work/$1_simplifier.log"
+}
+
+if [[ -n $pictures && -e $meshes/igea.ply ]]; then
+  simplify igea 3000
+  for kind in flat normal_map; do
+    options=()
+    [[ $kind == normal_map ]] && options=(--normal_map_from "$meshes/igea.ply")
+    "$octacut" mesh_texturer --workspace_path "$data/igea" \
+      --input_path "$(find_model igea)" --mesh_path "$work/igea_3000.ply" \
+      --output_path "$work/igea_$kind.glb" "${options[@]}" \
+      --picture_path "$pictures/texture_igea_$kind.jpg" &>"$work/igea_$kind.log"
+  done
+fi
+
+if [[ -n $large_set ]]; then
+  simplify "$large_set" 300000
+  { time "$octacut" mesh_texturer --workspace_path "$data/$large_set" \
+    --input_path "$(find_model "$large_set")" \
+    --mesh_path "$work/${large_set}_300000.ply" --num_threads "$threads" \
+    --output_path "$work/large.glb" --report_path "$work/large.json" \
+    >"$work/large.log" 2>&1; } 2>"$work/large.cpu"
+  jq -r --arg name "$large_set" --arg cpu "$(tail -n 1 "$work/large.cpu")" '
+    "\n\($name), \(.texture.triangles) triangles, \(.texture.photographs.used) photographs: \($cpu) CPU s, \(.peak_memory_bytes / 1e9 * 10 | round / 10) GB"
+  ' "$work/large.json"
+fi

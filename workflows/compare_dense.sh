@@ -90,4 +90,8 @@ if [[ $page == 1 && -d $masks && -d $images ]]; then
   "$octacut" mesh_evaluator --workspace_path "$workspace" "${places[@]}" \
     "${meshes[@]}" --html_path "$workspace/compare-dense.html"
   echo "page: $workspace/compare-dense.html"
+elif [[ $page == 1 ]]; then
+  for folder in "$masks" "$images"; do
+    [[ -d $folder ]] || echo "compare_dense: no page, because there is no folder $folder"
+  done
 fi

@@ -139,8 +139,10 @@ void FindFiles(const PhotographOptions& options,
     context.Warn(message + "; these are left out");
   }
   if (reader->Files().empty()) {
-    throw InputError(fmt::format("{}: the model has no photographs",
-                                 workspace.model_path.string()));
+    throw InputError(fmt::format("{}: none of the model's {} images is in {}",
+                                 workspace.model_path.string(),
+                                 summary->num_images,
+                                 workspace.image_path.string()));
   }
 }
 

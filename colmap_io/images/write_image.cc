@@ -3,9 +3,20 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "colmap_io/files/atomic_files.h"
+#include "core/base/check_option.h"
 #include "core/base/error.h"
 
 namespace octacut {
+
+void CheckImagePath(const std::string& option,
+                    const std::filesystem::path& path) {
+  const std::string extension = path.extension().string();
+  CheckOption(
+      extension == ".png" || extension == ".jpg" || extension == ".jpeg",
+      option,
+      path.string(),
+      "must end with .png or .jpg");
+}
 
 void WriteImage(const std::filesystem::path& path,
                 const cv::Mat& image,

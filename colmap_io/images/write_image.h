@@ -3,12 +3,18 @@
 
 #include <filesystem>
 #include <opencv2/core/mat.hpp>
+#include <string>
 #include <vector>
 
 namespace octacut {
 
-// Encodes by extension (.png, .jpg); `parameters` as cv::imencode takes them.
-// The file appears whole or not at all. Throws InputError naming it.
+// Throws OptionError "<option> = <path>: ..." unless the extension is one of
+// those that WriteImage knows.
+void CheckImagePath(const std::string& option,
+                    const std::filesystem::path& path);
+
+// Encodes by extension (.png, .jpg, .jpeg); `parameters` as cv::imencode takes
+// them. The file appears whole or not at all. Throws InputError naming it.
 void WriteImage(const std::filesystem::path& path,
                 const cv::Mat& image,
                 const std::vector<int>& parameters = {});

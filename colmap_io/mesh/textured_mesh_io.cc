@@ -63,6 +63,22 @@ fs::path WithEnding(const fs::path& path, const std::string& ending) {
   return result;
 }
 
+// What the names of images end with, before the number of the page.
+const std::string kTextureEnding = "_texture";
+const std::string kNormalEnding = "_normal";
+
+// Nothing for a single page.
+std::string PageNumber(size_t page, size_t num_pages) {
+  return num_pages == 1 ? "" : fmt::format("_{}", page);
+}
+
+fs::path ImagePath(const fs::path& mesh,
+                   const std::string& ending,
+                   TextureImageFormat format) {
+  return WithEnding(
+      mesh, ending + (format == TextureImageFormat::kPng ? ".png" : ".jpg"));
+}
+
 }  // namespace
 
 void CheckTexturedMeshPath(const fs::path& path) {
@@ -74,10 +90,31 @@ void CheckTexturedMeshPath(const fs::path& path) {
                     path.string(),
                     extension));
   }
-  CheckFilePath(path);
-  if (extension == ".obj") {
-    CheckFilePath(WithEnding(path, ".mtl"));
+}
+
+std::vector<fs::path> TexturedMeshPaths(const fs::path& path,
+                                        const TexturedMeshOptions& options,
+                                        int max_pages) {
+  std::vector<fs::path> paths = {path};
+  const std::string extension = Extension(path);
+  if (extension == ".glb") {
+    return paths;
   }
+  if (extension == ".obj") {
+    paths.push_back(WithEnding(path, ".mtl"));
+  }
+  for (int num_pages = 1; num_pages <= std::min(max_pages, 2); ++num_pages) {
+    for (int page = 0; page < (num_pages == 1 ? 1 : max_pages); ++page) {
+      const std::string number = PageNumber(page, num_pages);
+      paths.push_back(
+          ImagePath(path, kTextureEnding + number, options.image_format));
+      if (extension == ".obj") {
+        paths.push_back(
+            ImagePath(path, kNormalEnding + number, TextureImageFormat::kPng));
+      }
+    }
+  }
+  return paths;
 }
 
 bool CanHoldNormalMaps(const fs::path& path) {
@@ -106,9 +143,7 @@ std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
   // The images come first, so that none is missing where the mesh is there.
   PageNames names;
   const auto write_image = [&](const EncodedImage& image,
-                               const std::string& ending) {
-    const fs::path file = WithEnding(
-        path, ending + (image.mime_type == "image/png" ? ".png" : ".jpg"));
+                               const fs::path& file) {
     write(file, [&](std::ostream& stream) {
       stream.write(reinterpret_cast<const char*>(image.bytes.data()),
                    std::streamsize(image.bytes.size()));
@@ -116,12 +151,14 @@ std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
     return file.filename().string();
   };
   for (size_t page = 0; page < pages.colors.size(); ++page) {
-    const std::string number =
-        pages.colors.size() == 1 ? "" : fmt::format("_{}", page);
-    names.colors.push_back(write_image(pages.colors[page], number));
+    const std::string number = PageNumber(page, pages.colors.size());
+    names.colors.push_back(write_image(
+        pages.colors[page],
+        ImagePath(path, kTextureEnding + number, options.image_format)));
     if (extension == ".obj" && !pages.normals.empty()) {
-      names.normals.push_back(
-          write_image(pages.normals[page], "_normal" + number));
+      names.normals.push_back(write_image(
+          pages.normals[page],
+          ImagePath(path, kNormalEnding + number, TextureImageFormat::kPng)));
     }
   }
   if (extension == ".obj") {

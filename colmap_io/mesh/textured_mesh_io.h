@@ -14,19 +14,24 @@ struct TexturedMeshOptions {
   TextureImageFormat image_format = TextureImageFormat::kPng;
 };
 
-// Throws OptionError for an extension other than .glb, .obj and .ply, and
-// InputError where one of the files cannot be written. To be asked before any
-// long work; the names of the pages of .obj and .ply are known afterwards only.
+// Throws OptionError for an extension other than .glb, .obj and .ply.
 void CheckTexturedMeshPath(const std::filesystem::path& path);
+
+// All files that a mesh of at most `max_pages` pages may be written to: `path`
+// first.
+std::vector<std::filesystem::path> TexturedMeshPaths(
+    const std::filesystem::path& path,
+    const TexturedMeshOptions& options,
+    int max_pages);
 
 // Whether the format of this extension has normal maps.
 bool CanHoldNormalMaps(const std::filesystem::path& path);
 
 // Writes by extension, all files or none:
 // - .glb: one file with the images in it, and with the normal maps.
-// - .obj: beside it NAME.mtl and an image for each page, NAME.png, or
-//   NAME_0.png and so on if there are several; coordinates with all their
-//   digits. Normal maps become NAME_normal.png (map_Bump).
+// - .obj: beside it NAME.mtl and an image for each page, NAME_texture.png, or
+//   NAME_texture_0.png and so on if there are several; coordinates with all
+//   their digits. Normal maps become NAME_normal.png (map_Bump).
 // - .ply: binary, with images beside it as for .obj; texture coordinates of the
 //   corners of faces (texcoord, and texnumber if there are several pages) and
 //   comments TextureFile, as MeshLab reads and writes them. No normal maps.

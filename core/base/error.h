@@ -36,4 +36,15 @@ class InvariantError : public Error {
   using Error::Error;
 };
 
+// What `step` returns. The message of an InputError that it throws gets `name`,
+// a file or folder, in front.
+template <typename Step>
+auto NamingErrors(const std::string& name, Step&& step) {
+  try {
+    return step();
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  }
+}
+
 }  // namespace octacut

@@ -76,7 +76,7 @@ CellGrid ChooseGrid(const IndexedMesh& mesh,
                     size_t max_triangles,
                     const Context& context) {
   const double size = box.sizes().maxCoeff();
-  const Eigen::Vector3d origin = box.min();
+  const Eigen::Vector3d& origin = box.min();
   double fine = size / kMaxCells;
   double coarse = size;  // a single cell keeps no triangle
   while (coarse > 1.01 * fine) {
@@ -252,10 +252,25 @@ ClusteredMesh ClusterVertices(const IndexedMesh& mesh,
   }
   const Eigen::AlignedBox3d box = BoxOfTriangles(mesh);
   if (mesh.triangles.size() <= max_triangles || !(box.sizes().maxCoeff() > 0)) {
-    return WithoutUnusedVertices(mesh);
+    ClusteredMesh whole = WithoutUnusedVertices(mesh);
+    if (whole.mesh.positions.size() <= max_triangles ||
+        !(box.sizes().maxCoeff() > 0)) {
+      return whole;
+    }
   }
-  const CellGrid grid = ChooseGrid(mesh, box, max_triangles, context);
-  return Clustering(mesh, grid).Result();
+  ClusteredMesh result =
+      Clustering(mesh, ChooseGrid(mesh, box, max_triangles, context)).Result();
+  if (result.mesh.positions.size() > max_triangles) {
+    // Triangles that share no vertices have three each.
+    result = Clustering(mesh, ChooseGrid(mesh, box, max_triangles / 3, context))
+                 .Result();
+  }
+  ClusteredMesh used = WithoutUnusedVertices(result.mesh);
+  for (uint32_t& source : used.sources) {
+    source = result.sources[source];
+  }
+  used.is_simplified = true;
+  return used;
 }
 
 }  // namespace octacut

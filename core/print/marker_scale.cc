@@ -151,13 +151,15 @@ MarkerScale MeasureMarkerScale(const std::vector<MarkerSighting>& sightings,
     scale.markers.push_back(*marker);
   }
   if (scale.markers.empty()) {
-    throw InputError(fmt::format(
-        "ArUco markers: {} different markers were found in the photographs, "
-        "but "
-        "none in two views that agree on where it is and whose directions "
-        "differ by {:g} degrees",
-        by_id.size(),
-        kMinAngle));
+    throw InputError(
+        by_id.empty()
+            ? "the photographs show no ArUco marker of this dictionary"
+            : fmt::format(
+                  "the photographs show {} different ArUco markers, but none "
+                  "of them in two views that agree on where it is and whose "
+                  "directions differ by {:g} degrees",
+                  by_id.size(),
+                  kMinAngle));
   }
   scale.factor = side * double(scale.markers.size()) / sum_of_sides;
   scale.reprojection_rms = std::sqrt(sum_of_squares / double(num_corners));

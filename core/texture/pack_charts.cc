@@ -69,7 +69,7 @@ class OpenPage {
       int y = 0;
       for (int c = 0; c < outline.Width() && y < best_y; ++c) {
         if (outline.high[size_t(c)] >= 0) {
-          y = std::max(y, bottom_[size_t(x + c)] - outline.low[size_t(c)]);
+          y = std::max(y, bottom_[size_t(x) + size_t(c)] - outline.low[size_t(c)]);
         }
       }
       if (y < best_y) {
@@ -82,7 +82,7 @@ class OpenPage {
     }
     for (int c = 0; c < outline.Width(); ++c) {
       if (outline.high[size_t(c)] >= 0) {
-        bottom_[size_t(best_x + c)] = best_y + outline.high[size_t(c)] + 1;
+        bottom_[size_t(best_x) + size_t(c)] = best_y + outline.high[size_t(c)] + 1;
       }
     }
     height_ = std::max(height_, best_y + outline.height);
@@ -98,6 +98,19 @@ class OpenPage {
   int height_ = 0;
   std::vector<int> bottom_;  // first free row of each column
 };
+
+// The charts by height, the highest first: they fit best below each other then.
+std::vector<uint32_t> OrderByHeight(const std::vector<Outline>& outlines) {
+  std::vector<uint32_t> order(outlines.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+    const Outline& x = outlines[a];
+    const Outline& y = outlines[b];
+    return std::make_tuple(y.height, y.Width(), a) <
+           std::make_tuple(x.height, x.Width(), b);
+  });
+  return order;
+}
 
 }  // namespace
 
@@ -117,26 +130,18 @@ PackedCharts PackCharts(const Charts& charts,
   }
   const int limit = options.max_size / kCell;
   if (widest > limit || highest > limit) {
-    throw InputError(fmt::format(
-        "texture_size {}: one triangle takes {} texels; choose a larger "
+    throw OptionError(fmt::format(
+        "texture_size = {}: one triangle takes {} texels; choose a larger "
         "texture_size or a smaller texel_scale",
         options.max_size,
         std::max(widest, highest) * kCell));
   }
   const int side = std::clamp(
       int(std::ceil(std::sqrt(kWaste * double(area)))), widest, limit);
-  std::vector<uint32_t> order(outlines.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-    const Outline& x = outlines[a];
-    const Outline& y = outlines[b];
-    return std::make_tuple(y.height, y.Width(), a) <
-           std::make_tuple(x.height, x.Width(), b);
-  });
   PackedCharts result;
   result.places.resize(outlines.size());
   std::vector<OpenPage> pages;
-  for (const uint32_t chart : order) {
+  for (const uint32_t chart : OrderByHeight(outlines)) {
     for (size_t p = 0;; ++p) {
       if (p == pages.size()) {
         pages.emplace_back(side, limit);
@@ -150,8 +155,8 @@ PackedCharts PackCharts(const Charts& charts,
     phase.Advance();
   }
   if (pages.size() > size_t(options.max_pages)) {
-    throw InputError(fmt::format(
-        "max_pages {}: the texture needs {} pages of {} x {} texels; allow "
+    throw OptionError(fmt::format(
+        "max_pages = {}: the texture needs {} pages of {} x {} texels; allow "
         "more pages, a larger texture_size, or a texel_scale that is {:.2f} "
         "times the present one",
         options.max_pages,

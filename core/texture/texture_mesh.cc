@@ -209,9 +209,11 @@ TexturingResult TextureMesh(const IndexedMesh& mesh,
       ChooseViews(mesh, neighbors, views, costs, context, &summary);
   Summarize(mesh, views, chosen, &summary);
   if (summary.num_unseen == summary.num_triangles) {
-    throw InputError(fmt::format(
-        "none of the {} photographs shows a triangle of the mesh; is the mesh "
-        "in the frame of the sparse model?",
+    throw MeshNotSeenError(fmt::format(
+        "none of the {} photographs shows a triangle of the mesh: it is not in "
+        "the frame of the sparse model, its triangles face inward, or the "
+        "masks "
+        "leave it out",
         photographs.poses.size()));
   }
   summary.gains = costs.gains;

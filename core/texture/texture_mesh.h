@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/context.h"
+#include "core/base/error.h"
 #include "core/mesh/indexed_mesh.h"
 #include "core/texture/atlas_layout.h"
 #include "core/texture/paint_atlas.h"
@@ -52,6 +53,12 @@ struct TexturingResult {
   TextureSummary summary;
 };
 
+// No photograph shows any of the mesh.
+class MeshNotSeenError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 // The mesh may be open or closed, in the frame of the cameras. A photograph is
 // chosen for each triangle (FindFaceViews, ComputeViewCosts, ChooseLabels),
 // connected triangles of one photograph become charts (MakeCharts, PackCharts),
@@ -59,9 +66,9 @@ struct TexturingResult {
 // (PaintAtlas); what no photograph shows continues its surroundings
 // (FillColors). The same bytes for any number of threads.
 //
-// Throws InputError when the mesh has no triangles, when there are no
-// photographs or more than 65535, when no triangle is seen, or when the pages
-// do not suffice.
+// Throws MeshNotSeenError when no triangle is seen, OptionError when the pages
+// do not suffice, and InputError when the mesh has no triangles or when there
+// are no photographs or more than 65535.
 TexturingResult TextureMesh(const IndexedMesh& mesh,
                             const Photographs& photographs,
                             const TexturingOptions& options,

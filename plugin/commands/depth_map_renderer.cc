@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <opencv2/core.hpp>
 #include <system_error>
 #include <vector>
@@ -43,6 +44,8 @@ class DepthMapRenderer : public Command {
   };
   MapPaths PathsOf(const SparseImage& image) const;
   std::vector<const SparseImage*> WantedImages(const SparseModel& model) const;
+  void CheckIsSeen(const IndexedMesh& mesh, const SparseModel& model) const;
+  void WriteOrigin(size_t num_kept) const;
   void RenderMesh(const Workspace& workspace,
                   const std::vector<const SparseImage*>& images,
                   const Context& context);
@@ -110,10 +113,60 @@ void DepthMapRenderer::Write(const SparseImage& image,
   std::error_code ignored;
   fs::create_directories(paths.depth.parent_path(), ignored);
   fs::create_directories(paths.normals.parent_path(), ignored);
-  WriteDenseMap(paths.depth, maps.depth);
-  WriteDenseMap(paths.normals, maps.normals);
+  if (overwrite_ || !fs::exists(paths.depth)) {
+    WriteDenseMap(paths.depth, maps.depth);
+  }
+  if (overwrite_ || !fs::exists(paths.normals)) {
+    WriteDenseMap(paths.normals, maps.normals);
+  }
   ++num_written_;
   num_depths_ += size_t(cv::countNonZero(maps.depth));
+}
+
+// Whoever finds the maps, or what was fused from them, can see where they are
+// from. Written before the first map and after all that can fail.
+void DepthMapRenderer::WriteOrigin(size_t num_kept) const {
+  const fs::path path = workspace_path_ / "stereo" / "octacut-depths.json";
+  Json origin;
+  origin["program"] = "octacut";
+  origin["version"] = OctacutVersion();
+  origin["source"] = source_ == DepthSource::kMesh ? "mesh" : "sweep";
+  origin["mesh_path"] = mesh_path_.string();
+  origin["kept_maps"] = num_kept;
+  if (num_kept > 0) {
+    std::ifstream stream(path);
+    const Json earlier = Json::parse(stream, nullptr, false);
+    if (earlier.is_object()) {
+      // Maps of an earlier run are octacut's, too.
+      origin["kept_maps"] = earlier.value("kept_maps", Json(0));
+      origin["earlier"] = earlier;
+    }
+  }
+  WriteReport(path, origin);
+}
+
+void DepthMapRenderer::CheckIsSeen(const IndexedMesh& mesh,
+                                   const SparseModel& model) const {
+  for (const SparseImage& image : model.images) {
+    const PinholeCamera camera =
+        UndistortedCamera(*model.FindCamera(image.camera_id));
+    const Rigid3d cam_from_world = image.CamFromWorld();
+    for (const Eigen::Vector3d& position : mesh.positions) {
+      const Eigen::Vector3d point = cam_from_world * position;
+      if (point.z() > 0) {
+        const Eigen::Vector2d pixel = camera.Project(point);
+        if (pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= camera.width &&
+            pixel.y() <= camera.height) {
+          return;
+        }
+      }
+    }
+  }
+  throw InputError(fmt::format(
+      "{}: none of the {} photographs shows a vertex of the mesh; is it in the "
+      "frame of the sparse model?",
+      mesh_path_.string(),
+      model.images.size()));
 }
 
 void DepthMapRenderer::RenderMesh(const Workspace& workspace,
@@ -125,6 +178,8 @@ void DepthMapRenderer::RenderMesh(const Workspace& workspace,
                                  mesh_path_.string(),
                                  mesh.positions.size()));
   }
+  CheckIsSeen(mesh, workspace.model);
+  WriteOrigin(workspace.model.images.size() - images.size());
   const RayScene rays(mesh);
   Phase phase(context, "Depth maps of the mesh", images.size());
   for (const SparseImage* image : images) {
@@ -164,6 +219,7 @@ void DepthMapRenderer::Sweep(const Workspace& workspace,
       LoadScene(workspace_path_, loading_, sweep_.level + 1, context);
   const std::vector<cv::Mat> depths = SweepDenseDepths(
       loaded.scene, loaded.region.cube, loaded.region.box, sweep_, context);
+  WriteOrigin(workspace.model.images.size() - images.size());
   Phase phase(context, "Depth maps of the sweep", images.size());
   for (const SparseImage* image : images) {
     const PinholeCamera camera =
@@ -217,21 +273,10 @@ void DepthMapRenderer::Run(const CommandEnvironment& environment) {
   CheckUndistorted(workspace);
   const std::vector<const SparseImage*> images = WantedImages(workspace.model);
   const size_t num_kept = workspace.model.images.size() - images.size();
-  if (!images.empty()) {
-    // Whoever finds the maps, or what was fused from them, can see where they
-    // are from.
-    Json origin;
-    origin["program"] = "octacut";
-    origin["version"] = OctacutVersion();
-    origin["source"] = is_mesh ? "mesh" : "sweep";
-    origin["mesh_path"] = mesh_path_.string();
-    origin["kept_maps"] = num_kept;
-    WriteReport(workspace.path / "stereo" / "octacut-depths.json", origin);
-    if (is_mesh) {
-      RenderMesh(workspace, images, context);
-    } else {
-      Sweep(workspace, images, context);
-    }
+  if (!images.empty() && is_mesh) {
+    RenderMesh(workspace, images, context);
+  } else if (!images.empty()) {
+    Sweep(workspace, images, context);
   }
   environment.out << fmt::format(
       "{}: {} depth maps and normal maps written with {} depths, {} kept\n",

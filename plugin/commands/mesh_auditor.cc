@@ -8,6 +8,7 @@
 #include "core/base/check_option.h"
 #include "core/print/overhangs.h"
 #include "core/print/wall_thickness.h"
+#include "plugin/file_roles.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/print_json.h"
 #include "plugin/report.h"
@@ -151,7 +152,9 @@ void MeshAuditor::Warn(const MeshAudit& audit,
 void MeshAuditor::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   Check();
-  CheckReportPath(output_path_, {input_path_});
+  FileRoles files;
+  files.Read(input_path_, "the mesh to measure");
+  files.Write("output_path", output_path_, "the report");
   MeasuredMesh measured =
       MeasureMesh(input_path_, input_path_.filename().string(), true, context);
   const MeshAudit& audit = measured.result.audit;

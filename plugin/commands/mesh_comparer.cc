@@ -4,11 +4,9 @@
 
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <utility>
 #include <vector>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/workspace.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/check_option.h"
@@ -19,6 +17,7 @@
 #include "plugin/benchmark_protocol.h"
 #include "plugin/comparison_options.h"
 #include "plugin/comparison_tables.h"
+#include "plugin/file_roles.h"
 #include "plugin/judged_part.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
@@ -270,11 +269,17 @@ void MeshComparer::CheckPaths() const {
               "input_views_path",
               judged_.input_views_path.string(),
               "cannot be used together with transform_path");
-  std::vector<fs::path> files_read = input_paths_;
-  files_read.push_back(reference_path_);
-  CheckReportPath(output_path_, files_read);
-  files_read.push_back(output_path_);
-  CheckPagePath(html_path_, files_read);
+  FileRoles files;
+  for (const fs::path& path : input_paths_) {
+    files.Read(path, "a mesh to compare");
+  }
+  for (const fs::path& path : protocol_.crop_paths) {
+    files.Read(path, "the crop");
+  }
+  files.Read(reference_path_, "the reference");
+  files.Read(transform_path_, "the transform to read");
+  files.Write("output_path", output_path_, "the report");
+  CheckPagePath(html_path_, &files);
   CheckOption(transform_output_path_.empty() ||
                   ((compare_.align || protocol_run_->Aligns()) &&
                    input_paths_.size() == 1),
@@ -282,18 +287,12 @@ void MeshComparer::CheckPaths() const {
               transform_output_path_.string(),
               "needs align = 1 or a protocol that aligns, and a single "
               "input_path");
-  if (!transform_output_path_.empty()) {
-    CheckFilePath(transform_output_path_);
-  }
+  files.Write(
+      "transform_output_path", transform_output_path_, "the transform found");
   if (!distance_path_.empty()) {
-    std::set<fs::path> names;
     for (const fs::path& path : input_paths_) {
-      CheckFilePath(DistancePath(path));
-      CheckOption(names.insert(DistancePath(path)).second,
-                  "distance_path",
-                  distance_path_.string(),
-                  fmt::format("two meshes would be saved as {}",
-                              DistancePath(path).filename().string()));
+      files.Write(
+          "distance_path", DistancePath(path), "the distances of another mesh");
     }
   }
 }
@@ -384,8 +383,8 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
   judged_.Check();
-  input_paths_ = SplitPaths(input_paths_);
-  protocol_.crop_paths = SplitPaths(protocol_.crop_paths);
+  input_paths_ = SplitPaths("input_path", input_paths_);
+  protocol_.crop_paths = SplitPaths("crop_path", protocol_.crop_paths);
   CheckProtocolOptions(protocol_, reference_path_, environment.options);
   protocol_run_.emplace(protocol_);
   CheckPaths();

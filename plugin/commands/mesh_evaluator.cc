@@ -14,6 +14,7 @@
 #include "core/benchmark/evaluate/evaluate_mesh.h"
 #include "core/benchmark/evaluate/paired_bootstrap.h"
 #include "core/raycast/ray_scene.h"
+#include "plugin/file_roles.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/page/page_builder.h"
@@ -340,11 +341,13 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
               "image_level",
               image_level_,
               "must be in 1 .. 20");
-  mesh_paths_ = SplitPaths(mesh_paths_);
-  CheckReportPath(output_path_, mesh_paths_);
-  std::vector<std::filesystem::path> others = mesh_paths_;
-  others.push_back(output_path_);
-  CheckPagePath(html_path_, others);
+  mesh_paths_ = SplitPaths("mesh_path", mesh_paths_);
+  FileRoles files;
+  for (const std::filesystem::path& path : mesh_paths_) {
+    files.Read(path, "a mesh to evaluate");
+  }
+  files.Write("output_path", output_path_, "the report");
+  CheckPagePath(html_path_, &files);
   loading_.load_images = evaluate_.photometric;
   // A mesh is judged by what it is given.
   loading_.keep_all_views = true;

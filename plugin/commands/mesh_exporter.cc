@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/workspace.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/camera_projector.h"
@@ -24,6 +23,7 @@
 #include "core/print/resting_plane.h"
 #include "plugin/closed_mesh.h"
 #include "plugin/export_scale.h"
+#include "plugin/file_roles.h"
 #include "plugin/mesh_json.h"
 #include "plugin/print_json.h"
 #include "plugin/report.h"
@@ -83,8 +83,8 @@ void MeshExporter::DeclareOptions(OptionManager& options) {
       .Add("report_path",
            &report_path_,
            "JSON report to write, with the 4 x 4 matrix from the frame of the "
-           "mesh to that of the file. Default: the output path with the "
-           "extension .json.")
+           "mesh to that of the file. Default: the output path followed by "
+           ".json.")
       .ForExperts();
   scale_.Declare(options);
   options.Add("up",
@@ -196,8 +196,11 @@ Eigen::Vector3d MeshExporter::FindUp(const IndexedMesh& mesh,
                                      Json* json) const {
   Eigen::Vector3d up = ParseUp(up_);
   if (up_ == kStand) {
-    const RestingPlane stand = FindRestingPlane(
-        mesh, SurroundingsOf(mesh, workspace.value().model), context);
+    const RestingPlane stand =
+        NamingErrors(workspace.value().model_path.string(), [&] {
+          return FindRestingPlane(
+              mesh, SurroundingsOf(mesh, workspace.value().model), context);
+        });
     up = stand.up;
     context.Info(fmt::format(
         "stand: {} of {} sparse points around the object lie in its plane, up "
@@ -257,20 +260,17 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   Check();
   if (report_path_.empty()) {
-    report_path_ = fs::path(output_path_).replace_extension(".json");
+    report_path_ = output_path_.string() + ".json";
   }
   CheckMeshPath(output_path_);
   CheckOption(MeshFormatOf(output_path_) != MeshFormat::kGlb,
               "output_path",
               output_path_.string(),
               "must not be a .glb file, whose units are metres");
-  CheckFilePath(report_path_);
-  CheckIsAnotherFile(
-      "report_path", report_path_, input_path_, "the mesh to export");
-  CheckIsAnotherFile(
-      "report_path", report_path_, output_path_, "the file to write");
-  CheckIsAnotherFile(
-      "output_path", output_path_, input_path_, "the mesh to export");
+  FileRoles files;
+  files.Read(input_path_, "the mesh to export");
+  files.Write("output_path", output_path_, "the file to print");
+  files.Write("report_path", report_path_, "the report");
   const IndexedMesh mesh = ReadClosedMesh(input_path_, context);
   const std::optional<Workspace> workspace = OpenIfNeeded(context);
   const ExportScale scale = scale_.Find(workspace, context);

@@ -56,11 +56,12 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
 void MeshRefiner::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   refinement_.Check();
-  workspace_.Complete("meshed-refined.ply");
   if (mesh_path_.empty()) {
     mesh_path_ = workspace_.workspace_path / "meshed-octahedral.ply";
   }
-  workspace_.CheckReportIsNot(mesh_path_, "the mesh to refine");
+  FileRoles files;
+  files.Read(mesh_path_, "the mesh to refine");
+  workspace_.Complete("meshed-refined.ply", files);
   IndexedMesh mesh = ReadClosedMesh(mesh_path_, context);
   workspace_.loading.fill_bites = fill_false_gaps_;
   const LoadedScene loaded = LoadScene(

@@ -13,6 +13,7 @@
 #include "core/mesh/audit.h"
 #include "core/simplify/simplify_mesh.h"
 #include "plugin/closed_mesh.h"
+#include "plugin/file_roles.h"
 #include "plugin/mesh_json.h"
 #include "plugin/report.h"
 #include "plugin/text_table.h"
@@ -89,8 +90,7 @@ void MeshSimplifier::DeclareOptions(OptionManager& options) {
   options
       .Add("report_path",
            &report_path_,
-           "JSON report to write. Default: the output path with the extension "
-           ".json.")
+           "JSON report to write. Default: the output path followed by .json.")
       .ForExperts();
 }
 
@@ -215,16 +215,15 @@ void MeshSimplifier::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   Check();
   if (report_path_.empty()) {
-    report_path_ = fs::path(output_path_).replace_extension(".json");
+    report_path_ = output_path_.string() + ".json";
   }
-  CheckIsAnotherFile(
-      "report_path", report_path_, input_path_, "the mesh to simplify");
+  FileRoles files;
+  files.Read(input_path_, "the mesh to simplify");
   for (int level = 0; level < levels_; ++level) {
     CheckMeshPath(PathOf(level));
-    CheckIsAnotherFile(
-        "report_path", report_path_, PathOf(level), "the mesh to write");
+    files.Write("output_path", PathOf(level), "the simplified mesh");
   }
-  CheckFilePath(report_path_);
+  files.Write("report_path", report_path_, "the report");
   const IndexedMesh full = ReadClosedMesh(input_path_, context);
   const size_t num_full = full.triangles.size();
   const size_t least = TargetOf(levels_ - 1, num_full);

@@ -3,11 +3,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <system_error>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_io.h"
-#include "core/base/check_option.h"
+#include "plugin/file_roles.h"
 #include "plugin/report.h"
 #include "plugin/texturing.h"
 #include "plugin/workspace_options.h"
@@ -56,16 +54,10 @@ void MeshTexturer::Complete() {
     arguments_.output_path = mesh_path_;
     arguments_.output_path.replace_extension(".glb");
   }
-  arguments_.Check();
-  std::error_code ignored;
-  CheckOption(fs::weakly_canonical(arguments_.output_path, ignored) !=
-                  fs::weakly_canonical(mesh_path_, ignored),
-              "output_path",
-              arguments_.output_path.string(),
-              "must not be the mesh to texture");
-  if (!report_path_.empty()) {
-    CheckFilePath(report_path_);
-  }
+  FileRoles files;
+  files.Read(mesh_path_, "the mesh to texture");
+  arguments_.Check(&files);
+  files.Write("report_path", report_path_, "the report");
 }
 
 void MeshTexturer::Run(const CommandEnvironment& environment) {

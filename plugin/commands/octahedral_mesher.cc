@@ -134,15 +134,12 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   meshing_.refinement.patch.chroma_weight = meshing_.consistency.chroma_weight;
   meshing_.confidence = workspace_.confidence;
   meshing_.Check();
-  workspace_.Complete("meshed-octahedral.ply");
+  FileRoles files = workspace_.Complete("meshed-octahedral.ply");
   if (picture_) {
-    const std::filesystem::path picture_path = workspace_.Beside(".png");
-    workspace_.CheckReportIsNot(picture_path, "the picture");
-    CheckFilePath(picture_path);
+    files.Write("picture", workspace_.Beside(".png"), "the picture");
   }
-  if (texture_) {
-    workspace_.CheckReportIsNot(workspace_.Beside(".glb"), "the textured mesh");
-    CheckTexturedMeshPath(workspace_.Beside(".glb"));
+  if (texture_ && workspace_.Beside(".glb") != workspace_.output_path) {
+    files.Write("texture", workspace_.Beside(".glb"), "the textured mesh");
   }
   workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
   workspace_.loading.fill_bites = meshing_.fill_false_gaps;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "colmap_io/files/atomic_files.h"
+#include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "plugin/page/page_assets.h"
 #include "plugin/page/page_blobs.h"
@@ -118,20 +119,17 @@ void WriteFilled(
 fs::path ThreeJsPath() { return "/usr/share/javascript/three/three.min.js"; }
 
 void CheckPagePath(const fs::path& html_path,
-                   const std::vector<fs::path>& inputs,
+                   FileRoles* files,
                    const fs::path& three_js) {
   if (html_path.empty()) {
     return;
   }
-  for (const fs::path& input : inputs) {
-    std::error_code ignored;
-    if (fs::equivalent(input, html_path, ignored)) {
-      throw OptionError(fmt::format(
-          "html_path = {}: must not be one of the meshes or the report",
-          html_path.string()));
-    }
-  }
-  CheckFilePath(html_path);
+  CheckOption(
+      html_path.extension() == ".html" || html_path.extension() == ".htm",
+      "html_path",
+      html_path.string(),
+      "must end with .html or .htm");
+  files->Write("html_path", html_path, "the page");
   ReadThreeJs(three_js);
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/base/context.h"
 #include "core/scene/scene.h"
+#include "plugin/file_roles.h"
 #include "plugin/option_value.h"
 #include "plugin/page/page_mesh.h"
 
@@ -40,9 +41,10 @@ std::filesystem::path ThreeJsPath();
 
 // To be asked before any long work: throws InputError when the page cannot be
 // written or `three_js` is missing, and OptionError when `html_path` is one of
-// `inputs`. An empty html_path is no page.
+// `files`, which it joins, or does not end with .html or .htm. An empty
+// html_path is no page.
 void CheckPagePath(const std::filesystem::path& html_path,
-                   const std::vector<std::filesystem::path>& inputs,
+                   FileRoles* files,
                    const std::filesystem::path& three_js = ThreeJsPath());
 
 // `photographs` may be empty. The file appears whole or not at all.

@@ -9,6 +9,10 @@
 namespace octacut {
 namespace {
 
+// In diagonals of the reference: a scan of one side of an object and its mesh
+// may lie beside each other by as much.
+constexpr double kMostApart = 0.2;
+
 Eigen::AlignedBox3d BoxOf(const IndexedMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& position : mesh.positions) {
@@ -32,9 +36,13 @@ void CheckOverlap(const std::filesystem::path& path,
                   const std::filesystem::path& reference_path,
                   const IndexedMesh& reference) {
   const Eigen::AlignedBox3d box = BoxOf(reference);
-  if (box.exteriorDistance(BoxOf(mesh)) > box.diagonal().norm()) {
+  if (!(box.diagonal().norm() > 0)) {
+    throw InputError(fmt::format("{}: all points lie in one place",
+                                 reference_path.string()));
+  }
+  if (box.exteriorDistance(BoxOf(mesh)) > kMostApart * box.diagonal().norm()) {
     throw InputError(fmt::format(
-        "{}: the mesh does not overlap {}: it is more than a diagonal away; is "
+        "{}: the mesh does not overlap {}: their bounding boxes are apart; is "
         "it in another frame?",
         path.string(),
         reference_path.string()));

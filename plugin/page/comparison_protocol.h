@@ -16,7 +16,8 @@ namespace octacut {
 std::vector<std::string> NamesOf(const std::vector<ComparedMesh>& meshes);
 
 // Distances between meshes of different frames mean nothing: throws InputError
-// when the boxes are more than the reference's diagonal apart.
+// when the boxes are more than a fifth of the reference's diagonal apart, or
+// when the reference has no size.
 void CheckOverlap(const std::filesystem::path& path,
                   const IndexedMesh& mesh,
                   const std::filesystem::path& reference_path,

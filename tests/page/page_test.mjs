@@ -1,5 +1,5 @@
 // Looks at a page as a person would, in headless Chromium:
-//   node tests/page/page_test.mjs PAGE.html REPORT.json truth|photographs|benchmark
+//   node tests/page/page_test.mjs PAGE.html REPORT.json truth|distances|photographs|benchmark
 // Exits with 1 and says what is wrong.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
@@ -71,7 +71,17 @@ async function checkRendering() {
   await changes('the wireframe', () => browser.press('#viewer', 'w'));
   await browser.press('#viewer', 'w');
   await changes('the section', () => browser.press('#viewer', 's'));
+  await changes('the position of the section', () => browser.run(`
+    const slider = document.getElementById('section-position');
+    slider.value = 0.3;
+    slider.dispatchEvent(new Event('input'));`));
   await browser.press('#viewer', 's');
+  await changes('the range of the colours', () => browser.press('#viewer', '[[['));
+  await browser.press('#viewer', ']]]');
+  if (report.meshes.length > 1) {
+    await changes('the overlay', () => browser.click('#together'));
+    await browser.click('#together');
+  }
   await changes('plain paint', () => browser.run(`
     const select = document.getElementById('colour');
     select.value = 'plain';
@@ -135,10 +145,14 @@ async function checkBenchmark() {
   assert.ok(new Set(pixels.filter((_, i) => i % 4 !== 3)).size > 20, 'the cloud is drawn');
 }
 
-async function checkPhotographs() {
+async function checkWordsWithoutTruth() {
   const text = await browser.run('return document.body.innerText');
   assert.ok(!/\berrors?\b/i.test(text), 'no word of errors without a truth');
   assert.ok(!/F, %|F-score|precision|recall/.test(text), 'no scores without a truth');
+}
+
+async function checkPhotographs() {
+  await checkWordsWithoutTruth();
   for (const [i, mesh] of report.meshes.entries()) {
     assert.equal(await cell('photographs', i, 'support'), mesh.photo_support.mean.toFixed(4));
     assert.equal(await cell('photographs', i, 'covered'), share(1 - mesh.silhouettes.missed));
@@ -204,7 +218,12 @@ try {
   await checkRendering();
   await checkDistances();
   await checkPlaces();
-  await { truth: checkScores, photographs: checkPhotographs, benchmark: checkBenchmark }[kind]();
+  await {
+    truth: checkScores,
+    distances: checkWordsWithoutTruth,
+    photographs: checkPhotographs,
+    benchmark: checkBenchmark,
+  }[kind]();
   await checkReport();
   await checkPhone();
   const errors = await browser.consoleErrors();

@@ -116,11 +116,14 @@ TEST(Base64, TheExamplesOfTheRfc) {
 
 TEST(CheckPagePath, SaysWhichPackageIsMissing) {
   const TemporaryFolder folder;
+  FileRoles files;
   EXPECT_THAT(
-      [&] { CheckPagePath(folder / "p.html", {}, folder / "three.min.js"); },
+      [&] {
+        CheckPagePath(folder / "p.html", &files, folder / "three.min.js");
+      },
       ThrowsMessage<InputError>(HasSubstr("libjs-three")));
   EXPECT_FALSE(fs::exists(folder / "p.html"));
-  EXPECT_NO_THROW(CheckPagePath("", {}, folder / "three.min.js"));
+  EXPECT_NO_THROW(CheckPagePath("", &files, folder / "three.min.js"));
 }
 
 TEST_F(ComparisonPageTest, ComparesWithATruth) {
@@ -148,6 +151,21 @@ TEST_F(ComparisonPageTest, ComparesWithATruth) {
       report["meshes"][0]["comparison"]["to_reference"]["max"],
       0.3 * double(report["meshes"][0]["comparison"]["to_reference"]["max"]));
   LookAt("truth");
+}
+
+TEST_F(ComparisonPageTest, SpeaksOfDistancesWithoutATruth) {
+  const ProgramResult result = Compare({"--input_path",
+                                        Hull(),
+                                        "--reference_is_truth",
+                                        "0",
+                                        "--num_samples",
+                                        "20000"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto report = nlohmann::json::parse(ReadFile(Report()));
+  EXPECT_FALSE(report["meshes"][0]["comparison"].contains("scores"));
+  const auto shown = nlohmann::json::parse(Embedded(ReadFile(Page()), "page"));
+  EXPECT_EQ(shown["has_truth"], false);
+  LookAt("distances");
 }
 
 TEST_F(ComparisonPageTest, ShowsCloudsAndTheFiguresOfABenchmark) {

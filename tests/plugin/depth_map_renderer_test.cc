@@ -4,6 +4,7 @@
 #include <opencv2/core.hpp>
 
 #include "colmap_io/images/dense_map_file.h"
+#include "colmap_io/mesh/mesh_io.h"
 #include "tests/plugin/small_workspace.h"
 
 namespace octacut::testing {
@@ -91,6 +92,34 @@ TEST_F(DepthMapRendererTest, TheMeshAndTheSweepAgree) {
   EXPECT_GT(num_facing, 0.7 * num_both);
   EXPECT_THAT(ReadFile(Workspace() / "stereo" / "octacut-depths.json"),
               HasSubstr("\"sweep\""));
+}
+
+TEST_F(DepthMapRendererTest, OnlyTheMissingMapOfAPairIsWritten) {
+  MakeStereoFolders();
+  ASSERT_EQ(Render({"--mesh_path", Truth()}).exit_code, 0);
+  folder_.Write("w/stereo/depth_maps/view_003.jpg.geometric.bin", "precious");
+  fs::remove(Map("normal_maps"));
+  const ProgramResult result = Render({"--mesh_path", Truth()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(ReadFile(Map("depth_maps")), "precious");
+  EXPECT_TRUE(fs::exists(Map("normal_maps")));
+  // Maps of the earlier run are octacut's, too.
+  EXPECT_THAT(ReadFile(Workspace() / "stereo" / "octacut-depths.json"),
+              HasSubstr("\"kept_maps\": 0"));
+}
+
+TEST_F(DepthMapRendererTest, AFailedRunLeavesNoLabel) {
+  MakeStereoFolders();
+  IndexedMesh away = ReadMesh(Truth()).mesh;
+  for (Eigen::Vector3d& position : away.positions) {
+    position += Eigen::Vector3d(300, 500, 100);
+  }
+  WriteMesh(folder_ / "away.ply", away);
+  EXPECT_THAT(Render({"--mesh_path", (folder_ / "away.ply").string()}).err,
+              HasSubstr("away.ply: none of the 12 photographs shows"));
+  EXPECT_EQ(Render({"--mesh_path", (folder_ / "gone.ply").string()}).exit_code,
+            1);
+  EXPECT_FALSE(fs::exists(Workspace() / "stereo" / "octacut-depths.json"));
 }
 
 TEST_F(DepthMapRendererTest, MistakesAreNamed) {

@@ -202,8 +202,10 @@ TEST_F(InputErrors, PathsThatCannotBeWritten) {
   const fs::path beside = Workspace() / "." / "meshed-octahedral.";
   ExpectError("must not be the same file as the mesh",
               {"--report_path", beside.string() + "ply"});
-  ExpectError("must not be the same file as the picture",
+  ExpectError("must not be the same file as the report",
               {"--report_path", beside.string() + "png"});
+  ExpectError("must not be a .3mf file, whose units are millimetres",
+              {"--output_path", (folder_ / "x.3mf").string()});
   fs::create_directories(folder_ / "other.png");
   ExpectError("other.png", {"--output_path", (folder_ / "other.ply").string()});
   WriteBytes(folder_ / "gone", "a file");

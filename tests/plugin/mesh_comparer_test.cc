@@ -351,9 +351,11 @@ TEST_F(MeshComparerTest, WithoutATruthThereAreNoScores) {
 
 TEST_F(MeshComparerTest, MistakesAreNamed) {
   const std::string mesh = folder_.Write("mesh.ply", kTetrahedron);
+  const std::string other = folder_.Write("other.ply", kTetrahedron);
   const std::string empty = folder_.Write("empty.obj", "# nothing\n");
   const std::string broken =
       folder_.Write("broken.ply", std::string(kTetrahedron, 150));
+  fs::create_directory(folder_ / "d");
   struct Case {
     std::vector<std::string> arguments;
     std::string message;
@@ -391,6 +393,51 @@ TEST_F(MeshComparerTest, MistakesAreNamed) {
        "out.json: cannot be written"},
       {{"--input_path", mesh, "--reference_path", mesh, "--output_path", mesh},
        "--output_path = "},
+      {{"--input_path", mesh + ",", "--reference_path", mesh},
+       "--input_path = " + mesh + ",: must be names of files"},
+      {{"--input_path", ",", "--reference_path", mesh, "--protocol", "metro"},
+       "--input_path = ,: must be names of files"},
+      {{"--input_path",
+        mesh,
+        "--reference_path",
+        other,
+        "--align",
+        "1",
+        "--transform_output_path",
+        other},
+       "--transform_output_path = " + other +
+           ": must not be the same file as "
+           "the reference"},
+      {{"--input_path",
+        folder_.Write("d/y.off", Square(0)),
+        "--reference_path",
+        folder_.Write("d/y-distance.ply", kTetrahedron),
+        "--distance_path",
+        folder_ / "d"},
+       "must not be the same file as the reference"},
+      {{"--input_path",
+        mesh,
+        "--reference_path",
+        mesh,
+        "--output_path",
+        folder_ / "same.html",
+        "--html_path",
+        folder_ / "same.html"},
+       "--html_path = "},
+      {{"--input_path", mesh, "--reference_path", mesh, "--html_path", "p.txt"},
+       "--html_path = p.txt: must end with .html or .htm"},
+      {{"--input_path",
+        mesh,
+        "--reference_path",
+        mesh,
+        "--transform_path",
+        folder_ / "gone.txt"},
+       "gone.txt: cannot be opened"},
+      {{"--input_path",
+        mesh,
+        "--reference_path",
+        folder_.Write("point.obj", "v 1 2 3\n")},
+       "point.obj: all points lie in one place"},
   };
   for (const Case& mistake : cases) {
     const ProgramResult result = Compare(mistake.arguments);
@@ -399,6 +446,7 @@ TEST_F(MeshComparerTest, MistakesAreNamed) {
     EXPECT_THAT(result.out, IsEmpty());
   }
   EXPECT_EQ(ReadFile(mesh), kTetrahedron);
+  EXPECT_EQ(ReadFile(other), kTetrahedron);
 }
 
 }  // namespace

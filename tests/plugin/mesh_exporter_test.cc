@@ -47,7 +47,7 @@ class MeshExporterTest : public ::testing::Test {
   std::string Path(const std::string& name) const {
     return (folder_ / name).string();
   }
-  nlohmann::json Report(const std::string& name = "out.json") const {
+  nlohmann::json Report(const std::string& name = "out.stl.json") const {
     return nlohmann::json::parse(ReadFile(folder_ / name));
   }
   MeshAudit AuditOf(const std::string& name = "out.stl") const {
@@ -203,7 +203,8 @@ TEST_F(MeshExporterTest, MistakesAreNamed) {
         "7x7_250",
         "--workspace_path",
         workspace},
-       "ArUco markers: 0 different markers"},
+       "images: the photographs show no ArUco marker of this "
+       "dictionary"},
   };
   for (const Case& mistake : cases) {
     const ProgramResult result = Export(mistake.arguments);

@@ -56,7 +56,7 @@ TEST_F(MeshSimplifierTest, WritesTheMeshAndHowFarItIs) {
   EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
   EXPECT_EQ(mesh.colors.size(), mesh.positions.size());
   EXPECT_EQ(AuditMesh(mesh).DescribeFailure(), "");
-  const nlohmann::json report = Report("s.json");
+  const nlohmann::json report = Report("s.ply.json");
   EXPECT_EQ(report["input"]["triangles"], 6912);
   ASSERT_EQ(report["levels"].size(), 1u);
   const nlohmann::json& level = report["levels"][0];
@@ -86,14 +86,14 @@ TEST_F(MeshSimplifierTest, AChainGetsCoarserByTheSameFactor) {
               expected - expected % 2);
   }
   EXPECT_FALSE(fs::exists(folder_ / "chain.obj"));
-  EXPECT_EQ(Report("chain.json")["levels"].size(), 4u);
+  EXPECT_EQ(Report("chain.obj.json")["levels"].size(), 4u);
 }
 
 TEST_F(MeshSimplifierTest, KeepsTheGreatestDistance) {
   const ProgramResult result = Simplify(
       {"--output_path", Path("e.ply"), "--max_error", "0.02", "--levels", "2"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  const nlohmann::json report = Report("e.json");
+  const nlohmann::json report = Report("e.ply.json");
   EXPECT_LE(report["levels"][0]["comparison"]["hausdorff"], 0.01);
   EXPECT_LE(report["levels"][1]["comparison"]["hausdorff"], 0.02);
   EXPECT_LT(report["levels"][1]["audit"]["triangles"],
@@ -161,6 +161,8 @@ TEST_F(MeshSimplifierTest, MistakesAreNamed) {
         "--report_path",
         Path("full.ply")},
        "--report_path = "},
+      {{"--output_path", Path("full.ply"), "--target_faces", "9"},
+       "full.ply: must not be the same file as the mesh to simplify"},
   };
   for (const Case& mistake : cases) {
     const ProgramResult result = Simplify(mistake.arguments);

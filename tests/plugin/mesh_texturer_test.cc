@@ -117,8 +117,8 @@ TEST_F(MeshTexturer, WritesAGlbWithItsPagesInside) {
 
 TEST_F(MeshTexturer, WritesObjWithMaterialsAndPlyWithTexcoords) {
   ASSERT_EQ(Texture(Output("t.obj"), {"--image_format", "jpeg"}).exit_code, 0);
-  EXPECT_THAT(ReadFile(Output("t.mtl")), HasSubstr("map_Kd t.jpg"));
-  const cv::Mat page = cv::imread(Output("t.jpg").string());
+  EXPECT_THAT(ReadFile(Output("t.mtl")), HasSubstr("map_Kd t_texture.jpg"));
+  const cv::Mat page = cv::imread(Output("t_texture.jpg").string());
   ASSERT_FALSE(page.empty());
   EXPECT_THAT(ReadFile(Output("t.obj")),
               AllOf(HasSubstr("mtllib t.mtl"),
@@ -126,15 +126,108 @@ TEST_F(MeshTexturer, WritesObjWithMaterialsAndPlyWithTexcoords) {
                     HasSubstr("\nvt ")));
   ASSERT_EQ(Texture(Output("t.ply"), {"--texture_size", "128"}).exit_code, 0);
   EXPECT_THAT(ReadFile(Output("t.ply")),
-              AllOf(HasSubstr("comment TextureFile t_0.png"),
+              AllOf(HasSubstr("comment TextureFile t_texture_0.png"),
                     HasSubstr("property list uchar float texcoord"),
                     HasSubstr("property int texnumber")));
-  EXPECT_FALSE(cv::imread(Output("t_0.png").string()).empty());
+  EXPECT_FALSE(cv::imread(Output("t_texture_0.png").string()).empty());
   // Our own reader skips what it does not use.
   const IndexedMesh mesh = ReadMesh(Reference()).mesh;
   EXPECT_EQ(ReadMesh(Output("t.ply")).mesh.triangles, mesh.triangles);
   EXPECT_EQ(ReadMesh(Output("t.obj")).mesh.triangles.size(),
             mesh.triangles.size());
+}
+
+TEST_F(MeshTexturer, ReplacesNoneOfItsOtherFiles) {
+  const std::string mesh = Output("m.obj").string();
+  WriteMesh(mesh, ReadMesh(Reference()).mesh);
+  WriteMesh(Output("full.obj"), ReadMesh(Reference()).mesh);
+  const std::string before = ReadFile(mesh);
+  const auto expect_refusal = [&](const std::string& message,
+                                  const fs::path& output,
+                                  const std::vector<std::string>& options) {
+    const ProgramResult result = TextureMesh(mesh, output, options);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_THAT(result.err, HasSubstr(message));
+    EXPECT_EQ(ReadFile(mesh), before);
+  };
+  expect_refusal("--output_path = " + mesh +
+                     ": must not be the same file as the mesh to texture",
+                 mesh,
+                 {});
+  expect_refusal(
+      "--report_path = " + mesh, Output("t.glb"), {"--report_path", mesh});
+  expect_refusal("must not be the same file as the textured mesh",
+                 Output("t.glb"),
+                 {"--report_path", Output("t.glb").string()});
+  expect_refusal("must not be the same file as a file of the textured mesh",
+                 Output("t.obj"),
+                 {"--picture_path", Output("t_texture.png").string()});
+  expect_refusal("must not be the same file as the mesh of normal_map_from",
+                 Output("full.obj"),
+                 {"--normal_map_from", Output("full.obj").string()});
+  expect_refusal("--picture_path = " + Output("t.xyz").string() +
+                     ": must end with .png or .jpg",
+                 Output("t.glb"),
+                 {"--picture_path", Output("t.xyz").string()});
+  EXPECT_FALSE(fs::exists(Output("t.glb")));
+}
+
+TEST_F(MeshTexturer, GlbWithPagesOfJpegIsValid) {
+  const fs::path output = Output("pages.glb");
+  ASSERT_EQ(Texture(output, {"--image_format", "jpeg", "--texture_size", "128"})
+                .exit_code,
+            0);
+  const Json json = JsonOfGlb(ReadFile(output));
+  EXPECT_GT(json["images"].size(), 1u);
+  EXPECT_EQ(json["images"][0]["mimeType"], "image/jpeg");
+  ValidateGlb(output);
+}
+
+TEST_F(MeshTexturer, FilesAreTheSameForAnyNumberOfThreads) {
+  for (const char* blending : {"best", "median"}) {
+    for (const char* threads : {"1", "2"}) {
+      ASSERT_EQ(Texture(Output(std::string(threads) + ".glb"),
+                        {"--view_blending", blending, "--num_threads", threads})
+                    .exit_code,
+                0);
+    }
+    EXPECT_EQ(ReadFile(Output("1.glb")), ReadFile(Output("2.glb")));
+  }
+}
+
+TEST_F(MeshTexturer, WarnsOfMeshesThatAreHardlySeen) {
+  IndexedMesh mesh = ReadMesh(Reference()).mesh;
+  for (Eigen::Vector3d& position : mesh.positions) {
+    position *= 20;
+  }
+  WriteMesh(Output("scaled.ply"), mesh);
+  const ProgramResult result =
+      TextureMesh(Output("scaled.ply"), Output("scaled.glb"));
+  EXPECT_THAT(result.err, HasSubstr("scaled.ply: the photographs show only"));
+}
+
+TEST_F(MeshTexturer, TheMesherTexturesItsOwnMesh) {
+  const fs::path mesh = Output("own.ply");
+  const ProgramResult result = RunOctacut({"octahedral_mesher",
+                                           "--workspace_path",
+                                           Workspace().string(),
+                                           "--OctahedralMeshing.hull_level",
+                                           "5",
+                                           "--OctahedralMeshing.target_level",
+                                           "6",
+                                           "--texture",
+                                           "1",
+                                           "--output_path",
+                                           mesh.string()});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const Json json = JsonOfGlb(ReadFile(Output("own.glb")));
+  const Json primitive = json["meshes"][0]["primitives"][0];
+  EXPECT_EQ(json["accessors"][primitive["indices"].get<size_t>()]["count"],
+            3 * ReadMesh(mesh).mesh.triangles.size());
+  EXPECT_EQ(json["images"].size(), 1u);
+  const Json texture = Json::parse(ReadFile(Output("own.json")))["texture"];
+  EXPECT_EQ(texture["unfilled_texels"], 0);
+  EXPECT_LT(texture["unseen_area_fraction"].get<double>(), 0.2);
 }
 
 TEST_F(MeshTexturer, NeedsNoMasksAndTakesOpenMeshes) {
@@ -192,7 +285,7 @@ TEST_F(MeshTexturer, RefusesFullMeshesThatDoNotFit) {
 
 TEST_F(MeshTexturer, RefusesWrongInputWithOneError) {
   const fs::path output = Output("refused.glb");
-  ExpectError("max_pages 1: the texture needs",
+  ExpectError("--max_pages = 1: the texture needs",
               Reference(),
               output,
               {"--texture_size", "64", "--max_pages", "1"});
@@ -205,6 +298,14 @@ TEST_F(MeshTexturer, RefusesWrongInputWithOneError) {
   }
   WriteMesh(Output("moved.ply"), mesh);
   ExpectError("frame of the sparse model", Output("moved.ply"), output);
+  IndexedMesh inward = ReadMesh(Reference()).mesh;
+  for (auto& triangle : inward.triangles) {
+    std::swap(triangle[0], triangle[1]);
+  }
+  WriteMesh(Output("inward.ply"), inward);
+  ExpectError("inward.ply: none of the 12 photographs shows a triangle",
+              Output("inward.ply"),
+              output);
   mesh.triangles.clear();
   WriteMesh(Output("points.ply"), mesh);
   ExpectError(

@@ -63,7 +63,7 @@ TEST_F(PrintingTools, PrusaSlicerReadsAManifold) {
     ASSERT_TRUE(
         std::regex_search(info, match, std::regex("max_z = ([0-9.]+)")));
     const nlohmann::json report =
-        nlohmann::json::parse(ReadFile(folder_ / "out.json"));
+        nlohmann::json::parse(ReadFile(path + ".json"));
     EXPECT_NEAR(std::stod(match[1]),
                 report["audit"]["bounding_box"][1][2].get<double>(),
                 1e-4);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "plugin/page/comparison_page.h"
 #include "plugin/report.h"
 #include "tests/plugin/run_octacut.h"
 
@@ -57,6 +58,7 @@ TEST(Workflows, CompareDenseSaysWhatIsMissing) {
   const ProgramResult alone = RunWorkflow("compare_dense.sh", workspace);
   EXPECT_EQ(alone.exit_code, 0);
   EXPECT_THAT(alone.out, HasSubstr("no mesh of COLMAP"));
+  EXPECT_THAT(alone.out, HasSubstr("no page, because there is no folder"));
 }
 
 TEST(Workflows, AfterMapperMeshesAndComparesAndCanBeRepeated) {
@@ -92,6 +94,10 @@ TEST(Workflows, AfterMapperMeshesAndComparesAndCanBeRepeated) {
     EXPECT_THAT(result.out, HasSubstr("not which one is right"));
     EXPECT_TRUE(fs::is_regular_file(workspace / "meshed-octahedral.ply"));
     EXPECT_NO_THROW(Json::parse(ReadFile(workspace / "compare-dense.json")));
+    if (fs::exists(ThreeJsPath())) {
+      EXPECT_THAT(ReadFile(workspace / "compare-dense.html"),
+                  HasSubstr("meshed-poisson.ply"));
+    }
   }
 
   // Wherever COLMAP leaves its meshes, and two of the same name.

@@ -24,6 +24,8 @@ using Points = std::vector<Eigen::Vector3d>;
 // tolerances are 1e-6, as meant.
 constexpr int kMaxIterations = 20;
 constexpr double kTolerance = 1e-6;
+// Below it, most of the mesh has not found its place.
+constexpr double kLeastFitness = 0.5;
 constexpr double kMaxPoints = 4e6;
 constexpr size_t kVoxelGrain = 2048;
 
@@ -77,15 +79,19 @@ Similarity3d FitPairs(const Points& from, const Points& to) {
   return fit;
 }
 
+struct Registration {
+  Similarity3d transform;
+  double fitness = -1;  // the share of the points that have a partner
+  double rms = -1;      // of the distances to these partners
+};
+
 // ICP between points with scale, as Open3D's registration_icp.
-Similarity3d RunIcp(Points source,
+Registration RunIcp(Points source,
                     const PointTree& target,
                     double max_distance,
                     const Context& context) {
   Phase phase(context, "Align points", kMaxIterations);
-  Similarity3d total;
-  double fitness = -1;
-  double rms = -1;
+  Registration result;
   for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
     std::vector<PointTree::Closest> closest(source.size());
     ParallelFor(
@@ -113,21 +119,21 @@ Similarity3d RunIcp(Points source,
       sum_of_squares += (from[i] - to[i]).squaredNorm();
     }
     const auto num_pairs = static_cast<double>(from.size());
-    const double new_fitness = num_pairs / static_cast<double>(source.size());
-    const double new_rms = std::sqrt(sum_of_squares / num_pairs);
-    if (iteration == kMaxIterations ||
-        (std::abs(new_fitness - fitness) < kTolerance &&
-         std::abs(new_rms - rms) < kTolerance)) {
+    const double fitness = num_pairs / static_cast<double>(source.size());
+    const double rms = std::sqrt(sum_of_squares / num_pairs);
+    const bool has_settled = std::abs(fitness - result.fitness) < kTolerance &&
+                             std::abs(rms - result.rms) < kTolerance;
+    result.fitness = fitness;
+    result.rms = rms;
+    if (iteration == kMaxIterations || has_settled) {
       break;
     }
-    fitness = new_fitness;
-    rms = new_rms;
     const Similarity3d step = FitPairs(from, to);
-    total = step * total;
+    result.transform = step * result.transform;
     source = Move(step, std::move(source));
     phase.Advance();
   }
-  return total;
+  return result;
 }
 
 double FractionBelow(const std::vector<double>& distances, double limit) {
@@ -159,14 +165,23 @@ ProtocolResult MeasureTanksAndTemples(const IndexedMesh& mesh,
     aligned = RunIcp(AverageInCells(moved_and_cropped(aligned), cell),
                      PointTree(AverageInCells(target, cell)),
                      reach,
-                     context) *
+                     context)
+                  .transform *
               aligned;
   }
-  aligned = RunIcp(TakeEvenly(moved_and_cropped(aligned)),
-                   PointTree(TakeEvenly(target)),
-                   2 * tau,
-                   context) *
-            aligned;
+  const Registration last = RunIcp(TakeEvenly(moved_and_cropped(aligned)),
+                                   PointTree(TakeEvenly(target)),
+                                   2 * tau,
+                                   context);
+  aligned = last.transform * aligned;
+  if (last.fitness < kLeastFitness) {
+    context.Warn(fmt::format(
+        "tanks_and_temples: after the alignment, only {:.0f} % of the mesh's "
+        "points are within {:g} of the reference; check the rough alignment "
+        "(transform_path)",
+        100 * last.fitness,
+        2 * tau));
+  }
   const PointTree judged(AverageInCells(moved_and_cropped(aligned), tau / 2));
   const PointTree truth(AverageInCells(target, tau / 2));
   ProtocolResult result;
@@ -174,7 +189,9 @@ ProtocolResult MeasureTanksAndTemples(const IndexedMesh& mesh,
       tau,
       FractionBelow(ClosestDistances(judged.Points(), truth, context), tau),
       FractionBelow(ClosestDistances(truth.Points(), judged, context), tau)));
-  result.figures = {{"points",
+  result.figures = {{"aligned points", last.fitness, FigureKind::kFraction},
+                    {"their root mean square", last.rms, FigureKind::kDistance},
+                    {"points",
                      static_cast<double>(judged.Points().size()),
                      FigureKind::kCount},
                     {"reference points",

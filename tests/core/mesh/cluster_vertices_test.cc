@@ -69,6 +69,30 @@ TEST(ClusterVertices, RefusesWhatIsNoMesh) {
   EXPECT_THROW(ClusterVertices(cube, 100, Context(2)), InputError);
 }
 
+TEST(ClusterVertices, TrianglesWithoutCommonVerticesAreWelded) {
+  const IndexedMesh field =
+      HeightField(20, [](double x, double y) { return x * y; });
+  IndexedMesh soup;
+  for (const auto& triangle : field.triangles) {
+    const auto first = uint32_t(soup.positions.size());
+    for (const uint32_t corner : triangle) {
+      soup.positions.push_back(field.positions[corner]);
+    }
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  const ClusteredMesh welded =
+      ClusterVertices(soup, soup.triangles.size(), Context(1));
+  EXPECT_EQ(welded.mesh.triangles.size(), field.triangles.size());
+  EXPECT_EQ(welded.mesh.positions.size(), field.positions.size());
+  // Apart from each other, they cannot be: fewer are shown.
+  for (size_t i = 0; i < soup.positions.size(); ++i) {
+    soup.positions[i].z() += double(i / 3);
+  }
+  EXPECT_LE(ClusterVertices(soup, soup.triangles.size(), Context(1))
+                .mesh.positions.size(),
+            soup.triangles.size());
+}
+
 TEST(FindRemarkablePlaces, LargestFirstAndApart) {
   const IndexedMesh field = HeightField(10, [](double, double) { return 0; });
   std::vector<float> values(field.positions.size(),

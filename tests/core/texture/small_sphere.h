@@ -73,8 +73,11 @@ inline PhotographPose PoseFrom(const Eigen::Vector3d& direction, int size) {
   return pose;
 }
 
+using PaintOf = Eigen::Vector3f (*)(const Eigen::Vector3d&);
+
 inline Photograph PhotographOf(const PhotographPose& pose,
-                               const Eigen::Vector3f& gain) {
+                               const Eigen::Vector3f& gain,
+                               PaintOf paint = Paint) {
   Photograph photograph;
   const int size = pose.camera.width;
   photograph.image = cv::Mat(size, size, CV_8UC3, cv::Scalar(0, 0, 255));
@@ -91,7 +94,7 @@ inline Photograph PhotographOf(const PhotographPose& pose,
         continue;
       }
       const Eigen::Vector3f color =
-          Paint(center + (-b - std::sqrt(root)) * ray).cwiseProduct(gain);
+          paint(center + (-b - std::sqrt(root)) * ray).cwiseProduct(gain);
       for (int c = 0; c < 3; ++c) {
         photograph.image.at<cv::Vec3b>(y, x)[c] =
             cv::saturate_cast<uint8_t>(color[c]);
@@ -106,15 +109,16 @@ inline Photograph PhotographOf(const PhotographPose& pose,
 // one if empty.
 inline Photographs PhotographsOf(const std::vector<Eigen::Vector3d>& directions,
                                  int size,
-                                 const std::vector<float>& gains = {}) {
+                                 const std::vector<float>& gains = {},
+                                 PaintOf paint = Paint) {
   Photographs photographs;
   std::vector<Photograph> all;
   for (size_t i = 0; i < directions.size(); ++i) {
     photographs.poses.push_back(PoseFrom(directions[i], size));
     photographs.poses.back().name = "view" + std::to_string(i);
     const float gain = gains.empty() ? 1.0f : gains[i];
-    all.push_back(PhotographOf(photographs.poses.back(),
-                               Eigen::Vector3f::Constant(gain)));
+    all.push_back(PhotographOf(
+        photographs.poses.back(), Eigen::Vector3f::Constant(gain), paint));
   }
   photographs.max_held = 4;
   photographs.load = [all](size_t i) { return all[i]; };

@@ -31,6 +31,13 @@ Eigen::Vector3f ColorAtCenter(const TexturedMesh& textured, size_t f) {
       page, double(uv.x()) * page.cols, double(uv.y()) * page.rows);
 }
 
+// With detail that a blur of some pixels removes.
+Eigen::Vector3f FinePaint(const Eigen::Vector3d& p) {
+  return Paint(p) + Eigen::Vector3f::Constant(float(
+                        40 * std::sin(40 * p.x()) * std::sin(40 * p.y() + 1) +
+                        40 * std::sin(40 * p.z()) * std::sin(40 * p.y() + 2)));
+}
+
 // Mean difference from the paint over all triangles, grey levels.
 double MeanError(const TexturedMesh& textured) {
   double sum = 0;
@@ -47,12 +54,12 @@ double MeanError(const TexturedMesh& textured) {
   return sum / double(textured.mesh.triangles.size());
 }
 
-std::string InputErrorOf(const IndexedMesh& mesh,
-                         const Photographs& photographs,
-                         const TexturingOptions& options = {}) {
+std::string ErrorOf(const IndexedMesh& mesh,
+                    const Photographs& photographs,
+                    const TexturingOptions& options = {}) {
   try {
     TextureMesh(mesh, photographs, options, Context(1));
-  } catch (const InputError& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "";
@@ -118,6 +125,55 @@ TEST(TextureMesh, VotesAPasserByOut) {
   }
 }
 
+TEST(TextureMesh, PrefersSharpPhotographs) {
+  const Photographs sharp =
+      PhotographsOf(AllAround(), kPhotographSize, {}, FinePaint);
+  Photographs blurred = sharp;
+  blurred.load = [load = sharp.load](size_t i) {
+    Photograph photograph = load(i);
+    if (i == 0) {
+      // Where the object ends, it keeps its colours: only sharpness is lost.
+      cv::Mat detail;
+      cv::GaussianBlur(photograph.image, detail, {}, 4);
+      cv::Mat inside;
+      cv::erode(photograph.mask, inside, {}, {-1, -1}, 12);
+      photograph.image = photograph.image.clone();
+      detail.copyTo(photograph.image, inside);
+    }
+    return photograph;
+  };
+  const IndexedMesh sphere = SmallSphere(4);
+  const auto triangles_of_first = [&](const Photographs& photographs) {
+    return TextureMesh(sphere, photographs, {}, Context(1))
+        .summary.triangles_of_view[0];
+  };
+  const size_t before = triangles_of_first(sharp);
+  EXPECT_GT(before, 50u);
+  EXPECT_LT(2 * triangles_of_first(blurred), before);
+}
+
+TEST(TextureMesh, TheMedianRemovesHighlights) {
+  // A lamp at each camera: its highlight is in the middle of each photograph,
+  // and elsewhere on the object in the next.
+  Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
+  photographs.load = [load = photographs.load](size_t i) {
+    Photograph photograph = load(i);
+    photograph.image = photograph.image.clone();
+    cv::circle(photograph.image,
+               {kPhotographSize / 2, kPhotographSize / 2},
+               8,
+               cv::Scalar(255, 255, 255),
+               cv::FILLED);
+    return photograph;
+  };
+  TexturingOptions options;
+  options.view_blending = ViewBlending::kMedian;
+  EXPECT_LT(
+      MeanError(TextureMesh(SmallSphere(4), photographs, options, Context(1))
+                    .textured),
+      2);
+}
+
 TEST(TextureMesh, FillsWhatIsNotSeen) {
   // From above alone: the lower half is not seen.
   const TexturingResult result = TextureMesh(
@@ -138,21 +194,27 @@ TEST(TextureMesh, FillsWhatIsNotSeen) {
 TEST(TextureMesh, GivesTheSameBytesForAnyNumberOfThreads) {
   const IndexedMesh sphere = SmallSphere(4);
   const Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
-  const auto run = [&](int num_threads) {
-    TexturingResult result;
-    WithThreads(num_threads, [&] {
-      result = TextureMesh(sphere, photographs, {}, Context(num_threads));
-    });
-    return result.textured;
-  };
-  const TexturedMesh one = run(1);
-  const TexturedMesh two = run(2);
-  EXPECT_EQ(one.charts, two.charts);
-  EXPECT_EQ(one.texcoords, two.texcoords);
-  ASSERT_EQ(one.pages.size(), two.pages.size());
-  for (size_t p = 0; p < one.pages.size(); ++p) {
-    ASSERT_EQ(one.pages[p].color.size(), two.pages[p].color.size());
-    EXPECT_EQ(cv::norm(one.pages[p].color, two.pages[p].color), 0);
+  for (const ViewBlending blending :
+       {ViewBlending::kBest, ViewBlending::kMedian}) {
+    const auto run = [&](int num_threads) {
+      TexturingOptions options;
+      options.view_blending = blending;
+      TexturingResult result;
+      WithThreads(num_threads, [&] {
+        result =
+            TextureMesh(sphere, photographs, options, Context(num_threads));
+      });
+      return result.textured;
+    };
+    const TexturedMesh one = run(1);
+    const TexturedMesh two = run(2);
+    EXPECT_EQ(one.charts, two.charts);
+    EXPECT_EQ(one.texcoords, two.texcoords);
+    ASSERT_EQ(one.pages.size(), two.pages.size());
+    for (size_t p = 0; p < one.pages.size(); ++p) {
+      ASSERT_EQ(one.pages[p].color.size(), two.pages[p].color.size());
+      EXPECT_EQ(cv::norm(one.pages[p].color, two.pages[p].color), 0);
+    }
   }
 }
 
@@ -179,18 +241,18 @@ TEST(TextureMesh, SpreadsOverPagesAndScalesTexels) {
 TEST(TextureMesh, RefusesWhatCannotBeTextured) {
   const IndexedMesh sphere = SmallSphere(3);
   const Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
-  EXPECT_THAT(InputErrorOf({}, photographs), HasSubstr("no triangles"));
-  EXPECT_THAT(InputErrorOf(sphere, {}), HasSubstr("no photographs"));
+  EXPECT_THAT(ErrorOf({}, photographs), HasSubstr("no triangles"));
+  EXPECT_THAT(ErrorOf(sphere, {}), HasSubstr("no photographs"));
   IndexedMesh elsewhere = sphere;
   for (Eigen::Vector3d& position : elsewhere.positions) {
     position += Eigen::Vector3d(100, 40, 0);
   }
-  EXPECT_THAT(InputErrorOf(elsewhere, photographs), HasSubstr("frame"));
+  EXPECT_THAT(ErrorOf(elsewhere, photographs), HasSubstr("frame"));
   TexturingOptions options;
   options.texture_size = 64;
   options.max_pages = 1;
-  EXPECT_THAT(InputErrorOf(sphere, photographs, options),
-              HasSubstr("max_pages 1: the texture needs"));
+  EXPECT_THAT(ErrorOf(sphere, photographs, options),
+              HasSubstr("max_pages = 1: the texture needs"));
 }
 
 }  // namespace

@@ -69,7 +69,8 @@ class OpenPage {
       int y = 0;
       for (int c = 0; c < outline.Width() && y < best_y; ++c) {
         if (outline.high[size_t(c)] >= 0) {
-          y = std::max(y, bottom_[size_t(x) + size_t(c)] - outline.low[size_t(c)]);
+          y = std::max(y,
+                       bottom_[size_t(x) + size_t(c)] - outline.low[size_t(c)]);
         }
       }
       if (y < best_y) {
@@ -82,7 +83,8 @@ class OpenPage {
     }
     for (int c = 0; c < outline.Width(); ++c) {
       if (outline.high[size_t(c)] >= 0) {
-        bottom_[size_t(best_x) + size_t(c)] = best_y + outline.high[size_t(c)] + 1;
+        bottom_[size_t(best_x) + size_t(c)] =
+            best_y + outline.high[size_t(c)] + 1;
       }
     }
     height_ = std::max(height_, best_y + outline.height);

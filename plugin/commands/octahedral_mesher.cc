@@ -30,6 +30,7 @@ class OctahedralMesher : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
+  void CheckFiles();
   LevelObserver LevelWriter() const;
   void MakeMasks(const Context& context);
   Json TextureMeshOf(const Scene& scene,
@@ -128,12 +129,7 @@ LevelObserver OctahedralMesher::LevelWriter() const {
   };
 }
 
-void OctahedralMesher::Run(const CommandEnvironment& environment) {
-  const Context& context = environment.context;
-  context.Info(quality_.Apply(environment.options, &meshing_));
-  meshing_.refinement.patch.chroma_weight = meshing_.consistency.chroma_weight;
-  meshing_.confidence = workspace_.confidence;
-  meshing_.Check();
+void OctahedralMesher::CheckFiles() {
   FileRoles files = workspace_.Complete("meshed-octahedral.ply");
   if (picture_) {
     files.Write("picture", workspace_.Beside(".png"), "the picture");
@@ -141,6 +137,15 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   if (texture_ && workspace_.Beside(".glb") != workspace_.output_path) {
     files.Write("texture", workspace_.Beside(".glb"), "the textured mesh");
   }
+}
+
+void OctahedralMesher::Run(const CommandEnvironment& environment) {
+  const Context& context = environment.context;
+  context.Info(quality_.Apply(environment.options, &meshing_));
+  meshing_.refinement.patch.chroma_weight = meshing_.consistency.chroma_weight;
+  meshing_.confidence = workspace_.confidence;
+  meshing_.Check();
+  CheckFiles();
   workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
   workspace_.loading.fill_bites = meshing_.fill_false_gaps;
   const LevelObserver observer = LevelWriter();

@@ -25,6 +25,7 @@ Eigen::AlignedBox3d BoxOf(const IndexedMesh& mesh) {
 
 std::vector<std::string> NamesOf(const std::vector<ComparedMesh>& meshes) {
   std::vector<std::string> names;
+  names.reserve(meshes.size());
   for (const ComparedMesh& mesh : meshes) {
     names.push_back(mesh.name);
   }

@@ -78,8 +78,9 @@ TEST(TanksAndTemples, PrecisionAndRecallByCounting) {
               double(num_right) / double(mesh.points.size()),
               1e-12);
   // The first of the missing columns is closer than tau to the last one kept.
-  const double covered = double(all.points.size() - mesh.num_missing +
-                                mesh.num_missing / (kSize / 2));
+  const size_t num_first = mesh.num_missing / (kSize / 2);
+  const double covered =
+      double(all.points.size() - mesh.num_missing + num_first);
   EXPECT_NEAR(
       result.scores[0].recall, covered / double(all.points.size()), 1e-12);
   EXPECT_NEAR(

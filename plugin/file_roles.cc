@@ -10,19 +10,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Also of files that do not exist yet, and through links.
-bool AreSame(const fs::path& one, const fs::path& other) {
-  std::error_code ignored;
-  return fs::equivalent(one, other, ignored) ||
-         fs::weakly_canonical(fs::absolute(one), ignored) ==
-             fs::weakly_canonical(fs::absolute(other), ignored);
+// The same for all paths to a file, whether it exists or not. Hard links are
+// files of their own, since files are replaced and never written to.
+fs::path Resolved(const fs::path& path) {
+  const fs::path absolute = fs::absolute(path).lexically_normal();
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(absolute, error);
+  return error ? absolute : canonical;
 }
 
 }  // namespace
 
 void FileRoles::Read(const fs::path& path, const std::string& what) {
   if (!path.empty()) {
-    files_.push_back({path, what});
+    files_.emplace(Resolved(path), what);
   }
 }
 
@@ -32,14 +33,12 @@ void FileRoles::Write(const std::string& option,
   if (path.empty()) {
     return;
   }
-  for (const Named& file : files_) {
-    CheckOption(!AreSame(path, file.path),
-                option.c_str(),
-                path.string(),
-                "must not be the same file as " + file.what);
-  }
+  const auto [earlier, is_new] = files_.emplace(Resolved(path), what);
+  CheckOption(is_new,
+              option,
+              path.string(),
+              "must not be the same file as " + earlier->second);
   CheckFilePath(path);
-  files_.push_back({path, what});
 }
 
 }  // namespace octacut

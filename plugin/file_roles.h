@@ -3,8 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
-#include <vector>
 
 namespace octacut {
 
@@ -20,11 +20,8 @@ class FileRoles {
              const std::string& what);
 
  private:
-  struct Named {
-    std::filesystem::path path;
-    std::string what;
-  };
-  std::vector<Named> files_;
+  // By the path without links and dots.
+  std::map<std::filesystem::path, std::string> files_;
 };
 
 }  // namespace octacut

@@ -20,8 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Photographs from all sides show more; the least that an object whose lower
-// half was never photographed has.
+// An object of which only one side was photographed may be half unseen.
 constexpr double kMostUnseen = 0.5;
 
 // In the order of their names, the first photograph of each `step` of them, or
@@ -264,8 +263,8 @@ void TexturingArguments::Check(FileRoles* files) const {
   for (const fs::path& path : compare_paths) {
     files->Read(path, "a mesh of compare_path");
   }
-  for (const fs::path& path :
-       TexturedMeshPaths(output_path, images, texture.max_pages)) {
+  for (const fs::path& path : TexturedMeshPaths(
+           output_path, images, texture.max_pages, !normal_map_path.empty())) {
     files->Write("output_path",
                  path,
                  path == output_path ? "the textured mesh"

@@ -121,8 +121,9 @@ void WorkspaceArguments::DeclareConfidence(OptionManager& options) {
       .ForExperts();
 }
 
-FileRoles WorkspaceArguments::Complete(const fs::path& default_output,
-                                       FileRoles files) {
+void WorkspaceArguments::Complete(const fs::path& default_output,
+                                  const std::vector<FileBeside>& beside,
+                                  FileRoles files) {
   loading.Check();
   if (!bounding_box.empty()) {
     loading.region.bounding_box = BoundingBoxFromNumbers(bounding_box);
@@ -149,8 +150,12 @@ FileRoles WorkspaceArguments::Complete(const fs::path& default_output,
               "requires an output_path with the extension .ply");
   // The report is written last; that it cannot be must not be news then.
   files.Write("output_path", output_path, "the mesh");
+  for (const FileBeside& file : beside) {
+    if (Beside(file.ending) != output_path) {
+      files.Write("output_path", Beside(file.ending), file.what);
+    }
+  }
   files.Write("report_path", report_path, "the report");
-  return files;
 }
 
 fs::path WorkspaceArguments::Beside(const std::string& ending) const {

@@ -35,11 +35,18 @@ struct WorkspaceArguments {
   void Declare(OptionManager& options);
   // For the commands that compare photographs.
   void DeclareConfidence(OptionManager& options);
-  // Fills in the defaults and checks that mesh and report can be written and
-  // replace none of `files`, which the command reads; to be asked before any
-  // long work. Returns `files` with mesh and report.
-  FileRoles Complete(const std::filesystem::path& default_output,
-                     FileRoles files = {});
+  // A file beside the mesh that a command writes: what it ends with, and what
+  // it is.
+  struct FileBeside {
+    std::string ending;
+    std::string what;
+  };
+  // Fills in the defaults and checks that mesh, files beside it and report can
+  // be written and replace none of each other and of `files`, which the command
+  // reads; to be asked before any long work.
+  void Complete(const std::filesystem::path& default_output,
+                const std::vector<FileBeside>& beside,
+                FileRoles files);
   // The output path with another ending, for files beside the mesh.
   std::filesystem::path Beside(const std::string& ending) const;
 };

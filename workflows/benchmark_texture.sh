@@ -60,7 +60,10 @@ fi
 data=${folders[0]}
 meshes=${folders[1]}
 octacut=$("$root/workflows/find_octacut.sh")
-mkdir -p "$work"
+mkdir -p "$work" ${pictures:+"$pictures"}
+TIMEFORMAT=%U
+# Sets whose licences allow a picture in the documentation.
+pictured=(example igea rocker temple)
 
 # The sparse model in whose frame the meshes of a set are.
 find_model() {
@@ -105,11 +108,14 @@ for name in ${sets//,/ }; do
       --output_path "$meshes/${name}_100k.ply" --target_faces 100000 \
       --num_threads "$threads" &>"$work/${name}_simplifier.log"
   fi
-  TIMEFORMAT=%U
+  folder=$work
+  if [[ -n $pictures && " ${pictured[*]} " == *" $name "* ]]; then
+    folder=$pictures
+  fi
   { time "$octacut" mesh_texturer --workspace_path "$data/$name" \
     --input_path "$model" --mesh_path "$meshes/${name}_100k.ply" \
     --output_path "$work/$name.glb" --report_path "$work/$name.json" \
-    --picture_path "${pictures:-$work}/texture_$name.jpg" --view_blending "$blending" --hold_out 8 \
+    --picture_path "$folder/texture_$name.jpg" --view_blending "$blending" --hold_out 8 \
     --compare_path "$meshes/$name.ply" --num_threads "$threads" \
     >"$work/$name.log" 2>&1; } 2>"$work/$name.cpu" || {
     echo "benchmark_texture: $name: $(tail -n 1 "$work/$name.log")" >&2
@@ -128,11 +134,17 @@ for name in ${sets//,/ }; do
     | "| " + join(" | ") + " |"' "$work/$name.json"
 done
 
+fail() {
+  echo "benchmark_texture: $1: $(tail -n 1 "$2")" >&2
+  exit 1
+}
+
 # simplify SET NUMBER
 simplify() {
   "$octacut" mesh_simplifier --input_path "$meshes/$1.ply" \
     --output_path "$work/$1_$2.ply" --target_faces "$2" \
-    --num_threads "$threads" &>"$work/$1_simplifier.log"
+    --num_threads "$threads" &>"$work/$1_simplifier.log" ||
+    fail "$1" "$work/$1_simplifier.log"
 }
 
 if [[ -n $pictures && -e $meshes/igea.ply ]]; then
@@ -143,7 +155,9 @@ if [[ -n $pictures && -e $meshes/igea.ply ]]; then
     "$octacut" mesh_texturer --workspace_path "$data/igea" \
       --input_path "$(find_model igea)" --mesh_path "$work/igea_3000.ply" \
       --output_path "$work/igea_$kind.glb" "${options[@]}" \
-      --picture_path "$pictures/texture_igea_$kind.jpg" &>"$work/igea_$kind.log"
+      --picture_path "$pictures/texture_igea_$kind.jpg" \
+      --num_threads "$threads" &>"$work/igea_$kind.log" ||
+      fail "igea, $kind" "$work/igea_$kind.log"
   done
 fi
 
@@ -153,7 +167,8 @@ if [[ -n $large_set ]]; then
     --input_path "$(find_model "$large_set")" \
     --mesh_path "$work/${large_set}_300000.ply" --num_threads "$threads" \
     --output_path "$work/large.glb" --report_path "$work/large.json" \
-    >"$work/large.log" 2>&1; } 2>"$work/large.cpu"
+    >"$work/large.log" 2>&1; } 2>"$work/large.cpu" ||
+    fail "$large_set" "$work/large.log"
   jq -r --arg name "$large_set" --arg cpu "$(tail -n 1 "$work/large.cpu")" '
     "\n\($name), \(.texture.triangles) triangles, \(.texture.photographs.used) photographs: \($cpu) CPU s, \(.peak_memory_bytes / 1e9 * 10 | round / 10) GB"
   ' "$work/large.json"

@@ -139,7 +139,7 @@ void FindFiles(const PhotographOptions& options,
     context.Warn(message + "; these are left out");
   }
   if (reader->Files().empty()) {
-    throw InputError(fmt::format("{}: none of the model's {} images is in {}",
+    throw InputError(fmt::format("{}: none of {} images is in {}",
                                  workspace.model_path.string(),
                                  summary->num_images,
                                  workspace.image_path.string()));

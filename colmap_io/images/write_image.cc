@@ -3,6 +3,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/files/lower_extension.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 
@@ -10,7 +11,7 @@ namespace octacut {
 
 void CheckImagePath(const std::string& option,
                     const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  const std::string extension = LowerExtension(path);
   CheckOption(
       extension == ".png" || extension == ".jpg" || extension == ".jpeg",
       option,

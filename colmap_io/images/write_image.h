@@ -8,8 +8,8 @@
 
 namespace octacut {
 
-// Throws OptionError "<option> = <path>: ..." unless the extension is one of
-// those that WriteImage knows.
+// Throws OptionError "<option> = <path>: ..." unless it ends with .png, .jpg or
+// .jpeg, in any case.
 void CheckImagePath(const std::string& option,
                     const std::filesystem::path& path);
 

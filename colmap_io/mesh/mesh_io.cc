@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/files/lower_extension.h"
 #include "colmap_io/mesh/glb_writer.h"
 #include "colmap_io/mesh/mesh_readers.h"
 #include "colmap_io/mesh/mesh_writers.h"
@@ -60,11 +61,7 @@ void CheckCoordinates(const IndexedMesh& mesh, const std::string& name) {
 }  // namespace
 
 MeshFormat MeshFormatOf(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(
-      extension.begin(), extension.end(), extension.begin(), [](char c) {
-        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-      });
+  const std::string extension = LowerExtension(path);
   if (extension == ".ply") return MeshFormat::kPly;
   if (extension == ".obj") return MeshFormat::kObj;
   if (extension == ".off") return MeshFormat::kOff;

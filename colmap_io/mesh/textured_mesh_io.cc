@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
 #include <ostream>
 #include <string>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/files/lower_extension.h"
 #include "colmap_io/mesh/glb_writer.h"
 #include "colmap_io/mesh/textured_writers.h"
 #include "core/base/error.h"
@@ -21,15 +21,6 @@ namespace fs = std::filesystem;
 
 // Above it, files grow without a visible gain.
 constexpr int kJpegQuality = 95;
-
-std::string Extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(
-      extension.begin(), extension.end(), extension.begin(), [](char c) {
-        return char(std::tolower(static_cast<unsigned char>(c)));
-      });
-  return extension;
-}
 
 EncodedImage Encode(const cv::Mat& image, TextureImageFormat format) {
   const bool is_png = format == TextureImageFormat::kPng;
@@ -82,7 +73,7 @@ fs::path ImagePath(const fs::path& mesh,
 }  // namespace
 
 void CheckTexturedMeshPath(const fs::path& path) {
-  const std::string extension = Extension(path);
+  const std::string extension = LowerExtension(path);
   if (extension != ".glb" && extension != ".obj" && extension != ".ply") {
     throw OptionError(
         fmt::format("{}: unknown extension \"{}\" of a textured mesh: must be "
@@ -94,31 +85,33 @@ void CheckTexturedMeshPath(const fs::path& path) {
 
 std::vector<fs::path> TexturedMeshPaths(const fs::path& path,
                                         const TexturedMeshOptions& options,
-                                        int max_pages) {
+                                        int max_pages,
+                                        bool has_normal_map) {
   std::vector<fs::path> paths = {path};
-  const std::string extension = Extension(path);
+  const std::string extension = LowerExtension(path);
   if (extension == ".glb") {
     return paths;
   }
   if (extension == ".obj") {
     paths.push_back(WithEnding(path, ".mtl"));
   }
-  for (int num_pages = 1; num_pages <= std::min(max_pages, 2); ++num_pages) {
-    for (int page = 0; page < (num_pages == 1 ? 1 : max_pages); ++page) {
-      const std::string number = PageNumber(page, num_pages);
+  std::vector<std::string> numbers = {PageNumber(0, 1)};
+  for (int page = 0; page < max_pages; ++page) {
+    numbers.push_back(PageNumber(size_t(page), 2));
+  }
+  for (const std::string& number : numbers) {
+    paths.push_back(
+        ImagePath(path, kTextureEnding + number, options.image_format));
+    if (has_normal_map) {
       paths.push_back(
-          ImagePath(path, kTextureEnding + number, options.image_format));
-      if (extension == ".obj") {
-        paths.push_back(
-            ImagePath(path, kNormalEnding + number, TextureImageFormat::kPng));
-      }
+          ImagePath(path, kNormalEnding + number, TextureImageFormat::kPng));
     }
   }
   return paths;
 }
 
 bool CanHoldNormalMaps(const fs::path& path) {
-  return Extension(path) != ".ply";
+  return LowerExtension(path) != ".ply";
 }
 
 std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
@@ -133,7 +126,7 @@ std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
     files.Write(file, body);
     written.push_back(file);
   };
-  const std::string extension = Extension(path);
+  const std::string extension = LowerExtension(path);
   if (extension == ".glb") {
     write(path,
           [&](std::ostream& stream) { WriteTexturedGlb(mesh, pages, stream); });

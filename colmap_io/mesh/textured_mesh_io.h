@@ -22,7 +22,8 @@ void CheckTexturedMeshPath(const std::filesystem::path& path);
 std::vector<std::filesystem::path> TexturedMeshPaths(
     const std::filesystem::path& path,
     const TexturedMeshOptions& options,
-    int max_pages);
+    int max_pages,
+    bool has_normal_map);
 
 // Whether the format of this extension has normal maps.
 bool CanHoldNormalMaps(const std::filesystem::path& path);

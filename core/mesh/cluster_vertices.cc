@@ -242,6 +242,20 @@ ClusteredMesh WithoutUnusedVertices(const IndexedMesh& mesh) {
   return result;
 }
 
+ClusteredMesh Cluster(const IndexedMesh& mesh,
+                      const Eigen::AlignedBox3d& box,
+                      size_t max_triangles,
+                      const Context& context) {
+  const ClusteredMesh clusters =
+      Clustering(mesh, ChooseGrid(mesh, box, max_triangles, context)).Result();
+  ClusteredMesh used = WithoutUnusedVertices(clusters.mesh);
+  for (uint32_t& source : used.sources) {
+    source = clusters.sources[source];
+  }
+  used.is_simplified = true;
+  return used;
+}
+
 }  // namespace
 
 ClusteredMesh ClusterVertices(const IndexedMesh& mesh,
@@ -253,24 +267,16 @@ ClusteredMesh ClusterVertices(const IndexedMesh& mesh,
   const Eigen::AlignedBox3d box = BoxOfTriangles(mesh);
   if (mesh.triangles.size() <= max_triangles || !(box.sizes().maxCoeff() > 0)) {
     ClusteredMesh whole = WithoutUnusedVertices(mesh);
-    if (whole.mesh.positions.size() <= max_triangles ||
-        !(box.sizes().maxCoeff() > 0)) {
+    if (whole.mesh.positions.size() <= max_triangles) {
       return whole;
     }
   }
-  ClusteredMesh result =
-      Clustering(mesh, ChooseGrid(mesh, box, max_triangles, context)).Result();
+  ClusteredMesh result = Cluster(mesh, box, max_triangles, context);
   if (result.mesh.positions.size() > max_triangles) {
     // Triangles that share no vertices have three each.
-    result = Clustering(mesh, ChooseGrid(mesh, box, max_triangles / 3, context))
-                 .Result();
+    result = Cluster(mesh, box, max_triangles / 3, context);
   }
-  ClusteredMesh used = WithoutUnusedVertices(result.mesh);
-  for (uint32_t& source : used.sources) {
-    source = result.sources[source];
-  }
-  used.is_simplified = true;
-  return used;
+  return result;
 }
 
 }  // namespace octacut

@@ -20,13 +20,13 @@ struct ClusteredMesh {
   bool is_simplified = false;
 };
 
-// At most `max_triangles` (at least 100) triangles, and as many vertices. The
-// vertices in a cell of a cubic grid become one, at the place that fits the
-// planes of their triangles best (quadrics as in Lindstrom 2000, kept inside
-// the cell). Accepts any mesh; a mesh that is small enough comes back as it is,
-// without vertices that no triangle uses. The same result for any number of
-// threads. Throws InputError when there are no triangles or coordinates that
-// are not finite.
+// At most `max_triangles` (at least 100) triangles and at most as many
+// vertices. The vertices in a cell of a cubic grid become one, at the place
+// that fits the planes of their triangles best (quadrics as in Lindstrom 2000,
+// kept inside the cell). Accepts any mesh; a mesh that is small enough comes
+// back as it is, without vertices that no triangle uses. The same result for
+// any number of threads. Throws InputError when there are no triangles or
+// coordinates that are not finite.
 ClusteredMesh ClusterVertices(const IndexedMesh& mesh,
                               size_t max_triangles,
                               const Context& context);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -45,7 +46,7 @@ class DepthMapRenderer : public Command {
   MapPaths PathsOf(const SparseImage& image) const;
   std::vector<const SparseImage*> WantedImages(const SparseModel& model) const;
   void CheckIsSeen(const IndexedMesh& mesh, const SparseModel& model) const;
-  void WriteOrigin(size_t num_kept) const;
+  void WriteOrigin(const SparseModel& model) const;
   void RenderMesh(const Workspace& workspace,
                   const std::vector<const SparseImage*>& images,
                   const Context& context);
@@ -124,8 +125,14 @@ void DepthMapRenderer::Write(const SparseImage& image,
 }
 
 // Whoever finds the maps, or what was fused from them, can see where they are
-// from. Written before the first map and after all that can fail.
-void DepthMapRenderer::WriteOrigin(size_t num_kept) const {
+// from. Written before the first map, once the input is known to be usable.
+void DepthMapRenderer::WriteOrigin(const SparseModel& model) const {
+  const auto num_kept = std::count_if(
+      model.images.begin(), model.images.end(), [&](const SparseImage& image) {
+        const MapPaths paths = PathsOf(image);
+        return !overwrite_ &&
+               (fs::exists(paths.depth) || fs::exists(paths.normals));
+      });
   const fs::path path = workspace_path_ / "stereo" / "octacut-depths.json";
   Json origin;
   origin["program"] = "octacut";
@@ -179,7 +186,7 @@ void DepthMapRenderer::RenderMesh(const Workspace& workspace,
                                  mesh.positions.size()));
   }
   CheckIsSeen(mesh, workspace.model);
-  WriteOrigin(workspace.model.images.size() - images.size());
+  WriteOrigin(workspace.model);
   const RayScene rays(mesh);
   Phase phase(context, "Depth maps of the mesh", images.size());
   for (const SparseImage* image : images) {
@@ -219,7 +226,7 @@ void DepthMapRenderer::Sweep(const Workspace& workspace,
       LoadScene(workspace_path_, loading_, sweep_.level + 1, context);
   const std::vector<cv::Mat> depths = SweepDenseDepths(
       loaded.scene, loaded.region.cube, loaded.region.box, sweep_, context);
-  WriteOrigin(workspace.model.images.size() - images.size());
+  WriteOrigin(workspace.model);
   Phase phase(context, "Depth maps of the sweep", images.size());
   for (const SparseImage* image : images) {
     const PinholeCamera camera =

@@ -61,7 +61,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   }
   FileRoles files;
   files.Read(mesh_path_, "the mesh to refine");
-  workspace_.Complete("meshed-refined.ply", files);
+  workspace_.Complete("meshed-refined.ply", {}, files);
   IndexedMesh mesh = ReadClosedMesh(mesh_path_, context);
   workspace_.loading.fill_bites = fill_false_gaps_;
   const LoadedScene loaded = LoadScene(

@@ -223,6 +223,11 @@ void MeshSimplifier::Run(const CommandEnvironment& environment) {
     CheckMeshPath(PathOf(level));
     files.Write("output_path", PathOf(level), "the simplified mesh");
   }
+  CheckOption(MeshFormatOf(output_path_) != MeshFormat::k3mf,
+              "output_path",
+              output_path_.string(),
+              "must not be a .3mf file, whose units are millimetres; "
+              "mesh_exporter writes those");
   files.Write("report_path", report_path_, "the report");
   const IndexedMesh full = ReadClosedMesh(input_path_, context);
   const size_t num_full = full.triangles.size();

@@ -101,12 +101,18 @@ Json OctahedralMesher::TextureMeshOf(const Scene& scene,
   }
   TexturingArguments arguments;
   arguments.output_path = workspace_.Beside(".glb");
-  return TextureAndWrite(mesh,
-                         workspace_.output_path.string(),
-                         workspace_.workspace_path,
-                         photographs,
-                         arguments,
-                         context);
+  try {
+    return TextureAndWrite(mesh,
+                           workspace_.output_path.string(),
+                           workspace_.workspace_path,
+                           photographs,
+                           arguments,
+                           context);
+  } catch (const OptionError& error) {
+    throw InputError(fmt::format("{}: {} (options of mesh_texturer)",
+                                 workspace_.output_path.string(),
+                                 error.what()));
+  }
 }
 
 LevelObserver OctahedralMesher::LevelWriter() const {
@@ -130,13 +136,14 @@ LevelObserver OctahedralMesher::LevelWriter() const {
 }
 
 void OctahedralMesher::CheckFiles() {
-  FileRoles files = workspace_.Complete("meshed-octahedral.ply");
+  std::vector<WorkspaceArguments::FileBeside> beside;
   if (picture_) {
-    files.Write("picture", workspace_.Beside(".png"), "the picture");
+    beside.push_back({".png", "the picture"});
   }
-  if (texture_ && workspace_.Beside(".glb") != workspace_.output_path) {
-    files.Write("texture", workspace_.Beside(".glb"), "the textured mesh");
+  if (texture_) {
+    beside.push_back({".glb", "the textured mesh"});
   }
+  workspace_.Complete("meshed-octahedral.ply", beside, {});
 }
 
 void OctahedralMesher::Run(const CommandEnvironment& environment) {

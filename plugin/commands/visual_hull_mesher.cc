@@ -35,7 +35,7 @@ void VisualHullMesher::DeclareOptions(OptionManager& options) {
 void VisualHullMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   options_.Check();
-  workspace_.Complete("meshed-visual-hull.ply");
+  workspace_.Complete("meshed-visual-hull.ply", {}, {});
   workspace_.loading.load_images = false;
   workspace_.loading.fill_bites = options_.fill_false_gaps;
   const LoadedScene loaded = LoadScene(workspace_.workspace_path,

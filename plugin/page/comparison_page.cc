@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/files/lower_extension.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "plugin/page/page_assets.h"
@@ -124,11 +125,11 @@ void CheckPagePath(const fs::path& html_path,
   if (html_path.empty()) {
     return;
   }
-  CheckOption(
-      html_path.extension() == ".html" || html_path.extension() == ".htm",
-      "html_path",
-      html_path.string(),
-      "must end with .html or .htm");
+  const std::string extension = LowerExtension(html_path);
+  CheckOption(extension == ".html" || extension == ".htm",
+              "html_path",
+              html_path.string(),
+              "must end with .html or .htm");
   files->Write("html_path", html_path, "the page");
   ReadThreeJs(three_js);
 }

@@ -41,12 +41,16 @@ void CheckOverlap(const std::filesystem::path& path,
     throw InputError(fmt::format("{}: all points lie in one place",
                                  reference_path.string()));
   }
-  if (box.exteriorDistance(BoxOf(mesh)) > kMostApart * box.diagonal().norm()) {
+  const double gap = box.exteriorDistance(BoxOf(mesh));
+  const double diagonal = box.diagonal().norm();
+  if (gap > kMostApart * diagonal) {
     throw InputError(fmt::format(
-        "{}: the mesh does not overlap {}: their bounding boxes are apart; is "
-        "it in another frame?",
+        "{}: the mesh does not overlap {}: their bounding boxes are {:.3g} "
+        "apart, {:.0f} % of the diagonal; is it in another frame?",
         path.string(),
-        reference_path.string()));
+        reference_path.string(),
+        gap,
+        100 * gap / diagonal));
   }
 }
 

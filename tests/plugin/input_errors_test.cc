@@ -202,7 +202,7 @@ TEST_F(InputErrors, PathsThatCannotBeWritten) {
   const fs::path beside = Workspace() / "." / "meshed-octahedral.";
   ExpectError("must not be the same file as the mesh",
               {"--report_path", beside.string() + "ply"});
-  ExpectError("must not be the same file as the report",
+  ExpectError("must not be the same file as the picture",
               {"--report_path", beside.string() + "png"});
   ExpectError("must not be a .3mf file, whose units are millimetres",
               {"--output_path", (folder_ / "x.3mf").string()});

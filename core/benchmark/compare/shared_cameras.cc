@@ -85,8 +85,8 @@ Similarity3d FitCenters(const std::vector<CenterPair>& centers,
 }
 
 // Of the reference's centres.
-double Spread(const std::vector<CenterPair>& centers,
-              const std::vector<bool>& counts) {
+double SpreadOfCenters(const std::vector<CenterPair>& centers,
+                       const std::vector<bool>& counts) {
   const CenterPair mean = MeanOf(centers, counts);
   double sum = 0;
   double number = 0;
@@ -149,7 +149,7 @@ SharedCameraAlignment AlignSharedCameras(
     }
     counts = inliers;
   }
-  result.spread = Spread(centers, counts);
+  result.spread = SpreadOfCenters(centers, counts);
   return result;
 }
 

@@ -23,7 +23,7 @@ namespace octacut {
 
 // `mesh` is roughly aligned. Meshes are sampled in cells of tau / 2; the
 // toolbox would take their vertices alone. One score; figures of the last
-// alignment ("aligned points" within two tau, "their root mean square"),
+// alignment ("inlier fraction" within two tau, "inlier RMSE"),
 // "points" and "reference points" that count. Warns where fewer than half are
 // aligned. Throws InputError where the crop leaves nothing of either.
 ProtocolResult MeasureTanksAndTemples(const IndexedMesh& mesh,

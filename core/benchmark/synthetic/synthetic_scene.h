@@ -90,7 +90,7 @@ struct SyntheticPoint {
     uint32_t view;          // index into SyntheticScene::views
     Eigen::Vector2d pixel;  // (0, 0) is the image's top-left corner
   };
-  Eigen::Vector3d position;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
   bool on_object = true;                  // not on the surroundings
   std::array<uint8_t, 3> color;           // red, green, blue
   std::vector<Observation> observations;  // at least two, ordered by view

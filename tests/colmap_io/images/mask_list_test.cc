@@ -13,9 +13,10 @@ class MaskListTest : public FolderTest {};
 
 TEST_F(MaskListTest, IsReadAsItWasWritten) {
   MaskList list;
-  list.views = {{"a/b.jpg", MaskStatus::kExtracted, "a/b.jpg.png", "12", 0.5},
-                {"c.jpg", MaskStatus::kUnsure, "", "", 0.25, "dark"},
-                {"d.jpg", MaskStatus::kGiven, "mask_d.png", "ab", 1}};
+  list.views = {
+      {"a/b.jpg", MaskStatus::kExtracted, "a/b.jpg.png", "12", 0.5, ""},
+      {"c.jpg", MaskStatus::kUnsure, "", "", 0.25, "dark"},
+      {"d.jpg", MaskStatus::kGiven, "mask_d.png", "ab", 1, ""}};
   WriteText(folder_ / "masks.json", MaskListText(list));
   const std::optional<MaskList> read = ReadMaskList(folder_);
   ASSERT_TRUE(read);
@@ -46,8 +47,12 @@ TEST_F(MaskListTest, OtherFilesAreRefusedByName) {
 TEST_F(MaskListTest, AMaskIsOctacutsUntilItChanges) {
   WriteText(folder_ / "a.jpg.png", "bytes");
   MaskList list;
-  list.views = {
-      {"a.jpg", MaskStatus::kExtracted, "a.jpg.png", HashOfBytes("bytes"), 1}};
+  list.views = {{"a.jpg",
+                 MaskStatus::kExtracted,
+                 "a.jpg.png",
+                 HashOfBytes("bytes"),
+                 1,
+                 ""}};
   EXPECT_TRUE(IsExtractedMask(list, "a.jpg", folder_ / "a.jpg.png"));
   EXPECT_FALSE(IsExtractedMask({}, "a.jpg", folder_ / "a.jpg.png"));
   WriteText(folder_ / "a.jpg.png", "byteS");

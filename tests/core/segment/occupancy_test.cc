@@ -101,7 +101,7 @@ TEST(Occupancy, AGivenBoxBoundsIt) {
                                 Eigen::Vector3d(1, 1, 1));
   OccupancyGrid grid(CubeOfEdge(2),
                      64,
-                     {.box = box},
+                     {.box = box, .floor = {}},
                      poses,
                      OddsOf({Ball()}, poses),
                      Context(2));

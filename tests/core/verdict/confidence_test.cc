@@ -74,8 +74,9 @@ TEST(VertexConfidence, IsTheSameForAnyNumberOfThreads) {
 
 // Three points in a row, 4 pixels apart.
 SurfaceEvidence ThreePoints(const std::vector<PointEvidence>& values) {
-  const IndexedMesh triangle = {.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
-                                .triangles = {{0, 1, 2}}};
+  IndexedMesh triangle;
+  triangle.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.triangles = {{0, 1, 2}};
   SurfaceEvidence evidence{RayScene(triangle), {}, values, 0.01};
   evidence.points.neighbors.offsets = {0, 1, 3, 4};
   evidence.points.neighbors.corners = {1, 0, 2, 1};

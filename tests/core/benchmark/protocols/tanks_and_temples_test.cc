@@ -74,7 +74,7 @@ TEST(TanksAndTemples, PrecisionAndRecallByCounting) {
   EXPECT_NEAR(result.scores[0].precision,
               double(num_right) / double(mesh.points.size()),
               1e-12);
-  EXPECT_NEAR(Figure(result, "aligned points"),
+  EXPECT_NEAR(Figure(result, "inlier fraction"),
               double(num_right) / double(mesh.points.size()),
               1e-12);
   // The first of the missing columns is closer than tau to the last one kept.
@@ -113,8 +113,8 @@ TEST(TanksAndTemples, AlignsWithScale) {
   }
   EXPECT_GT(before, 0.2 * kTau);
   EXPECT_LT(largest, 0.01 * kTau);
-  EXPECT_EQ(Figure(result, "aligned points"), 1);
-  EXPECT_LT(Figure(result, "their root mean square"), 0.01 * kTau);
+  EXPECT_EQ(Figure(result, "inlier fraction"), 1);
+  EXPECT_LT(Figure(result, "inlier RMSE"), 0.01 * kTau);
   EXPECT_EQ(result.scores[0].f_score, 1);
 }
 

@@ -88,8 +88,11 @@ TEST(MeasureMarkerScale, AViewThatIsWrongIsLeftOut) {
 }
 
 TEST(MeasureMarkerScale, SaysWhyThereIsNone) {
-  const auto fails = ThrowsMessage<InputError>(HasSubstr("ArUco markers: "));
-  EXPECT_THAT([] { MeasureMarkerScale({}, 25); }, fails);
+  EXPECT_THAT([] { MeasureMarkerScale({}, 25); },
+              ThrowsMessage<InputError>(HasSubstr("show no ArUco marker")));
+  const auto fails = ThrowsMessage<InputError>(
+      HasSubstr("show 1 different ArUco markers, but none of them in two "
+                "views"));
   EXPECT_THAT([] { MeasureMarkerScale({See(kFirst, {1, -2, 2})}, 25); }, fails);
   // One degree apart.
   EXPECT_THAT(

@@ -66,9 +66,15 @@ std::string ProgramHelp(std::span<const RegistryEntry> commands) {
       "  octacut [command] [options]\n"
       "  octacut [command] -h [ --help ]\n"
       "  octacut [command] --help_all 1\n\n"
-      "Commands:\n",
+      "After `colmap mapper`, with silhouette masks in W/masks:\n"
+      "  octacut octahedral_mesher --workspace_path W\n",
       OctacutVersion());
+  std::string_view purpose;
   for (const RegistryEntry& command : commands) {
+    if (command.purpose != purpose) {
+      purpose = command.purpose;
+      text += fmt::format("\n{}:\n", purpose);
+    }
     text += fmt::format("  {:{}}  {}\n", command.name, width, command.summary);
   }
   text += fmt::format("  {:{}}  {}\n",
@@ -112,7 +118,7 @@ std::string CommandHelp(const RegistryEntry& command,
   }
   if (num_hidden > 0) {
     text += fmt::format(
-        "\nThere are {} more options for experts, listed by --help_all 1.\n",
+        "\n--help_all 1 also lists {} options that are rarely needed.\n",
         num_hidden);
   }
   return text;

@@ -28,9 +28,9 @@ void DeclareMainOptions(OptionManager& options,
   DeclareFillFalseGaps(options, &meshing->fill_false_gaps);
   options.Add("OctahedralMeshing.ballooning",
               &meshing->evidence.ballooning,
-              "Bias towards the inside for voxels of the visual hull that no "
-              "view decides. Lower values open deeper concavities, higher "
-              "values keep more of untextured objects.");
+              "How strongly voxels of the visual hull count as inside of the "
+              "object where no photograph decides. Lower values open deeper "
+              "concavities, higher values keep more of untextured objects.");
   DeclareChromaWeight(options, &meshing->consistency.chroma_weight);
   options.Add("OctahedralMeshing.min_component",
               &meshing->min_component,

@@ -36,7 +36,7 @@ OptionManager::OptionManager() {
       "Options on the command line take precedence.");
   Add(std::string(kHelpAll),
       &help_all_,
-      "If 1, print this text with the options for experts.");
+      "If 1, print this text with the options that are rarely needed.");
 }
 
 Option& OptionManager::AddOption(std::string name, std::string description) {

@@ -16,6 +16,14 @@ std::string Bar(size_t done, size_t total) {
   return fmt::format(" [{:-<{}}]", std::string(filled, '#'), kBarWidth);
 }
 
+std::string Capitalized(std::string_view name) {
+  std::string text(name);
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') {
+    text[0] = char(text[0] - 'a' + 'A');
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string FormatDuration(std::chrono::duration<double> duration) {
@@ -47,8 +55,8 @@ std::string ProgressReporter::Describe(const RunningPhase& phase,
 
 void ProgressReporter::BeginPhase(std::string_view name, size_t total) {
   const Clock::time_point now = Clock::now();
-  running_.push_back({std::string(name), total, 0, now, now, now});
-  log_.SetStatus(fmt::format("{} ...", name));
+  running_.push_back({Capitalized(name), total, 0, now, now, now});
+  log_.SetStatus(running_.back().name + " ...");
 }
 
 void ProgressReporter::Advance(size_t done) {
@@ -118,7 +126,7 @@ void ProgressReporter::WriteEndedPhases() {
         phase.name,
         phase.is_stopped ? "stopped after " : "",
         seconds.count(),
-        phase.count > 1 ? fmt::format(" ({} times)", phase.count) : ""));
+        phase.count > 1 ? fmt::format(" in {} runs", phase.count) : ""));
   }
   ended_.clear();
 }

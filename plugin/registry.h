@@ -20,6 +20,9 @@ struct RegistryEntry {
   std::string_view name;     // noun_verber
   std::string_view summary;  // one line for `octacut help`
   std::unique_ptr<Command> (*make)();
+  // Heading of `octacut help` under which the command stands; commands under
+  // one heading follow each other.
+  std::string_view purpose;
 };
 
 // In the order in which `octacut help` lists them.

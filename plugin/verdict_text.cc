@@ -235,9 +235,9 @@ class Writer {
                             return a.share < b.share;
                           });
     text_.warnings.push_back(fmt::format(
-        "Fewer than two views see {:.1f} % of the surface. With respect to the "
-        "images, {:.1f} % faces upward, {:.1f} % downward and {:.1f} % "
-        "sideways; {:.1f} % is hidden by the object itself. Add views {}{}.",
+        "Fewer than two views see {:.1f} % of the surface: {:.1f} % faces "
+        "upward in the images, {:.1f} % downward and {:.1f} % sideways; {:.1f} "
+        "% is hidden by the object itself. Add views {}{}.",
         100 * blind.share,
         100 * blind.above,
         100 * blind.below,

@@ -59,8 +59,9 @@ void CheckInput(const Scene& scene,
 
 void ReportLevel(const LevelSummary& level, const Context& context) {
   context.Info(
-      fmt::format("Level {} ({}^3 voxels): {} voxels in the crust, {} in the "
-                  "cut ({} at the border of the crust), cost {:.6g}.",
+      fmt::format("Level {} ({}^3 voxels): of the {} voxels of the crust, the "
+                  "cut passes through {} ({} of them at the crust's border); "
+                  "its cost is {:.6g}.",
                   level.level,
                   level.resolution,
                   level.num_crust_voxels,

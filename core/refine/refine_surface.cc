@@ -118,7 +118,8 @@ void SummarizeMoves(const std::vector<Eigen::Vector3d>& start,
 void ReportBorders(const RefineSummary& summary, const Context& context) {
   context.Info(
       fmt::format("Refinement estimates that all masks are {0:.2f} pixels too "
-                  "{2} (a pixel covers {1:.3g} units on the surface).",
+                  "{2}, and corrects for it (a pixel covers {1:.3g} units on "
+                  "the surface).",
                   std::abs(summary.border_shift),
                   summary.pixel_size,
                   summary.border_shift < 0 ? "small" : "large"));

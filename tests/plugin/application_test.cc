@@ -39,9 +39,10 @@ class Failing : public Command {
 };
 
 constexpr RegistryEntry kCommands[] = {
-    {"failing_command", "Fails", []() -> std::unique_ptr<Command> {
-       return std::make_unique<Failing>();
-     }}};
+    {"failing_command",
+     "Fails",
+     []() -> std::unique_ptr<Command> { return std::make_unique<Failing>(); },
+     "Failing"}};
 
 struct Outcome {
   int exit_code;

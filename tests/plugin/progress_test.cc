@@ -75,11 +75,11 @@ TEST(ProgressReporter, EndedPhasesAreSummedBeforeTheNextMessage) {
   const std::vector<std::string> lines = LinesOf(console);
   ASSERT_EQ(lines.size(), 5u) << console.str();
   EXPECT_THAT(lines[0],
-              MatchesRegex("photo-consistency: [0-9]+.[0-9] s .2 times."));
-  EXPECT_THAT(lines[1], MatchesRegex("cut: [0-9]+.[0-9] s"));
-  EXPECT_THAT(lines[2], MatchesRegex("cut again: [0-9]+.[0-9] s"));
+              MatchesRegex("Photo-consistency: [0-9]+.[0-9] s in 2 runs"));
+  EXPECT_THAT(lines[1], MatchesRegex("Cut: [0-9]+.[0-9] s"));
+  EXPECT_THAT(lines[2], MatchesRegex("Cut again: [0-9]+.[0-9] s"));
   EXPECT_EQ(lines[3], "WARNING: careful");
-  EXPECT_THAT(lines[4], MatchesRegex("colours: [0-9]+.[0-9] s"));
+  EXPECT_THAT(lines[4], MatchesRegex("Colours: [0-9]+.[0-9] s"));
 }
 
 TEST(ProgressReporter, PhasesThatTookNoTimeAreLeftOut) {
@@ -102,9 +102,9 @@ TEST(ProgressReporter, LongPhasesHaveLinesOfProgressWithoutATerminal) {
   reporter.Advance(1);
   const std::vector<std::string> lines = LinesOf(console);
   ASSERT_EQ(lines.size(), 2u) << console.str();
-  EXPECT_THAT(lines[0], HasSubstr("masks: "));
+  EXPECT_THAT(lines[0], HasSubstr("Masks: "));
   EXPECT_THAT(lines[1],
-              MatchesRegex("cut  25 %, [0-9:]+ elapsed, about [0-9:]+ left"));
+              MatchesRegex("Cut  25 %, [0-9:]+ elapsed, about [0-9:]+ left"));
   reporter.EndPhase();
 }
 
@@ -118,7 +118,7 @@ TEST(ProgressReporter, PhasesThatAnErrorEndsAreStopped) {
     throw CancelledError();
   } catch (const CancelledError&) {
   }
-  EXPECT_THAT(LinesOf(console), ElementsAre("cut: stopped after 0.0 s"));
+  EXPECT_THAT(LinesOf(console), ElementsAre("Cut: stopped after 0.0 s"));
 }
 
 TEST(ProgressReporter, ABarThatIsUpdatedOnATerminal) {
@@ -138,7 +138,7 @@ TEST(ProgressReporter, ABarThatIsUpdatedOnATerminal) {
   std::free(text);
   EXPECT_THAT(screen, Not(HasSubstr("\n")));
   EXPECT_THAT(screen,
-              HasSubstr("\r\033[Kpatches [##########----------]  50 %, 0:00 "
+              HasSubstr("\r\033[KPatches [##########----------]  50 %, 0:00 "
                         "elapsed, about "));
   EXPECT_TRUE(screen.ends_with("\r\033[K")) << "the last status stays";
   // Lines that stay are the same everywhere.

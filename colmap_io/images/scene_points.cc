@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kMaxErrorOverMedian = 4;
 constexpr size_t kMinTrack = 3;
+// Views share shadows, in which masks miss the object.
+constexpr double kMinShareOfViews = 0.8;
 
 double ErrorLimit(const std::vector<SparsePoint>& points) {
   std::vector<double> errors;
@@ -87,7 +89,7 @@ std::vector<Eigen::Vector3d> ScenePoints(const SparseModel& model,
     }
   }
   std::vector<Eigen::Vector3d> result;
-  for (size_t i : PointsInsideMasks(views, positions)) {
+  for (size_t i : PointsInsideMasks(views, positions, kMinShareOfViews)) {
     result.push_back(positions[i]);
   }
   return result;

@@ -17,7 +17,7 @@ namespace octacut {
 // - lie inside the masks of at least two images that see them, and of four in
 //   five: a point of the background may be behind the object in images that do
 //   not see it,
-// - lie inside the masks as PointsInsideMasks has it.
+// - lie inside the masks of four in five of all views (PointsInsideMasks).
 // `views` are of images of the model, found by their names; their masks may be
 // of low resolution.
 std::vector<Eigen::Vector3d> ScenePoints(const SparseModel& model,

@@ -10,6 +10,7 @@
 #include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/hull/mask_gaps.h"
+#include "core/hull/point_gaps.h"
 #include "core/hull/visual_hull.h"
 #include "core/views/view_set.h"
 
@@ -141,21 +142,24 @@ void Report(const RepairedScene& filled, const Context& context) {
   if (filled.gaps.empty()) {
     return;
   }
-  const auto largest =
-      std::max_element(filled.gaps.begin(),
-                       filled.gaps.end(),
-                       [](const FalseGap& a, const FalseGap& b) {
-                         return a.num_pixels < b.num_pixels;
-                       });
+  const FalseGap& largest = LargestGap(filled);
   context.Info(fmt::format(
       "Filled {} gaps in the masks because other views show the object there. "
       "The largest gap has {} pixels and is in the mask of {}.",
       filled.gaps.size(),
-      largest->num_pixels,
-      filled.scene.views[largest->view].name));
+      largest.num_pixels,
+      filled.scene.views[largest.view].name));
 }
 
 }  // namespace
+
+const FalseGap& LargestGap(const RepairedScene& filled) {
+  return *std::max_element(filled.gaps.begin(),
+                           filled.gaps.end(),
+                           [](const FalseGap& a, const FalseGap& b) {
+                             return a.num_pixels < b.num_pixels;
+                           });
+}
 
 RepairedScene FillFalseGaps(const Scene& scene,
                             const BoundingCube& cube,
@@ -190,8 +194,15 @@ RepairedScene RepairMasks(const Scene& scene,
                           double mask_tolerance,
                           bool fill_false_gaps,
                           const Context& context) {
-  return fill_false_gaps ? FillFalseGaps(scene, cube, mask_tolerance, context)
-                         : RepairedScene{scene, {}};
+  if (!fill_false_gaps) {
+    return {scene, {}};
+  }
+  RepairedScene at_points = FillGapsAtPoints(scene, mask_tolerance, context);
+  RepairedScene repaired =
+      FillFalseGaps(at_points.scene, cube, mask_tolerance, context);
+  repaired.gaps.insert(
+      repaired.gaps.begin(), at_points.gaps.begin(), at_points.gaps.end());
+  return repaired;
 }
 
 }  // namespace octacut

@@ -23,6 +23,9 @@ struct RepairedScene {
   std::vector<FalseGap> gaps;
 };
 
+// The first one of those with most pixels; there must be one.
+const FalseGap& LargestGap(const RepairedScene& filled);
+
 // Fills false gaps in the masks. What is seen through a gap is free, and other
 // views' silhouettes leave little of the lines of sight through its middle. A
 // gap is false where they leave half as much of them (seven tenths, of a bay)
@@ -36,7 +39,8 @@ RepairedScene FillFalseGaps(const Scene& scene,
                             double mask_tolerance,
                             const Context& context);
 
-// The scene with the false gaps of its masks filled if `fill_false_gaps`, else
+// The scene with the gaps of its masks filled that its points or other views
+// show to be false (FillGapsAtPoints, FillFalseGaps) if `fill_false_gaps`, else
 // the scene as it is.
 RepairedScene RepairMasks(const Scene& scene,
                           const BoundingCube& cube,

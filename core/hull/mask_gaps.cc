@@ -9,9 +9,6 @@
 namespace octacut {
 namespace {
 
-// The largest gap in units of the object's area. Larger gaps are hardly ever
-// mistakes.
-constexpr double kMaxGapShare = 0.05;
 // The radius of the disc that rolls around the object, and the depth of bays,
 // in units of the side of a square as large as the object. Objects have shallow
 // bays of their own that one view alone sees.
@@ -61,6 +58,7 @@ std::vector<Eigen::Vector2f> PixelCenters(const cv::Mat& where,
   std::vector<cv::Point> pixels;
   cv::findNonZero(where, pixels);
   std::vector<Eigen::Vector2f> centers;
+  centers.reserve(pixels.size());
   for (const cv::Point& pixel : pixels) {
     centers.emplace_back(float(window.x + pixel.x) + 0.5f,
                          float(window.y + pixel.y) + 0.5f);

@@ -8,6 +8,10 @@
 
 namespace octacut {
 
+// The largest gap in units of the object's area. Larger gaps are hardly ever
+// mistakes.
+inline constexpr double kMaxGapShare = 0.05;
+
 struct MaskGap {
   bool is_enclosed = false;  // else a bay
   cv::Rect box;

@@ -15,6 +15,8 @@ namespace octacut {
 namespace {
 
 constexpr size_t kMinPoints = 8;
+// Of the views, that have to show a sparse point of the object inside.
+constexpr double kMinShareOfViews = 0.9;
 
 Region MakeRegion(const Eigen::AlignedBox3d& box,
                   RegionSource source,
@@ -48,7 +50,7 @@ Eigen::AlignedBox3d RobustBox(const std::vector<Eigen::Vector3d>& points) {
 Eigen::AlignedBox3d PointBox(const std::vector<View>& views,
                              const std::vector<Eigen::Vector3d>& points) {
   std::vector<Eigen::Vector3d> inside;
-  for (size_t i : PointsInsideMasks(views, points)) {
+  for (size_t i : PointsInsideMasks(views, points, kMinShareOfViews)) {
     inside.push_back(points[i]);
   }
   if (inside.size() < kMinPoints) {
@@ -214,7 +216,8 @@ void CheckFloatsResolve(const BoundingCube& cube, int level) {
 
 std::vector<size_t> PointsInsideMasks(
     const std::vector<View>& views,
-    const std::vector<Eigen::Vector3d>& points) {
+    const std::vector<Eigen::Vector3d>& points,
+    double min_share) {
   std::vector<size_t> inside(points.size());
   std::vector<size_t> outside(points.size());
   for (const View& view : views) {
@@ -227,7 +230,8 @@ std::vector<size_t> PointsInsideMasks(
   }
   std::vector<size_t> result;
   for (size_t i = 0; i < points.size(); ++i) {
-    if (inside[i] >= 2 && inside[i] >= 9 * outside[i]) {
+    if (inside[i] >= 2 &&
+        double(inside[i]) >= min_share * double(inside[i] + outside[i])) {
       result.push_back(i);
     }
   }

@@ -72,10 +72,12 @@ Region EstimateRegion(const std::vector<View>& views,
 void CheckFloatsResolve(const BoundingCube& cube, int level);
 
 // Numbers of those `points` (ascending) that at least two views show inside
-// their silhouette, and that are inside in at least nine of ten views. Views
-// that have the point out of sight do not count, unless the object is clear of
-// their frame: the point is outside then.
+// their silhouette, and that are inside in at least `min_share` of the views.
+// Views that have the point out of sight do not count, unless the object is
+// clear of their frame: the point is outside then.
 std::vector<size_t> PointsInsideMasks(
-    const std::vector<View>& views, const std::vector<Eigen::Vector3d>& points);
+    const std::vector<View>& views,
+    const std::vector<Eigen::Vector3d>& points,
+    double min_share);
 
 }  // namespace octacut

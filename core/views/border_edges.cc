@@ -5,6 +5,7 @@
 #include <cmath>
 #include <Eigen/Core>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 #include "core/base/median.h"
@@ -39,12 +40,12 @@ constexpr size_t kMinPoints = 100;
 // of one sixth.
 constexpr double kMinShare = 1.0 / 3;
 
-// The largest shift, in pixels, that edges alone may cause: masks differ by it
-// that cover each pixel which the object touches, or only those that it fills.
-// Where an object is dark towards its contour, before a dark background, edges
-// lie pixels too far inside; larger shifts are left to the offsets of
-// refinement.
-constexpr float kMaxEdgeShift = 1;
+// The largest shift, in pixels, that edges may cause if the strongest ones and
+// the nearest ones do not agree to half a pixel: masks differ by it that cover
+// each pixel which the object touches, or only those that it fills. Larger
+// shifts are then left to the offsets of refinement.
+constexpr float kMaxDoubtfulShift = 1;
+constexpr double kMaxDisagreement = 0.5;
 // The share of edges that agree, from which on their deviation says how well
 // the shift is known, and how many of these (1.3 standard deviations).
 constexpr double kMostEdges = 0.5;
@@ -273,28 +274,56 @@ std::vector<float> WithinAPixel(const std::vector<float>& offsets,
   return near;
 }
 
-// Where offsets are most frequent, to a step.
+// Pixels on both sides of a peak where offsets have to be less frequent.
+constexpr int kBesideBegin = int(1.25f / kStep);
+constexpr int kBesideEnd = int(2 / kStep);
+// Of the greatest height above what is beside: there may be two outlines.
+constexpr float kClearHeight = 0.75f;
+
+using Histogram = std::array<int, kNumSteps>;
+
+float MeanOf(const Histogram& counts, int begin, int end) {
+  begin = std::max(begin, 0);
+  end = std::min(end, kNumSteps);
+  return begin < end ? float(std::accumulate(
+                           counts.begin() + begin, counts.begin() + end, 0)) /
+                           float(end - begin)
+                     : 0;
+}
+
+// Where offsets are most frequent, to a step, of where they are clearly more
+// frequent than beside. The nearest of edges that lie anywhere are frequent
+// near the border of the mask, but hardly more so than beside.
 float Peak(const std::vector<float>& offsets) {
-  std::array<int, kNumSteps> counts{};
+  Histogram counts{};
   for (const float offset : offsets) {
     ++counts[std::clamp(
         int(std::lround((offset + kRange) / kStep)), 0, kNumSteps - 1)];
   }
-  int best = 0;
-  int most = -1;
+  std::array<float, kNumSteps> means{};
+  std::array<float, kNumSteps> heights{};
   for (int i = 2; i + 2 < kNumSteps; ++i) {
-    const int sum = counts[i - 2] + 2 * counts[i - 1] + 3 * counts[i] +
-                    2 * counts[i + 1] + counts[i + 2];
-    if (sum > most) {
-      most = sum;
+    means[i] = float(counts[i - 2] + 2 * counts[i - 1] + 3 * counts[i] +
+                     2 * counts[i + 1] + counts[i + 2]) /
+               9;
+    heights[i] = means[i] -
+                 std::max(MeanOf(counts, i - kBesideEnd, i - kBesideBegin + 1),
+                          MeanOf(counts, i + kBesideBegin, i + kBesideEnd + 1));
+  }
+  const float clear =
+      kClearHeight * *std::max_element(heights.begin(), heights.end());
+  int best = 0;
+  for (int i = 0; i < kNumSteps; ++i) {
+    if (heights[i] >= clear && means[i] > means[best]) {
       best = i;
     }
   }
   return float(best) * kStep - kRange;
 }
 
-// None unless enough of the offsets agree.
-std::optional<BorderEdges> FindPeak(const std::vector<float>& offsets) {
+// None unless so many of the offsets agree.
+std::optional<BorderEdges> FindPeak(const std::vector<float>& offsets,
+                                    double min_share) {
   if (offsets.size() < kMinPoints) {
     return std::nullopt;
   }
@@ -303,7 +332,7 @@ std::optional<BorderEdges> FindPeak(const std::vector<float>& offsets) {
   for (int i = 0; i < 3; ++i) {
     near = WithinAPixel(offsets, center);
     if (near.size() < kMinPoints ||
-        double(near.size()) < kMinShare * double(offsets.size())) {
+        double(near.size()) < min_share * double(offsets.size())) {
       return std::nullopt;
     }
     center = Median(near);
@@ -340,11 +369,13 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
   }
   // The nearest of many random edges is near, so the strongest ones say whether
   // there is a peak.
-  const std::optional<BorderEdges> strongest = FindPeak(offsets.strongest);
+  const std::optional<BorderEdges> strongest =
+      FindPeak(offsets.strongest, kMinShare);
   std::optional<BorderEdges> edges =
-      strongest ? FindPeak(offsets.nearest) : std::nullopt;
+      strongest ? FindPeak(offsets.nearest, 0) : std::nullopt;
   if (edges) {
     edges->share = strongest->share;
+    edges->strongest_shift = strongest->shift;
   }
   return edges;
 }
@@ -352,12 +383,15 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
 std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
                                                ViewSet* views) {
   const std::optional<BorderEdges> edges = MeasureBorderEdges(*views, context);
-  const bool is_known = edges && edges->share >= kMostEdges &&
-                        std::abs(edges->shift) < kMaxEdgeShift;
+  const bool is_certain =
+      edges &&
+      std::abs(edges->shift - edges->strongest_shift) < kMaxDisagreement;
+  const double limit = is_certain ? kRange : kMaxDoubtfulShift;
+  const bool is_known =
+      edges && edges->share >= kMostEdges && std::abs(edges->shift) < limit;
   for (PreparedView& view : *views) {
     view.border_shift =
-        edges ? std::clamp(float(edges->shift), -kMaxEdgeShift, kMaxEdgeShift)
-              : 0;
+        edges ? float(std::clamp(edges->shift, -limit, limit)) : 0;
     view.border_shift_error = is_known
                                   ? kShiftDeviations * float(edges->deviation)
                                   : std::numeric_limits<float>::infinity();

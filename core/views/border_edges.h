@@ -15,8 +15,9 @@ namespace octacut {
 struct BorderEdges {
   double shift = 0;      // the borders lie that far outside the edges
   double deviation = 0;  // median distance of the edges from that
-  // Of the points, those whose strongest edges agree to a pixel.
+  // Of the points, those whose strongest edges agree to a pixel, and on what.
   double share = 0;
+  double strongest_shift = 0;
 };
 
 // Along lines across the borders, edges are looked for within six pixels, in
@@ -30,10 +31,10 @@ struct BorderEdges {
 std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
                                               const Context& context);
 
-// Measures and sets PreparedView::border_shift of all views, to at most a
-// pixel; 0 where there is nothing to measure. border_shift_error is two
-// deviations if most edges agree on a shift of less than a pixel, and infinite
-// otherwise.
+// Measures and sets PreparedView::border_shift of all views; 0 where there is
+// nothing to measure, and at most a pixel where the strongest edges say
+// otherwise than the nearest ones. border_shift_error is two deviations if most
+// edges agree on such a shift, and infinite otherwise.
 std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
                                                ViewSet* views);
 

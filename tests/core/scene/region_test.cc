@@ -205,7 +205,7 @@ TEST(Region, PointsInsideMasksDropsBackground) {
   const auto views = RenderAllAround({0, 0, 0}, 4, 300, Sphere({0, 0, 0}, 1));
   const std::vector<Eigen::Vector3d> points = {
       {0, 0, 0.9}, {0, 0, 1.3}, {0.5, 0.5, 0}, {1.2, 0, 0}, {40, 0, 0}};
-  EXPECT_EQ(PointsInsideMasks(views, points), (std::vector<size_t>{0, 2}));
+  EXPECT_EQ(PointsInsideMasks(views, points, 0.9), (std::vector<size_t>{0, 2}));
 }
 
 TEST(RegionOptions, DefaultsAreValidAndBadValuesAreNamed) {

@@ -21,7 +21,8 @@ double Coverage(int x, int y, double radius) {
   int count = 0;
   for (int i = 0; i < kSamples * kSamples; ++i) {
     const double u = x + (i % kSamples + 0.5) / kSamples - kSize / 2.0;
-    const double v = y + (i / kSamples + 0.5) / kSamples - kSize / 2.0;
+    const int row = i / kSamples;
+    const double v = y + (row + 0.5) / kSamples - kSize / 2.0;
     count += u * u + v * v < radius * radius ? 1 : 0;
   }
   return double(count) / (kSamples * kSamples);
@@ -121,9 +122,9 @@ TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
     EXPECT_FLOAT_EQ(view.border_shift_error, 2 * float(edges->deviation));
   }
   ViewSet large = {MakeView(3, 0.6, 0.1)};
-  EXPECT_NEAR(ShiftBordersToEdges(Context(1), &large)->shift, 3, 0.2);
-  EXPECT_EQ(large[0].border_shift, 1);
-  EXPECT_TRUE(std::isinf(large[0].border_shift_error));
+  ShiftBordersToEdges(Context(1), &large);
+  EXPECT_NEAR(large[0].border_shift, 3, 0.2);
+  EXPECT_LT(large[0].border_shift_error, 0.5);
   views[0].pyramid = ImagePyramid();
   views[1].pyramid = ImagePyramid();
   EXPECT_FALSE(ShiftBordersToEdges(Context(1), &views));

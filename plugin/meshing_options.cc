@@ -40,8 +40,9 @@ void DeclareMainOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.min_handle",
       &meshing->min_handle,
-      "Remove handles and pinholes that a loop of at most this many voxels (or "
-      "pixels, if these are larger) encircles; 0 keeps all.");
+      "Remove bridges that a loop of at most this many voxels (or pixels, if "
+      "these are larger) encircles, and fill tunnels up to twice as wide; 0 "
+      "keeps all.");
 }
 
 void DeclareExpertOptions(OptionManager& options,

@@ -1,6 +1,7 @@
 #include "core/handles/remove_handles.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <set>
 #include <utility>
@@ -17,6 +18,9 @@ namespace {
 
 // How often other loops are tried where all that were chosen have failed.
 constexpr int kMaxAttempts = 16;
+// The longest loop around a tunnel in units of that around a bridge
+// (docs/experiments/handles.md).
+constexpr double kTunnelLength = 2;
 
 using Vertices = std::vector<uint32_t>;
 
@@ -78,6 +82,29 @@ void KeepConnected(const HalfEdges& half_edges,
   }
 }
 
+// Whether the surface faces the middle of the loop: what is cut is then free
+// space, and it is filled.
+bool IsAroundTunnel(const IndexedMesh& mesh,
+                    const HalfEdges& half_edges,
+                    const HandleLoop& loop) {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const uint32_t h : loop.half_edges) {
+    middle += mesh.positions[half_edges.Origin(h)];
+  }
+  middle /= double(loop.half_edges.size());
+  double facing = 0;
+  for (const uint32_t h : loop.half_edges) {
+    for (const uint32_t triangle : {h / 3, half_edges.Opposite(h) / 3}) {
+      const std::array<uint32_t, 3>& corners = mesh.triangles[triangle];
+      const Eigen::Vector3d& a = mesh.positions[corners[0]];
+      const Eigen::Vector3d normal = (mesh.positions[corners[1]] - a)
+                                         .cross(mesh.positions[corners[2]] - a);
+      facing += normal.dot(middle - mesh.positions[half_edges.Origin(h)]);
+    }
+  }
+  return facing > 0;
+}
+
 struct CutMesh {
   IndexedMesh mesh;
   size_t num_loops = 0;  // 0: there is no mesh
@@ -114,12 +141,15 @@ size_t RemoveSome(double max_length,
                   std::set<Vertices>* refused,
                   IndexedMesh* mesh) {
   const HalfEdges half_edges(mesh->positions.size(), mesh->triangles, context);
-  const std::vector<HandleLoop> loops =
+  std::vector<HandleLoop> loops =
       FindHandleLoops(*mesh,
                       half_edges,
                       SurfaceHomology(half_edges, context),
-                      max_length,
+                      kTunnelLength * max_length,
                       context);
+  std::erase_if(loops, [&](const HandleLoop& loop) {
+    return loop.length > max_length && !IsAroundTunnel(*mesh, half_edges, loop);
+  });
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     std::vector<HandleLoop> chosen =
         ChooseDisjoint(loops, half_edges, *refused);

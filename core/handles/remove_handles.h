@@ -26,12 +26,12 @@ struct RemovedHandles {
 };
 
 // Removes handles around which there is a loop of edges of at most `max_length`
-// (world units; 0: none) that does not cut the surface in two, the shortest
-// first: the genus falls by one with each, no component falls apart. A handle
-// all of whose loops are refused stays. `mesh` is to be closed, oriented and
-// free of self-intersections, and stays so; its vertices and triangles keep
-// their numbers. New triangles are no thinner than `min_height` (world units,
-// thin_triangles.h).
+// (world units; 0: none) that does not cut the surface in two, or of twice that
+// around a tunnel, the shortest first: the genus falls by one with each, no
+// component falls apart. A handle all of whose loops are refused stays. `mesh`
+// is to be closed, oriented and free of self-intersections, and stays so; its
+// vertices and triangles keep their numbers. New triangles are no thinner than
+// `min_height` (world units, thin_triangles.h).
 RemovedHandles RemoveHandles(IndexedMesh mesh,
                              double max_length,
                              double min_height,

@@ -89,6 +89,28 @@ TEST(RemoveHandles, FillsAPinholeThroughAPlate) {
   EXPECT_NEAR(volume, before.volume, 0.01 * before.volume);
 }
 
+// Loops of 14 to 17 edges of a voxel go around a bar and a hole of the same
+// width.
+TEST(RemoveHandles, FillsTunnelsTwiceAsWideAsTheBridgesItCuts) {
+  const double radius = 2.2 * kVoxel;
+  const IndexedMesh bars = JoinedBalls(radius, 3 * kVoxel);
+  const IndexedMesh plate = MeshOf([&](const Eigen::Vector3d& p) {
+    const Eigen::Vector3d q = p - Eigen::Vector3d(0.5, 0.5, 0.5);
+    return std::max({std::hypot(q.x(), q.y()) - 0.35,
+                     std::abs(q.z()) - 4 * kVoxel,
+                     radius - std::hypot(q.x(), q.y())});
+  });
+  const auto num_removed = [&](const IndexedMesh& mesh, double max_length) {
+    return RemoveHandles(
+               mesh, max_length * kVoxel, kMinHeight * kVoxel, Context(2))
+        .summary.num_removed;
+  };
+  EXPECT_EQ(num_removed(bars, 10), 0u);
+  EXPECT_EQ(num_removed(bars, 20), 1u);
+  EXPECT_EQ(num_removed(plate, 5), 0u);
+  EXPECT_EQ(num_removed(plate, 10), 1u);
+}
+
 TEST(RemoveHandles, LeavesThickHandles) {
   const IndexedMesh mesh = MeshOf(TorusDistance);
   const RemovedHandles same =

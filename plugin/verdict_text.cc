@@ -222,11 +222,12 @@ class Writer {
       double share;
       const char* help;
     };
-    const std::array<Direction, 4> directions = {{
+    const std::array<Direction, 5> directions = {{
         {blind.hidden, "that look into the concavities"},
         {blind.above, "from above"},
         {blind.below, "from below, or of the object turned over"},
         {blind.aside, "from the missing sides"},
+        {ShareOfUnknown(blind), "of these parts"},
     }};
     const Direction& most =
         *std::max_element(directions.begin(),
@@ -235,19 +236,37 @@ class Writer {
                             return a.share < b.share;
                           });
     text_.warnings.push_back(fmt::format(
-        "Fewer than two views see {:.1f} % of the surface: {:.1f} % faces "
-        "upward in the images, {:.1f} % downward and {:.1f} % sideways; {:.1f} "
-        "% is hidden by the object itself. Add views {}{}.",
+        "Fewer than two views see {:.1f} % of the surface: {}. Add views {}{}.",
         100 * blind.share,
-        100 * blind.above,
-        100 * blind.below,
-        100 * blind.aside,
-        100 * blind.hidden,
-        most.share > 0 ? most.help : "of these parts",
+        DescribeBlind(blind),
+        most.help,
         blind.nearest_view && most.share != blind.hidden
             ? "; the nearest existing view is " +
                   views_[*blind.nearest_view].name
             : std::string()));
+  }
+
+  // What no view hides, where the images have no common up.
+  static double ShareOfUnknown(const BlindPart& blind) {
+    return blind.above + blind.below + blind.aside > 0
+               ? 0
+               : blind.share - blind.hidden;
+  }
+
+  static std::string DescribeBlind(const BlindPart& blind) {
+    const double unknown = ShareOfUnknown(blind);
+    const std::string facing =
+        unknown > 0
+            ? fmt::format("{:.1f} % faces away from them", 100 * unknown)
+            : fmt::format(
+                  "{:.1f} % faces upward in the images, {:.1f} % "
+                  "downward and {:.1f} % sideways",
+                  100 * blind.above,
+                  100 * blind.below,
+                  100 * blind.aside);
+    return fmt::format("{}, and {:.1f} % is hidden by the object itself",
+                       facing,
+                       100 * blind.hidden);
   }
 
   void WarnOfUndecided(const SurfaceSupport& surface) {

@@ -166,6 +166,20 @@ TEST(VerdictText, SaysFromWhereViewsAreMissing) {
                                 Not(HasSubstr("b.jpg")))));
 }
 
+TEST(VerdictText, SaysNotWhereUpIsIfImagesHaveNoCommonUp) {
+  MeshVerdict verdict = GoodVerdict();
+  BlindPart& blind = verdict.surface->blind;
+  blind.share = 0.2;
+  blind.below = 0;
+  blind.hidden = 0.05;
+  blind.nearest_view = 1;
+  EXPECT_THAT(WarningsOf(verdict),
+              ElementsAre(AllOf(HasSubstr("15.0 % faces away from them, and "
+                                          "5.0 % is hidden"),
+                                HasSubstr("views of these parts"),
+                                HasSubstr("nearest existing view is b.jpg"))));
+}
+
 TEST(VerdictText, SaysWhereLightWouldHelp) {
   MeshVerdict verdict = GoodVerdict();
   verdict.surface->photographs = 0.3;

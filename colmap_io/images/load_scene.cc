@@ -267,10 +267,14 @@ void Loader::FindRegion() {
   for (Candidate& candidate : candidates_) {
     views.push_back(std::move(candidate.mask.view));
   }
-  result_.scene.points = ScenePoints(workspace_.model, views);
-  result_.summary.num_points = result_.scene.points.size();
-  result_.region =
-      EstimateRegion(views, result_.scene.points, options_.region, context_);
+  std::vector<Eigen::Vector3d>& points = result_.scene.points;
+  points = ScenePoints(workspace_.model, views);
+  result_.region = EstimateRegion(views, points, options_.region, context_);
+  // A given box may be that of one of several objects.
+  std::erase_if(points, [&](const Eigen::Vector3d& point) {
+    return !result_.region.box.contains(point);
+  });
+  result_.summary.num_points = points.size();
 }
 
 void Loader::PlanWindows() {

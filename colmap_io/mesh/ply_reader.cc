@@ -105,6 +105,18 @@ class PlyBody {
           fmt::format("{} vertex normals are not finite and were set to zero",
                       num_bad_normals_));
     }
+    const size_t num_vertices = mesh_.positions.size();
+    const RemovedElements removed = RemoveNonFinite(&mesh_);
+    if (removed.num_vertices > 0) {
+      if (removed.num_vertices == num_vertices) {
+        values_.Source().Fail("no vertex has finite coordinates");
+      }
+      notes->push_back(fmt::format(
+          "{} vertices whose coordinates are not finite, and the {} faces at "
+          "them, are left out",
+          removed.num_vertices,
+          removed.num_faces));
+    }
     return std::move(mesh_);
   }
 
@@ -138,9 +150,6 @@ class PlyBody {
       values_.SetElement(&element, i);
       ReadVertex(element, layout, &read);
       mesh_.positions.emplace_back(read[0], read[1], read[2]);
-      if (!mesh_.positions.back().allFinite()) {
-        values_.Fail("coordinates are not finite");
-      }
       if (has_normals) {
         AppendNormal(Eigen::Vector3d(read[3], read[4], read[5]).cast<float>());
       }

@@ -140,6 +140,19 @@ class EarClipper {
   std::vector<size_t> ring_;
 };
 
+constexpr uint32_t kRemoved = UINT32_MAX;
+
+template <typename Value>
+void Keep(const std::vector<uint32_t>& kept, std::vector<Value>* values) {
+  if (values->empty()) {
+    return;
+  }
+  for (size_t i = 0; i < kept.size(); ++i) {
+    (*values)[i] = (*values)[kept[i]];
+  }
+  values->resize(kept.size());
+}
+
 void CheckCorners(const PolygonMesh& mesh, const std::string& name) {
   for (size_t face = 0; face < mesh.NumFaces(); ++face) {
     for (const uint32_t vertex : mesh.Face(face)) {
@@ -157,6 +170,44 @@ void CheckCorners(const PolygonMesh& mesh, const std::string& name) {
 }
 
 }  // namespace
+
+RemovedElements RemoveNonFinite(PolygonMesh* mesh) {
+  const size_t num_vertices = mesh->positions.size();
+  std::vector<uint32_t> kept;
+  std::vector<uint32_t> numbers(num_vertices, kRemoved);
+  for (size_t v = 0; v < num_vertices; ++v) {
+    if (mesh->positions[v].allFinite()) {
+      numbers[v] = uint32_t(kept.size());
+      kept.push_back(uint32_t(v));
+    }
+  }
+  RemovedElements removed{.num_vertices = num_vertices - kept.size()};
+  if (removed.num_vertices == 0) {
+    return removed;
+  }
+  Keep(kept, &mesh->positions);
+  Keep(kept, &mesh->normals);
+  Keep(kept, &mesh->colors);
+  Keep(kept, &mesh->confidence);
+  PolygonMesh faces;
+  for (size_t i = 0; i < mesh->NumFaces(); ++i) {
+    const std::span<const uint32_t> face = mesh->Face(i);
+    const auto is_removed = [&](uint32_t vertex) {
+      return vertex < num_vertices && numbers[vertex] == kRemoved;
+    };
+    if (std::any_of(face.begin(), face.end(), is_removed)) {
+      ++removed.num_faces;
+      continue;
+    }
+    for (const uint32_t vertex : face) {
+      faces.corners.push_back(vertex < num_vertices ? numbers[vertex] : vertex);
+    }
+    faces.EndFace();
+  }
+  mesh->face_begins = std::move(faces.face_begins);
+  mesh->corners = std::move(faces.corners);
+  return removed;
+}
 
 IndexedMesh Triangulate(PolygonMesh mesh,
                         const std::string& name,

@@ -31,6 +31,16 @@ struct PolygonMesh {
   void EndFace() { face_begins.push_back(corners.size()); }
 };
 
+struct RemovedElements {
+  size_t num_vertices = 0;
+  size_t num_faces = 0;
+};
+
+// Removes the vertices with coordinates that are not finite, as COLMAP's
+// poisson_mesher writes some, and the faces at them. Corners that are no vertex
+// stay.
+RemovedElements RemoveNonFinite(PolygonMesh* mesh);
+
 // Triangles of all faces, in their order. A quadrilateral is cut along its
 // shorter inner diagonal, a larger polygon by clipping the ears of its
 // projection along its (Newell) normal, a polygon of very many corners as a

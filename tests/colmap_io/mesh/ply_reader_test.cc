@@ -168,6 +168,32 @@ TEST(PlyReader, PointsOnlyAndEmptyAreAccepted) {
           .mesh.positions.empty());
 }
 
+// COLMAP 3.8's poisson_mesher writes such vertices.
+TEST(PlyReader, LeavesOutVerticesThatAreNotFinite) {
+  const MeshFile file =
+      ReadText(Ascii("element vertex 6\n" + kXyz +
+                         "property uchar red\nproperty uchar green\n"
+                         "property uchar blue\nelement face 3\n"
+                         "property list uchar int vertex_indices\n",
+                     "0 0 0 0 0 0\nnan 0 0 1 1 1\n1 0 0 2 2 2\n0 1 0 3 3 3\n"
+                     "0 0 -inf 4 4 4\n1 1 0 5 5 5\n"
+                     "3 0 2 3\n3 0 1 2\n4 3 2 5 4\n"),
+               MeshFormat::kPly);
+  EXPECT_THAT(file.mesh.positions,
+              ElementsAre(Eigen::Vector3d(0, 0, 0),
+                          Eigen::Vector3d(1, 0, 0),
+                          Eigen::Vector3d(0, 1, 0),
+                          Eigen::Vector3d(1, 1, 0)));
+  EXPECT_THAT(
+      file.mesh.colors,
+      ElementsAre(
+          Color{0, 0, 0}, Color{2, 2, 2}, Color{3, 3, 3}, Color{5, 5, 5}));
+  EXPECT_THAT(file.mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_THAT(file.notes,
+              ElementsAre("2 vertices whose coordinates are not finite, and "
+                          "the 2 faces at them, are left out"));
+}
+
 TEST(PlyReader, TriangleStrips) {
   const MeshFile file =
       ReadText(Ascii("element vertex 5\n" + kXyz +
@@ -187,8 +213,9 @@ TEST(PlyReader, ErrorsNameTheElement) {
     return ReadError(Ascii(elements, body), MeshFormat::kPly);
   };
   const std::string two = "element vertex 2\n" + kXyz;
-  EXPECT_THAT(error(two, "0 0 0 1 nan 1"), HasSubstr("vertex 1: coord"));
-  EXPECT_THAT(error(two, "0 0 0 1 inf 1"), HasSubstr("vertex 1: coord"));
+  EXPECT_THAT(error(two, "0 nan 0 1 inf 1"), HasSubstr("no vertex has finite"));
+  EXPECT_THAT(error(two + faces, "nan 0 0 1 1 1 3 1 1 1 3 1 1 2"),
+              HasSubstr("face 1: vertex index 2 is out of range"));
   EXPECT_THAT(error(two, "0 0 0 1 1x 1"), HasSubstr("vertex 1: \"1x\""));
   EXPECT_THAT(error(two, "0.0 0.0 0.0 0.0"), HasSubstr("vertex 1: the file"));
   EXPECT_THAT(error(two + faces, "0 0 0 1 1 1 3 0 1 1 3 0 1 2"),

@@ -383,12 +383,14 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
 std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
                                                ViewSet* views) {
   const std::optional<BorderEdges> edges = MeasureBorderEdges(*views, context);
-  const bool is_certain =
-      edges &&
-      std::abs(edges->shift - edges->strongest_shift) < kMaxDisagreement;
-  const double limit = is_certain ? kRange : kMaxDoubtfulShift;
-  const bool is_known =
-      edges && edges->share >= kMostEdges && std::abs(edges->shift) < limit;
+  const double disagreement =
+      edges ? std::abs(edges->shift - edges->strongest_shift) : 0;
+  const double limit =
+      disagreement < kMaxDisagreement ? kRange : kMaxDoubtfulShift;
+  // The share is that of the strongest edges: it says nothing where those lie
+  // elsewhere.
+  const bool is_known = edges && edges->share >= kMostEdges &&
+                        disagreement < 1 && std::abs(edges->shift) < limit;
   for (PreparedView& view : *views) {
     view.border_shift =
         edges ? float(std::clamp(edges->shift, -limit, limit)) : 0;

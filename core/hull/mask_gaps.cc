@@ -4,6 +4,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "core/scene/pixel_distance.h"
 #include "core/scene/scene.h"
 
 namespace octacut {
@@ -32,14 +33,6 @@ bool TouchesFrame(const cv::Rect& box, const cv::Size& frame) {
          box.y + box.height == frame.height;
 }
 
-// To the next pixel that is 0, of each pixel that is not.
-cv::Mat Distances(const cv::Mat& image) {
-  cv::Mat distances;
-  cv::distanceTransform(
-      image, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-  return distances;
-}
-
 // Where no disc that is free of the object reaches; beyond the frame all is as
 // at its border.
 cv::Mat Closed(const cv::Mat& object, double radius) {
@@ -47,8 +40,8 @@ cv::Mat Closed(const cv::Mat& object, double radius) {
   cv::Mat wide;
   cv::copyMakeBorder(
       object, wide, margin, margin, margin, margin, cv::BORDER_REPLICATE);
-  const cv::Mat near = Distances(~wide) <= radius;
-  const cv::Mat closed = Distances(near) > radius;
+  const cv::Mat near = PixelsNear(wide, radius);
+  const cv::Mat closed = DistancesToZero(near) > radius;
   return closed(cv::Rect(cv::Point(margin, margin), object.size()));
 }
 
@@ -100,13 +93,13 @@ void AddGap(const Parts& parts,
   gap.num_pixels = size_t(parts.Area(label));
   const cv::Rect window = Grown(gap.box, kWindowMargin, object.size());
   const cv::Mat is_gap = parts.labels(window) == label;
-  const cv::Mat depths = Distances(is_gap);
+  const cv::Mat depths = DistancesToZero(is_gap);
   double deepest;
   cv::minMaxLoc(depths, nullptr, &deepest);
   if (deepest <= margin) {
     return;
   }
-  const cv::Mat beside = Distances(~is_gap);
+  const cv::Mat beside = DistancesToZero(~is_gap);
   gap.is_gap = cv::Mat(parts.labels(gap.box) == label);
   gap.middle = PixelCenters(depths >= deepest / 2, window);
   gap.ring = PixelCenters(

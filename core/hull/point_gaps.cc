@@ -10,6 +10,7 @@
 
 #include "core/base/parallel.h"
 #include "core/hull/mask_gaps.h"
+#include "core/scene/pixel_distance.h"
 
 namespace octacut {
 namespace {
@@ -24,13 +25,6 @@ constexpr float kMinPoints = 3;
 constexpr double kMaxRadius = 0.06;
 // Pixels by which the projection of a sparse point may be wrong.
 constexpr double kPointError = 2;
-
-cv::Mat Near(const cv::Mat& marked, double radius) {
-  cv::Mat distances;
-  cv::distanceTransform(
-      ~marked, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-  return distances <= radius;
-}
 
 // How many points project to each pixel, CV_32FC1.
 cv::Mat CountPoints(const View& view,
@@ -54,7 +48,7 @@ cv::Mat Disc(double radius) {
   const int size = 2 * int(radius) + 1;
   cv::Mat center = cv::Mat::zeros(size, size, CV_8UC1);
   center.at<uint8_t>(size / 2, size / 2) = 255;
-  return Near(center, radius);
+  return PixelsNear(center, radius);
 }
 
 // CV_8UC1, 255: background that has to be filled; empty where there is none.
@@ -62,18 +56,16 @@ cv::Mat FindGap(const View& view,
                 const std::vector<Eigen::Vector3d>& points,
                 double mask_tolerance) {
   const cv::Mat object = view.mask >= kObjectThreshold;
-  const double area = cv::countNonZero(object);
   cv::Mat counts = CountPoints(view, points);
-  cv::Mat of_object = counts.clone();
-  of_object.setTo(0, ~object);
-  const double density = cv::sum(of_object)[0] / area;
+  const double density = cv::mean(counts, object)[0];
   const double radius =
       std::sqrt(kMeanPoints / (std::numbers::pi * density));  // may be infinite
-  if (!(radius <= kMaxRadius * std::sqrt(area))) {
+  if (radius > kMaxRadius * std::sqrt(double(cv::countNonZero(object)))) {
     return {};
   }
   const double depth = std::max(mask_tolerance * view.scale, kPointError);
-  counts.setTo(0, Near(object, depth));
+  const cv::Mat near_object = PixelsNear(object, depth);
+  counts.setTo(0, near_object);
   cv::Mat sums;
   cv::filter2D(counts,
                sums,
@@ -82,12 +74,35 @@ cv::Mat FindGap(const View& view,
                cv::Point(-1, -1),
                0,
                cv::BORDER_CONSTANT);
-  // Sums of large discs are made in the frequency domain.
+  // OpenCV sums large discs by Fourier transforms, so that sums are not quite
+  // whole numbers.
   const cv::Mat around = sums > kMinPoints - 0.5f;
   if (cv::countNonZero(around) == 0) {
     return {};
   }
-  return (around | (Near(around, depth) & Near(object, depth))) & ~object;
+  // With the strip between it and the object.
+  return (around | (PixelsNear(around, depth) & near_object)) & ~object;
+}
+
+// Returns how many pixels are filled.
+size_t FillView(const std::vector<Eigen::Vector3d>& points,
+                double mask_tolerance,
+                View* view) {
+  MaskGap gap;
+  gap.is_gap = FindGap(*view, points, mask_tolerance);
+  if (gap.is_gap.empty()) {
+    return 0;
+  }
+  gap.box = cv::Rect(cv::Point(), gap.is_gap.size());
+  gap.num_pixels = size_t(cv::countNonZero(gap.is_gap));
+  const double most =
+      kMaxGapShare * cv::countNonZero(view->mask >= kObjectThreshold);
+  if (double(gap.num_pixels) > most) {
+    return 0;
+  }
+  view->mask = view->mask.clone();
+  FillGap(gap, &view->mask);
+  return gap.num_pixels;
 }
 
 }  // namespace
@@ -99,25 +114,16 @@ RepairedScene FillGapsAtPoints(const Scene& scene,
   if (scene.points.empty()) {
     return filled;
   }
-  std::vector<MaskGap> gaps(scene.views.size());
-  ParallelFor(context, gaps.size(), 1, [&](size_t begin, size_t end) {
+  std::vector<size_t> num_filled(scene.views.size());
+  ParallelFor(context, num_filled.size(), 1, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
-      const View& view = scene.views[v];
-      MaskGap& gap = gaps[v];
-      gap.is_gap = FindGap(view, scene.points, mask_tolerance);
-      gap.box = cv::Rect(cv::Point(), gap.is_gap.size());
-      gap.num_pixels =
-          gap.is_gap.empty() ? 0 : size_t(cv::countNonZero(gap.is_gap));
+      num_filled[v] =
+          FillView(scene.points, mask_tolerance, &filled.scene.views[v]);
     }
   });
-  for (size_t v = 0; v < gaps.size(); ++v) {
-    cv::Mat& mask = filled.scene.views[v].mask;
-    const double most =
-        kMaxGapShare * cv::countNonZero(mask >= kObjectThreshold);
-    if (gaps[v].num_pixels > 0 && double(gaps[v].num_pixels) <= most) {
-      mask = mask.clone();
-      FillGap(gaps[v], &mask);
-      filled.gaps.push_back({v, gaps[v].num_pixels});
+  for (size_t v = 0; v < num_filled.size(); ++v) {
+    if (num_filled[v] > 0) {
+      filled.gaps.push_back({v, num_filled[v]});
     }
   }
   if (!filled.gaps.empty()) {

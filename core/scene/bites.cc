@@ -12,6 +12,7 @@
 #include "core/base/parallel.h"
 #include "core/scene/denied_cells.h"
 #include "core/scene/outline_distance.h"
+#include "core/scene/pixel_distance.h"
 #include "core/scene/silhouette_box.h"
 
 namespace octacut {
@@ -33,13 +34,6 @@ constexpr int kMargin = 3;
 constexpr double kDepthMargin = 8;
 
 using CellNumbers = std::vector<size_t>;
-
-cv::Mat Near(const cv::Mat& marked, double radius) {
-  cv::Mat distances;
-  cv::distanceTransform(
-      ~marked, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-  return distances <= radius;
-}
 
 bool Mark(const Eigen::Vector2d& pixel, cv::Mat* marked) {
   const bool is_within = pixel.x() >= 0 && pixel.y() >= 0 &&
@@ -97,7 +91,7 @@ class BiteFinder {
         radius = std::max(radius, of_cell);
       }
     }
-    return Near(marked, radius + kSlack);
+    return PixelsNear(marked, radius + kSlack);
   }
 
   void FindUnexplained(const Context& context) {
@@ -164,6 +158,7 @@ class BiteFinder {
       }
     }
     std::vector<std::pair<size_t, CellNumbers>> sorted;
+    sorted.reserve(groups.size());
     for (auto& [deniers, group] : groups) {
       sorted.push_back(std::move(group));
     }
@@ -172,6 +167,7 @@ class BiteFinder {
           return a.first > b.first;
         });
     std::vector<CellNumbers> result;
+    result.reserve(sorted.size());
     for (auto& [weight, cells] : sorted) {
       result.push_back(std::move(cells));
     }
@@ -185,6 +181,7 @@ class BiteFinder {
       return;
     }
     std::vector<Eigen::Vector3d> centers;
+    centers.reserve(cells.size());
     for (const size_t cell : cells) {
       centers.push_back(cells_.denied[cell]);
     }
@@ -224,8 +221,9 @@ class BiteFinder {
         2 * (CellRadius(of, centers.front(), cells_.radius) + kSlack) + kMargin;
     const cv::Mat object = of.mask >= kObjectThreshold;
     const cv::Mat projected = ProjectedCells(view, centers);
-    cv::Mat gap =
-        (projected | (Near(projected, reach) & Near(object, reach))) & ~object;
+    cv::Mat gap = (projected |
+                   (PixelsNear(projected, reach) & PixelsNear(object, reach))) &
+                  ~object;
     std::vector<cv::Point> pixels;
     cv::findNonZero(gap, pixels);
     for (const cv::Point& pixel : pixels) {
@@ -237,7 +235,7 @@ class BiteFinder {
     bite.view = view;
     KeepBites(view, &gap);
     bite.num_pixels = size_t(cv::countNonZero(gap));
-    bite.pixels = gap | (Near(gap, kMargin) & object);
+    bite.pixels = gap | (PixelsNear(gap, kMargin) & object);
     return bite;
   }
 
@@ -252,7 +250,8 @@ class BiteFinder {
     const double margin = kDepthMargin * cells_.radius;
     const double first = depths.min().x() - margin;
     const double last = depths.max().x() + margin;
-    for (double depth = first; depth <= last; depth += cells_.radius / 2) {
+    double depth = first;
+    while (depth <= last) {
       const Eigen::Vector3d point = world_from_cam * (depth * ray);
       bool is_left = depth > 0;
       for (size_t v = 0; is_left && v < views_.size(); ++v) {
@@ -262,6 +261,7 @@ class BiteFinder {
       if (is_left) {
         return true;
       }
+      depth += cells_.radius / 2;
     }
     return false;
   }

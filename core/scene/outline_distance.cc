@@ -5,21 +5,13 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/scene/pixel_distance.h"
+
 namespace octacut {
-namespace {
-
-cv::Mat Distances(const cv::Mat& image) {
-  cv::Mat distances;
-  cv::distanceTransform(
-      image, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-  return distances;
-}
-
-}  // namespace
 
 OutlineDistance::OutlineDistance(const View& view) {
   const cv::Mat object = view.mask >= kObjectThreshold;
-  distances_ = Distances(~object) - Distances(object);
+  distances_ = DistancesToZero(~object) - DistancesToZero(object);
   const cv::Rect extent = cv::boundingRect(object);
   closed_ = extent.x > 0 && extent.y > 0 &&
             extent.x + extent.width < object.cols &&

@@ -1,0 +1,16 @@
+// Distances between pixels of masks.
+#pragma once
+
+#include <opencv2/core/mat.hpp>
+
+namespace octacut {
+
+// Of each pixel of `image` (CV_8UC1) that is not 0, to the next one that is;
+// 0 elsewhere. CV_32FC1, pixels.
+cv::Mat DistancesToZero(const cv::Mat& image);
+
+// CV_8UC1, 255: the pixels that are not 0 in `marked`, and those at most
+// `radius` pixels from one.
+cv::Mat PixelsNear(const cv::Mat& marked, double radius);
+
+}  // namespace octacut

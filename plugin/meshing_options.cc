@@ -26,6 +26,7 @@ void DeclareMainOptions(OptionManager& options,
       "Takes precedence over --quality.");
   DeclareMaskTolerance(options, &meshing->mask_tolerance);
   DeclareFillFalseGaps(options, &meshing->fill_false_gaps);
+  DeclareMoveMaskBorders(options, &meshing->move_mask_borders);
   options.Add("OctahedralMeshing.ballooning",
               &meshing->evidence.ballooning,
               "How strongly voxels of the visual hull count as inside of the "

@@ -31,12 +31,6 @@ Json RoundToJson(const RoundSummary& round) {
 void DeclareRefinementOptions(OptionManager& options,
                               RefineOptions* refinement) {
   options
-      .Add("Refinement.border_noise",
-           &refinement->border_noise,
-           "Expected error in pixels of the estimate of how much all masks "
-           "are too large or too small; 1000 takes the masks as they are.")
-      .ForExperts();
-  options
       .Add("Refinement.alignment_steps",
            &refinement->alignment_steps,
            "Number of iterations that align the camera poses "
@@ -48,6 +42,9 @@ void DeclareRefinementOptions(OptionManager& options,
            "Number of times that all coarse rounds are run, 1 to 4.")
       .ForProjectFiles();
   // Options of earlier versions. The structs say why each has its value.
+  options.AddRemoved("Refinement.border_noise",
+                     "--OctahedralMeshing.move_mask_borders 0 leaves the "
+                     "borders of the masks where they are");
   options.AddRenamed("Refinement.hue_weight",
                      "OctahedralMeshing.chroma_weight");
   options.AddConstant("Refinement.fine_rounds", refinement->fine_rounds);

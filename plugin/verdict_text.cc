@@ -180,9 +180,10 @@ class Writer {
     if (verdict_.border_shift >= kLargeShift &&
         double(repaired.unsure) > kMaxUnsure * double(repaired.object)) {
       text_.warnings.push_back(fmt::format(
-          "Refinement estimates that the masks are {:.1f} pixels too large, "
-          "and leaves {:.2f} % of the object pixels uncovered for this reason. "
-          "If the masks are correct, use --Refinement.border_noise 1000.",
+          "The photographs indicate that the masks are {:.1f} pixels too "
+          "large, and {:.2f} % of the object pixels are left uncovered for "
+          "this reason. If the masks are correct, use "
+          "--OctahedralMeshing.move_mask_borders 0.",
           verdict_.border_shift,
           Percent(repaired.unsure, repaired.object)));
     }

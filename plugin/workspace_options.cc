@@ -81,8 +81,18 @@ void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps) {
   options
       .Add("OctahedralMeshing.fill_false_gaps",
            fill_false_gaps,
-           "If 1, fill holes and bays of a mask where the other views show "
-           "the object.")
+           "If 1, fill holes and bays of a mask where the other views or "
+           "sparse points show the object.")
+      .ForExperts();
+}
+
+void DeclareMoveMaskBorders(OptionManager& options, bool* move_mask_borders) {
+  options
+      .Add("OctahedralMeshing.move_mask_borders",
+           move_mask_borders,
+           "If 1, estimate from the photographs by how many pixels all masks "
+           "are too large or too small, and allow for it; 0 leaves the borders "
+           "of the masks where they are.")
       .ForExperts();
 }
 

@@ -23,6 +23,7 @@ void DeclareLoadingOptions(OptionManager& options,
 // The tolerance for errors of the masks; for the commands that use it.
 void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance);
 void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps);
+void DeclareMoveMaskBorders(OptionManager& options, bool* move_mask_borders);
 
 struct WorkspaceArguments {
   std::filesystem::path workspace_path;

@@ -161,7 +161,7 @@ option_sets=(
   "coarse-once     Refinement.coarse_passes=1"
   "all-handles     OctahedralMeshing.min_handle=0"
   "mask-tolerance-0 OctahedralMeshing.mask_tolerance=0"
-  "masks-trusted   Refinement.border_noise=1000"
+  "masks-trusted   OctahedralMeshing.move_mask_borders=0"
   "gaps-kept       OctahedralMeshing.fill_false_gaps=0"
 )
 

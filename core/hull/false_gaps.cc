@@ -10,7 +10,6 @@
 #include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/hull/mask_gaps.h"
-#include "core/hull/point_gaps.h"
 #include "core/hull/visual_hull.h"
 #include "core/views/view_set.h"
 
@@ -153,14 +152,6 @@ void Report(const RepairedScene& filled, const Context& context) {
 
 }  // namespace
 
-const FalseGap& LargestGap(const RepairedScene& filled) {
-  return *std::max_element(filled.gaps.begin(),
-                           filled.gaps.end(),
-                           [](const FalseGap& a, const FalseGap& b) {
-                             return a.num_pixels < b.num_pixels;
-                           });
-}
-
 RepairedScene FillFalseGaps(const Scene& scene,
                             const BoundingCube& cube,
                             double mask_tolerance,
@@ -187,22 +178,6 @@ RepairedScene FillFalseGaps(const Scene& scene,
   }
   Report(filled, context);
   return filled;
-}
-
-RepairedScene RepairMasks(const Scene& scene,
-                          const BoundingCube& cube,
-                          double mask_tolerance,
-                          bool fill_false_gaps,
-                          const Context& context) {
-  if (!fill_false_gaps) {
-    return {scene, {}};
-  }
-  RepairedScene at_points = FillGapsAtPoints(scene, mask_tolerance, context);
-  RepairedScene repaired =
-      FillFalseGaps(at_points.scene, cube, mask_tolerance, context);
-  repaired.gaps.insert(
-      repaired.gaps.begin(), at_points.gaps.begin(), at_points.gaps.end());
-  return repaired;
 }
 
 }  // namespace octacut

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
+#include <string>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -80,29 +81,66 @@ cv::Mat FindGap(const View& view,
   if (cv::countNonZero(around) == 0) {
     return {};
   }
-  // With the strip between it and the object.
+  // With the strip between it and the object. At a straight border of the
+  // object this reaches 0.4 radii too far, which other masks carve away again;
+  // what is not filled, they cannot give back.
   return (around | (PixelsNear(around, depth) & near_object)) & ~object;
 }
 
-// Returns how many pixels are filled.
-size_t FillView(const std::vector<Eigen::Vector3d>& points,
-                double mask_tolerance,
-                View* view) {
+struct FilledView {
+  std::vector<size_t> gap_pixels;  // of each gap that is filled
+  bool is_too_large = false;       // what would have to be filled
+};
+
+FilledView FillView(const std::vector<Eigen::Vector3d>& points,
+                    double mask_tolerance,
+                    View* view) {
+  FilledView filled;
   MaskGap gap;
   gap.is_gap = FindGap(*view, points, mask_tolerance);
   if (gap.is_gap.empty()) {
-    return 0;
+    return filled;
   }
-  gap.box = cv::Rect(cv::Point(), gap.is_gap.size());
-  gap.num_pixels = size_t(cv::countNonZero(gap.is_gap));
   const double most =
       kMaxGapShare * cv::countNonZero(view->mask >= kObjectThreshold);
-  if (double(gap.num_pixels) > most) {
-    return 0;
+  filled.is_too_large = cv::countNonZero(gap.is_gap) > most;
+  if (filled.is_too_large) {
+    return filled;
   }
+  cv::Mat labels;
+  cv::Mat statistics;
+  cv::Mat centers;
+  const int num_labels =
+      cv::connectedComponentsWithStats(gap.is_gap, labels, statistics, centers);
+  for (int i = 1; i < num_labels; ++i) {
+    filled.gap_pixels.push_back(
+        size_t(statistics.at<int>(i, cv::CC_STAT_AREA)));
+  }
+  gap.box = cv::Rect(cv::Point(), gap.is_gap.size());
   view->mask = view->mask.clone();
   FillGap(gap, &view->mask);
-  return gap.num_pixels;
+  return filled;
+}
+
+void Report(const RepairedScene& filled,
+            const std::vector<std::string>& too_large,
+            const Context& context) {
+  if (!filled.gaps.empty()) {
+    const FalseGap& largest = LargestGap(filled);
+    context.Info(fmt::format(
+        "Filled {} gaps in the masks because sparse points of the object lie "
+        "there. The largest gap has {} pixels and is in the mask of {}.",
+        filled.gaps.size(),
+        largest.num_pixels,
+        filled.scene.views[largest.view].name));
+  }
+  if (!too_large.empty()) {
+    context.Info(fmt::format(
+        "Sparse points of the object lie in background that is larger than a "
+        "twentieth of the object. The masks of these images are left as they "
+        "are: {}.",
+        fmt::join(too_large, ", ")));
+  }
 }
 
 }  // namespace
@@ -114,27 +152,23 @@ RepairedScene FillGapsAtPoints(const Scene& scene,
   if (scene.points.empty()) {
     return filled;
   }
-  std::vector<size_t> num_filled(scene.views.size());
-  ParallelFor(context, num_filled.size(), 1, [&](size_t begin, size_t end) {
+  std::vector<FilledView> of_views(scene.views.size());
+  ParallelFor(context, of_views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t v = begin; v < end; ++v) {
-      num_filled[v] =
+      of_views[v] =
           FillView(scene.points, mask_tolerance, &filled.scene.views[v]);
     }
   });
-  for (size_t v = 0; v < num_filled.size(); ++v) {
-    if (num_filled[v] > 0) {
-      filled.gaps.push_back({v, num_filled[v]});
+  std::vector<std::string> too_large;
+  for (size_t v = 0; v < of_views.size(); ++v) {
+    for (const size_t num_pixels : of_views[v].gap_pixels) {
+      filled.gaps.push_back({v, num_pixels});
+    }
+    if (of_views[v].is_too_large) {
+      too_large.push_back(scene.views[v].name);
     }
   }
-  if (!filled.gaps.empty()) {
-    const FalseGap& largest = LargestGap(filled);
-    context.Info(fmt::format(
-        "Filled background in {} masks because sparse points of the object lie "
-        "there. The most, {} pixels, is filled in the mask of {}.",
-        filled.gaps.size(),
-        largest.num_pixels,
-        scene.views[largest.view].name));
-  }
+  Report(filled, too_large, context);
   return filled;
 }
 

@@ -34,7 +34,10 @@ struct EnergyOptions {
 struct ReconstructionOptions {
   // Pixels of the photographs by which masks may be too small; 0 .. 64.
   double mask_tolerance = 2;
-  bool fill_false_gaps = true;  // of masks, where other views deny them
+  bool fill_false_gaps = true;  // of masks: RepairMasks
+  // To the edges of the photographs, and with the occluding contours in
+  // refinement.
+  bool move_mask_borders = true;
   VisualHullOptions hull;
   InsideEvidenceOptions evidence;
   CrustOptions crust;

@@ -9,8 +9,8 @@
 #include "core/base/stopwatch.h"
 #include "core/crust/label_hierarchy.h"
 #include "core/evidence/trim_hull.h"
-#include "core/hull/false_gaps.h"
 #include "core/hull/hull_surface.h"
+#include "core/hull/repair_masks.h"
 #include "core/pipeline/deepen_level.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/hull_border.h"
@@ -93,7 +93,11 @@ PreparedScene Prepare(const Scene& scene,
         prepared.repaired.scene, region.cube, context, options.mask_tolerance);
     prepared.box = BoxInUnitCoordinates(region);
     summary->num_false_gaps = prepared.repaired.gaps.size();
-    summary->border_edges = ShiftBordersToEdges(context, &prepared.views);
+    if (options.move_mask_borders) {
+      summary->border_edges = ShiftBordersToEdges(context, &prepared.views);
+    } else {
+      KeepBorders(&prepared.views);
+    }
     return prepared;
   });
 }

@@ -14,6 +14,10 @@ constexpr double kMaxBorderScale = 2;
 // Neither can structures as thin as patches. Radius of the surface, pixels of
 // the round.
 constexpr double kMinBorderRadius = 6;
+// Pixels to which occluding contours tell how far the borders are shifted as a
+// whole: much smaller shifts are taken for noise
+// (docs/experiments/refinement_silhouettes.md).
+constexpr double kBorderNoise = 0.3;
 // The usual deviation of the occluding contours from their median, pixels:
 // contours that agree better determine a shift that much better than to the
 // border's noise.
@@ -32,9 +36,9 @@ constexpr double kToleratedDistance = 2;
 
 // Pixels to which what the occluding contours say can be known: no better than
 // they agree with one another.
-double NoiseOf(const BorderExcess& excess, double border_noise) {
+double NoiseOf(const BorderExcess& excess) {
   const double share = std::min(1.0, excess.deviation / kUsualDeviation);
-  return std::max(share * border_noise, excess.deviation);
+  return std::max(share * kBorderNoise, excess.deviation);
 }
 
 // The shift of the masks' borders, pixels, in all: the plan's, and what the
@@ -42,8 +46,7 @@ double NoiseOf(const BorderExcess& excess, double border_noise) {
 double FindBorderShift(const std::vector<ContourTarget>& contours,
                        const std::vector<LocalSurface>& surfaces,
                        const std::vector<OffsetMeasurement>& measurements,
-                       const RoundPlan& plan,
-                       double border_noise) {
+                       const RoundPlan& plan) {
   if (plan.scale > kMaxBorderScale) {
     return plan.border_shift;
   }
@@ -51,7 +54,7 @@ double FindBorderShift(const std::vector<ContourTarget>& contours,
           contours, surfaces, measurements, kMinBorderRadius * plan.scale, 0)) {
     return plan.edge_shift +
            ShrinkShift(plan.border_shift + excess->median - plan.edge_shift,
-                       NoiseOf(*excess, border_noise));
+                       NoiseOf(*excess));
   }
   // Only thin structures are there to tell.
   if (const std::optional<BorderExcess> excess =
@@ -63,7 +66,7 @@ double FindBorderShift(const std::vector<ContourTarget>& contours,
     return plan.edge_shift +
            ShrinkShift(
                plan.border_shift + excess->median - plan.edge_shift,
-               kThinStructureNoise * std::max(border_noise, excess->deviation));
+               kThinStructureNoise * std::max(kBorderNoise, excess->deviation));
   }
   return plan.border_shift;
 }
@@ -84,17 +87,16 @@ void JudgeBorders(const std::vector<ContourTarget>& contours,
                   const std::vector<LocalSurface>& surfaces,
                   const std::vector<OffsetMeasurement>& measurements,
                   const RoundPlan& plan,
-                  double border_noise,
                   RoundSummary* summary) {
   summary->num_contour_targets = contours.size();
   summary->hull_tolerance = HullTolerance(contours, plan.scale);
   if (summary->KnowsMost()) {
     // Offsets on dark and ruffled surfaces lie too far inside, and claim shifts
     // that the edges contradict (docs/experiments/mask_borders.md).
-    summary->border_shift = std::clamp(
-        FindBorderShift(contours, surfaces, measurements, plan, border_noise),
-        plan.edge_shift - plan.edge_shift_error,
-        plan.edge_shift + plan.edge_shift_error);
+    summary->border_shift =
+        std::clamp(FindBorderShift(contours, surfaces, measurements, plan),
+                   plan.edge_shift - plan.edge_shift_error,
+                   plan.edge_shift + plan.edge_shift_error);
   }
 }
 

@@ -25,7 +25,6 @@ void JudgeBorders(const std::vector<ContourTarget>& contours,
                   const std::vector<LocalSurface>& surfaces,
                   const std::vector<OffsetMeasurement>& measurements,
                   const RoundPlan& plan,
-                  double border_noise,
                   RoundSummary* summary);
 
 // Adds the edge targets to `problem`, whose lengths are in pixels.

@@ -56,10 +56,6 @@ void RefineOptions::Check() const {
               "refinement.silhouette_weight",
               silhouette_weight,
               "must be at least 0");
-  CheckOption(border_noise >= 0,
-              "refinement.border_noise",
-              border_noise,
-              "must be at least 0");
 }
 
 }  // namespace octacut

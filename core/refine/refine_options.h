@@ -47,10 +47,6 @@ struct RefineOptions {
   // Weight of the masks' borders, like that of an offset; 0: none. Twice as
   // much makes no difference ("What made refinement good").
   double silhouette_weight = 1;
-  // Pixels to which the photographs tell how far the masks' borders are shifted
-  // as a whole, less where all occluding contours say the same: much smaller
-  // shifts are taken for noise. Large: masks are right.
-  double border_noise = 0.3;
   void Check() const;
 };
 

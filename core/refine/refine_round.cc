@@ -127,12 +127,7 @@ OffsetProblem MakeProblem(const ViewSet& views,
         seen.points.neighbors,
         {.range = summary->range, .border_shift = plan.border_shift},
         context);
-    JudgeBorders(contours,
-                 seen.surfaces,
-                 measurements,
-                 plan,
-                 options.border_noise,
-                 summary);
+    JudgeBorders(contours, seen.surfaces, measurements, plan, summary);
     AddContourTargets(
         contours, inputs.pixel, options.silhouette_weight, &problem);
   }

@@ -50,8 +50,8 @@ inline constexpr double kMaxMaskTolerance = 64;
 
 struct Scene {
   std::vector<View> views;
-  // Sparse points with small reprojection error, in world coordinates; may be
-  // empty.
+  // Sparse points of the object with small reprojection error, in world
+  // coordinates: those that lie in four in five of the masks. May be empty.
   std::vector<Eigen::Vector3d> points;
 };
 

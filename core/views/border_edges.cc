@@ -45,6 +45,9 @@ constexpr double kMinShare = 1.0 / 3;
 // each pixel which the object touches, or only those that it fills. Larger
 // shifts are then left to the offsets of refinement.
 constexpr float kMaxDoubtfulShift = 1;
+// The largest shift at all. At the end of the range, edges of larger shifts are
+// cut off, so that the rest of them would be taken for a peak.
+constexpr float kMaxShift = kRange - 1;
 constexpr double kMaxDisagreement = 0.5;
 // The share of edges that agree, from which on their deviation says how well
 // the shift is known, and how many of these (1.3 standard deviations).
@@ -291,9 +294,10 @@ float MeanOf(const Histogram& counts, int begin, int end) {
                      : 0;
 }
 
-// Where offsets are most frequent, to a step, of where they are clearly more
-// frequent than beside. The nearest of edges that lie anywhere are frequent
-// near the border of the mask, but hardly more so than beside.
+// The highest peak of the histogram of the offsets, to a step. Only values
+// that are clearly more frequent than those on both sides count as a peak:
+// where edges lie at random, the nearest ones are frequent near the border of
+// the mask, but values beside are hardly less so.
 float Peak(const std::vector<float>& offsets) {
   Histogram counts{};
   for (const float offset : offsets) {
@@ -321,7 +325,8 @@ float Peak(const std::vector<float>& offsets) {
   return float(best) * kStep - kRange;
 }
 
-// None unless so many of the offsets agree.
+// The mean of the peak, or none if fewer than `min_share` of the offsets lie
+// within a pixel of it.
 std::optional<BorderEdges> FindPeak(const std::vector<float>& offsets,
                                     double min_share) {
   if (offsets.size() < kMinPoints) {
@@ -386,7 +391,7 @@ std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
   const double disagreement =
       edges ? std::abs(edges->shift - edges->strongest_shift) : 0;
   const double limit =
-      disagreement < kMaxDisagreement ? kRange : kMaxDoubtfulShift;
+      disagreement < kMaxDisagreement ? kMaxShift : kMaxDoubtfulShift;
   // The share is that of the strongest edges: it says nothing where those lie
   // elsewhere.
   const bool is_known = edges && edges->share >= kMostEdges &&
@@ -399,6 +404,13 @@ std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
                                   : std::numeric_limits<float>::infinity();
   }
   return edges;
+}
+
+void KeepBorders(ViewSet* views) {
+  for (PreparedView& view : *views) {
+    view.border_shift = 0;
+    view.border_shift_error = 0;
+  }
 }
 
 }  // namespace octacut

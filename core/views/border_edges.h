@@ -31,11 +31,15 @@ struct BorderEdges {
 std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
                                               const Context& context);
 
-// Measures and sets PreparedView::border_shift of all views; 0 where there is
-// nothing to measure, and at most a pixel where the strongest edges say
-// otherwise than the nearest ones. border_shift_error is two deviations if most
-// edges agree on such a shift, and infinite otherwise.
+// Measures and sets PreparedView::border_shift of all views: 0 where there is
+// nothing to measure, at most one pixel where the strongest edges disagree with
+// the nearest ones, and at most five in any case. border_shift_error is two
+// deviations if most edges agree on a shift within these limits, and infinite
+// otherwise.
 std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
                                                ViewSet* views);
+
+// The borders of all masks are right: a shift of 0, known exactly.
+void KeepBorders(ViewSet* views);
 
 }  // namespace octacut

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "colmap_io/mesh/mesh_io.h"
-#include "core/hull/false_gaps.h"
+#include "core/hull/repair_masks.h"
 #include "core/mesh/audit.h"
 #include "core/pipeline/options.h"
 #include "core/scene/region.h"
@@ -30,6 +30,7 @@ class MeshRefiner : public Command {
   std::filesystem::path mesh_path_;
   int target_level_ = 9;
   bool fill_false_gaps_ = true;
+  bool move_mask_borders_ = true;
   RefineOptions refinement_;
 };
 
@@ -49,6 +50,7 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
       ReconstructionOptions().mask_tolerance;
   DeclareMaskTolerance(options, &workspace_.loading.region.mask_tolerance);
   DeclareFillFalseGaps(options, &fill_false_gaps_);
+  DeclareMoveMaskBorders(options, &move_mask_borders_);
   DeclareChromaWeight(options, &refinement_.patch.chroma_weight);
   DeclareRefinementOptions(options, &refinement_);
 }
@@ -74,7 +76,11 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
                   fill_false_gaps_,
                   context);
   ViewSet views = PrepareViews(repaired.scene, loaded.region.cube, context);
-  ShiftBordersToEdges(context, &views);
+  if (move_mask_borders_) {
+    ShiftBordersToEdges(context, &views);
+  } else {
+    KeepBorders(&views);
+  }
   RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
   const MeshAudit audit = AuditMesh(refined.mesh, context);

@@ -139,8 +139,8 @@ TEST_F(MeshRefiner, MistakesAreNamed) {
                                       "0 1 0\n3 0 1 2\n3 0 2 3\n");
   ExpectError("open.off: 4 boundary edge", {"--mesh_path", open.string()});
   const std::string closed = (Workspace() / "gt" / "reference.ply").string();
-  for (const std::string option :
-       {"Refinement.border_noise", "OctahedralMeshing.chroma_weight"}) {
+  for (const std::string option : {"OctahedralMeshing.mask_tolerance",
+                                   "OctahedralMeshing.chroma_weight"}) {
     ExpectError("--" + option + " = -1: must",
                 {"--mesh_path", closed, "--" + option, "-1"});
     // Other groups of the mesher's have fields of the same names.

@@ -215,10 +215,11 @@ TEST_F(OctahedralMesher, EveryConsistencyReconstructs) {
 }
 
 TEST_F(OctahedralMesher, ErrorsNameOptionsAndKeys) {
-  const ProgramResult option = RunMesher({"--Refinement.border_noise", "-1"});
+  const ProgramResult option =
+      RunMesher({"--OctahedralMeshing.ballooning", "-1"});
   EXPECT_EQ(option.exit_code, 1);
   EXPECT_THAT(option.err,
-              HasSubstr("ERROR: --Refinement.border_noise = -1: must"));
+              HasSubstr("ERROR: --OctahedralMeshing.ballooning = -1: must"));
   const fs::path project =
       folder_.Write("project.ini", "[DepthSweep]\nnum_neighbors = 1\n");
   const ProgramResult key = RunMesher({"--project_path", project.string()});

@@ -136,7 +136,7 @@ TEST(VerdictText, AsksAboutMasksThatAreTakenToBeTooLarge) {
   verdict.border_shift = 3;
   EXPECT_THAT(WarningsOf(verdict),
               ElementsAre(AllOf(HasSubstr("3.0 pixels too large"),
-                                HasSubstr("border_noise 1000"))));
+                                HasSubstr("move_mask_borders 0"))));
 }
 
 TEST(VerdictText, NamesMasksThatTheMeshExceeds) {

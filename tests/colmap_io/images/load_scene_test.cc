@@ -63,6 +63,33 @@ class LoadSceneTest : public testing::FolderTest {
   Recorder recorder_;
 };
 
+// Of several objects, a given box holds one.
+TEST_F(LoadSceneTest, KeepsThePointsInAGivenBox) {
+  for (const double x : {-0.6, -0.2, 0.3}) {
+    SparsePoint& point = model_.points.emplace_back();
+    point.id = model_.points.size();
+    point.xyz = {x, 0, 0};
+    point.error = 0.5;
+    point.track = {{1, 0}, {2, 0}, {3, 0}};
+    for (SparseImage& image : model_.images) {
+      if (image.id <= 3) {
+        point.track[image.id - 1].point2D_index =
+            uint32_t(image.observations.size());
+        image.observations.push_back({1, 1, point.id});
+      }
+    }
+  }
+  WriteSparseModelBinary(model_, folder_ / "sparse" / "0");
+  EXPECT_EQ(Load().scene.points.size(), 3u);
+  LoadSceneOptions options;
+  options.region.bounding_box = {Eigen::Vector3d(-0.5, -0.9, -0.9),
+                                 Eigen::Vector3d(0.9, 0.9, 0.9)};
+  const LoadedScene loaded = Load(options);
+  ASSERT_EQ(loaded.scene.points.size(), 2u);
+  EXPECT_EQ(loaded.scene.points[0].x(), -0.2);
+  EXPECT_EQ(loaded.summary.num_points, 2u);
+}
+
 // Masks of the scene agree with the sphere, except on its outline.
 void ExpectSphere(const LoadedScene& loaded) {
   for (const View& view : loaded.scene.views) {
@@ -356,18 +383,24 @@ TEST(LoadSceneOptions, RejectsBadValues) {
   EXPECT_THROW(LoadScene(".", {}, 21, Context(1)), OptionError);
 }
 
-TEST(ScenePoints, KeepsAccuratePointsOnTheObject) {
-  const SparseCamera pinhole = {
-      1, camera_model::kPinhole, 320, 240, {300, 300, 160, 120}};
-  SparseModel model = RingModel(pinhole, kNumImages);
+const SparseCamera kPinhole = {
+    1, camera_model::kPinhole, 320, 240, {300, 300, 160, 120}};
+
+std::vector<View> SphereViews(const SparseModel& model) {
   std::vector<View> views;
   for (int i = 0; i < kNumImages; ++i) {
     View& view = views.emplace_back();
     view.name = model.images[i].name;
     view.camera = {320, 240, 300, 300, 160, 120};
     view.cam_from_world = RingPose(i, kNumImages);
-    view.mask = SphereMask(pinhole, view.cam_from_world, 0.8);
+    view.mask = SphereMask(kPinhole, view.cam_from_world, 0.8);
   }
+  return views;
+}
+
+TEST(ScenePoints, KeepsAccuratePointsOnTheObject) {
+  SparseModel model = RingModel(kPinhole, kNumImages);
+  std::vector<View> views = SphereViews(model);
   std::vector<SparsePoint>& points = model.points;
   points.resize(7);
   for (SparsePoint& point : points) {
@@ -388,18 +421,24 @@ TEST(ScenePoints, KeepsAccuratePointsOnTheObject) {
   EXPECT_EQ(kept[2], points[5].xyz);
 }
 
+// Masks that miss a dark part of the object do not take its points.
+TEST(ScenePoints, KeepsPointsOutsideOfAFifthOfTheMasks) {
+  SparseModel model = RingModel(kPinhole, kNumImages);
+  std::vector<View> views = SphereViews(model);
+  SparsePoint point;
+  point.error = 0.5;
+  point.track = {{4, 0}, {5, 0}, {6, 0}};
+  model.points = {point};
+  views[0].mask.setTo(0);
+  views[1].mask.setTo(0);
+  EXPECT_EQ(ScenePoints(model, views).size(), 1u);
+  views[2].mask.setTo(0);
+  EXPECT_TRUE(ScenePoints(model, views).empty());
+}
+
 TEST(ScenePoints, DropsBackgroundThatIsHiddenOrOutOfSight) {
-  const SparseCamera pinhole = {
-      1, camera_model::kPinhole, 320, 240, {300, 300, 160, 120}};
-  SparseModel model = RingModel(pinhole, kNumImages);
-  std::vector<View> views;
-  for (int i = 0; i < kNumImages; ++i) {
-    View& view = views.emplace_back();
-    view.name = model.images[i].name;
-    view.camera = {320, 240, 300, 300, 160, 120};
-    view.cam_from_world = RingPose(i, kNumImages);
-    view.mask = SphereMask(pinhole, view.cam_from_world, 0.8);
-  }
+  SparseModel model = RingModel(kPinhole, kNumImages);
+  std::vector<View> views = SphereViews(model);
   // Far behind the object for image 1, out of sight for most others.
   SparsePoint point;
   point.xyz = -3 * views[0].Center();

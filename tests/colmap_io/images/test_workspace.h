@@ -15,10 +15,10 @@
 
 #include "colmap_io/model/camera_projector.h"
 #include "colmap_io/model/sparse_model.h"
-#include "core/base/context.h"
 #include "core/base/error.h"
 #include "tests/colmap_io/files/temporary_folder.h"
 #include "tests/core/base/error_texts.h"
+#include "tests/core/base/recorder.h"
 
 namespace octacut::testing {
 
@@ -29,19 +29,6 @@ class FolderTest : public ::testing::Test {
 
  protected:
   const std::filesystem::path folder_ = temporary_folder_.Path();
-};
-
-class Recorder : public ProgressSink {
- public:
-  void BeginPhase(std::string_view, size_t) override {}
-  void Advance(size_t) override {}
-  void EndPhase() override {}
-  void Info(std::string_view message) override { infos.emplace_back(message); }
-  void Warn(std::string_view message) override {
-    warnings.emplace_back(message);
-  }
-  std::vector<std::string> infos;
-  std::vector<std::string> warnings;
 };
 
 inline void WriteText(const std::filesystem::path& path,

@@ -1,19 +1,26 @@
 #include "core/hull/point_gaps.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <opencv2/imgproc.hpp>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/scene/pixel_distance.h"
+#include "tests/core/base/recorder.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using testing::MakeTestScene;
+using testing::Recorder;
 using testing::TestScene;
 using testing::TestSpec;
 
@@ -57,6 +64,14 @@ size_t CountDifferent(const cv::Mat& a, const cv::Mat& b) {
       cv::countNonZero((a >= kObjectThreshold) != (b >= kObjectThreshold)));
 }
 
+std::set<size_t> FilledViews(const RepairedScene& filled) {
+  std::set<size_t> views;
+  for (const FalseGap& gap : filled.gaps) {
+    views.insert(gap.view);
+  }
+  return views;
+}
+
 TEST(FillGapsAtPoints, FillsAShadowThatViewsShare) {
   const TestScene exact = SceneWithPoints("sphere");
   Scene scene = exact.scene;
@@ -65,10 +80,8 @@ TEST(FillGapsAtPoints, FillsAShadowThatViewsShare) {
   const std::vector<size_t> dark = Darken(place, 4, &scene);
   const RepairedScene filled =
       FillGapsAtPoints(scene, kGapTolerance, Context(2));
-  ASSERT_EQ(filled.gaps.size(), dark.size());
-  for (size_t i = 0; i < dark.size(); ++i) {
-    const size_t v = dark[i];
-    EXPECT_EQ(filled.gaps[i].view, v);
+  EXPECT_EQ(FilledViews(filled), std::set<size_t>(dark.begin(), dark.end()));
+  for (const size_t v : dark) {
     const size_t missing =
         CountDifferent(scene.views[v].mask, exact.scene.views[v].mask);
     const size_t left =
@@ -80,6 +93,28 @@ TEST(FillGapsAtPoints, FillsAShadowThatViewsShare) {
   EXPECT_GT(CountDifferent(scene.views[dark[0]].mask,
                            exact.scene.views[dark[0]].mask),
             250u);
+}
+
+// A shadow that reaches across the object's border is filled hardly farther
+// than the object reaches.
+TEST(FillGapsAtPoints, StopsWhereThePointsEnd) {
+  const TestScene exact = SceneWithPoints("sphere");
+  Scene scene = exact.scene;
+  View& view = scene.views[3];
+  const cv::Mat object = view.mask >= kObjectThreshold;
+  const cv::Rect box = cv::boundingRect(object);
+  view.mask = view.mask.clone();
+  const cv::Point left(box.x, box.y + box.height / 2);
+  cv::circle(view.mask, left, 12, cv::Scalar(0), cv::FILLED);
+  const RepairedScene filled =
+      FillGapsAtPoints(scene, kGapTolerance, Context(2));
+  EXPECT_EQ(FilledViews(filled), std::set<size_t>{3});
+  const cv::Mat after = filled.scene.views[3].mask >= kObjectThreshold;
+  const cv::Mat before = view.mask >= kObjectThreshold;
+  const int missing = cv::countNonZero(object & ~before);
+  EXPECT_LT(cv::countNonZero(object & ~after), missing / 3);
+  // The disc has a radius of 3.3 pixels.
+  EXPECT_EQ(cv::countNonZero(after & ~PixelsNear(object, 4)), 0);
 }
 
 TEST(FillGapsAtPoints, LeavesRightMasksAlone) {
@@ -100,8 +135,11 @@ TEST(FillGapsAtPoints, LeavesWhatFewPointsOrTooManyPixelsSpeakFor) {
   View& view = test.scene.views[5];
   view.mask = view.mask.clone();
   view.mask.colRange(0, PixelOf(view, test.region.cube.Center()).x).setTo(0);
-  EXPECT_TRUE(
-      FillGapsAtPoints(test.scene, kGapTolerance, Context(2)).gaps.empty());
+  Recorder sink;
+  EXPECT_TRUE(FillGapsAtPoints(test.scene, kGapTolerance, Context(2, &sink))
+                  .gaps.empty());
+  // The mask that is left as it is is named.
+  EXPECT_THAT(sink.infos, ElementsAre(HasSubstr(": " + view.name + ".")));
 }
 
 TEST(FillGapsAtPoints, NeedsManyPoints) {
@@ -122,8 +160,9 @@ TEST(FillGapsAtPoints, IsTheSameForAnyNumberOfThreads) {
   Darken(test.region.cube.Center(), 6, &test.scene);
   const RepairedScene one = FillGapsAtPoints(test.scene, 0, Context(1));
   const RepairedScene four = FillGapsAtPoints(test.scene, 0, Context(4));
-  ASSERT_EQ(one.gaps.size(), 6u);
-  ASSERT_EQ(four.gaps.size(), 6u);
+  EXPECT_EQ(FilledViews(one).size(), 6u);
+  EXPECT_EQ(FilledViews(four), FilledViews(one));
+  EXPECT_EQ(four.gaps.size(), one.gaps.size());
   for (size_t v = 0; v < test.scene.views.size(); ++v) {
     EXPECT_EQ(
         cv::norm(

@@ -94,13 +94,11 @@ TEST(RefineSurface, FindsOutThatMasksAreTooLargeOrTooSmall) {
 // that are 2 pixels too large, where so many were known before.
 double BorderShiftAfter(double scale,
                         double known,
-                        double border_noise,
                         double edge_shift = 0,
                         double edge_shift_error = 9) {
   const RefineScene scene = testing::MakeSceneWithMasksOff(2);
   IndexedMesh mesh = scene.ToUnitMesh(BumpyMesh(scene));
   RefineOptions options;
-  options.border_noise = border_noise;
   ViewSet views = scene.test.views;
   const std::vector<Eigen::Vector3d> start = mesh.positions;
   return RefineOnce({start,
@@ -146,20 +144,19 @@ TEST(RefineSurface, LetsVerticesLeaveMasksThatContradictOneAnother) {
 }
 
 TEST(RefineOnce, MeasuresBordersWherePixelsAreSmall) {
-  EXPECT_NEAR(BorderShiftAfter(2, 0, 0.3), 2, 0.5);
-  EXPECT_NEAR(BorderShiftAfter(2, 0.7, 0.3), 2, 0.5);
-  EXPECT_EQ(BorderShiftAfter(4, 0.7, 0.3), 0.7);
+  EXPECT_NEAR(BorderShiftAfter(2, 0), 2, 0.5);
+  EXPECT_NEAR(BorderShiftAfter(2, 0.7), 2, 0.5);
+  EXPECT_EQ(BorderShiftAfter(4, 0.7), 0.7);
 }
 
-TEST(RefineOnce, TrustsMasksThatItCouldOnlyMeasureBadly) {
-  EXPECT_NEAR(BorderShiftAfter(2, 0, 1e6), 0, 1e-6);
+TEST(RefineOnce, LeavesBordersThatAreKnown) {
+  EXPECT_EQ(BorderShiftAfter(2, 0, 0, 0), 0);
 }
 
 TEST(RefineOnce, StartsFromTheEdgesOfThePhotographs) {
-  EXPECT_NEAR(BorderShiftAfter(2, 0.8, 1e6, 0.8), 0.8, 1e-6);
-  EXPECT_NEAR(BorderShiftAfter(2, 0.8, 0.3, 0.8), 2, 0.5);
+  EXPECT_NEAR(BorderShiftAfter(2, 0.8, 0.8), 2, 0.5);
   // Not beyond what they leave open.
-  EXPECT_NEAR(BorderShiftAfter(2, 0.8, 0.3, 0.8, 0.4), 1.2, 1e-6);
+  EXPECT_NEAR(BorderShiftAfter(2, 0.8, 0.8, 0.4), 1.2, 1e-6);
 }
 
 // Files keep floats; a mesh that is only valid in doubles may cross itself
@@ -330,7 +327,6 @@ TEST(RefineOptions, AreChecked) {
   refused([](RefineOptions& o) { o.smoothness = 0; });
   refused([](RefineOptions& o) { o.outlier_scale = 0; });
   refused([](RefineOptions& o) { o.silhouette_weight = -1; });
-  refused([](RefineOptions& o) { o.border_noise = -1; });
 }
 
 }  // namespace

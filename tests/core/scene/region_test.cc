@@ -8,27 +8,17 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "tests/core/base/recorder.h"
 #include "tests/core/scene/synthetic_views.h"
 
 namespace octacut {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::Recorder;
 using testing::RenderAllAround;
 using testing::RenderView;
 using testing::Sphere;
-
-class Recorder : public ProgressSink {
- public:
-  void BeginPhase(std::string_view, size_t) override {}
-  void Advance(size_t) override {}
-  void EndPhase() override {}
-  void Info(std::string_view) override {}
-  void Warn(std::string_view message) override {
-    warnings.emplace_back(message);
-  }
-  std::vector<std::string> warnings;
-};
 
 std::vector<Eigen::Vector3d> PointsOnSphere(const Eigen::Vector3d& middle,
                                             double radius,

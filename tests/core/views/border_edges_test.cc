@@ -80,24 +80,31 @@ TEST(MeasureBorderEdges, DoesNotAskClippedEdges) {
   EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
 }
 
-// Porcelain mirrors the background at grazing angles: two pixels inside its
-// outline, a stronger edge follows.
-TEST(MeasureBorderEdges, PrefersTheOutlineToAStrongerEdgeOfAReflection) {
-  PreparedView view = MakeView(0.4, 0.3, 0.5);
+// A disc whose mask is too large by `shift` pixels, with a stronger edge so
+// many pixels inside its outline: porcelain mirrors the background at grazing
+// angles.
+PreparedView MakeViewWithReflection(double shift, double inside_pixels) {
   cv::Mat image(kSize, kSize, CV_8UC3);
   cv::Mat mask(kSize, kSize, CV_8UC1);
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
       const double rim = Coverage(x, y, kRadius);
-      const double inside = Coverage(x, y, kRadius - 3);
+      const double inside = Coverage(x, y, kRadius - inside_pixels);
       image.at<cv::Vec3b>(y, x) = cv::Vec3b::all(
           Grey((1 - rim) * 0.5 + (rim - inside) * 0.4 + inside * 0.25));
       mask.at<uint8_t>(y, x) =
-          uint8_t(std::lround(255 * Coverage(x, y, kRadius + 0.4)));
+          uint8_t(std::lround(255 * Coverage(x, y, kRadius + shift)));
     }
   }
+  PreparedView view;
+  view.silhouette = Silhouette(mask);
   view.pyramid = ImagePyramid(image, mask);
-  const auto edges = MeasureBorderEdges({view}, Context(1));
+  return view;
+}
+
+TEST(MeasureBorderEdges, PrefersTheOutlineToAStrongerEdgeOfAReflection) {
+  const auto edges =
+      MeasureBorderEdges({MakeViewWithReflection(0.4, 3)}, Context(1));
   ASSERT_TRUE(edges);
   EXPECT_NEAR(edges->shift, 0.4, 0.1);
 }
@@ -125,11 +132,35 @@ TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
   ShiftBordersToEdges(Context(1), &large);
   EXPECT_NEAR(large[0].border_shift, 3, 0.2);
   EXPECT_LT(large[0].border_shift_error, 0.5);
+  // Edges beyond six pixels are not seen, so that these are few of many.
+  ViewSet largest = {MakeView(5.6, 0.6, 0.1)};
+  ShiftBordersToEdges(Context(1), &largest);
+  EXPECT_EQ(largest[0].border_shift, 5);
+  EXPECT_TRUE(std::isinf(largest[0].border_shift_error));
   views[0].pyramid = ImagePyramid();
   views[1].pyramid = ImagePyramid();
   EXPECT_FALSE(ShiftBordersToEdges(Context(1), &views));
   EXPECT_EQ(views[0].border_shift, 0);
   EXPECT_TRUE(std::isinf(views[0].border_shift_error));
+}
+
+// The strongest edges lie elsewhere, so that the nearest ones alone say that
+// the masks are too large.
+TEST(ShiftBordersToEdges, MovesByAPixelWhereEdgesDisagree) {
+  ViewSet views = {MakeViewWithReflection(1.8, 3)};
+  const auto edges = ShiftBordersToEdges(Context(1), &views);
+  ASSERT_TRUE(edges);
+  EXPECT_NEAR(edges->shift, 1.8, 0.1);
+  EXPECT_NEAR(edges->strongest_shift, 4.8, 0.2);
+  EXPECT_EQ(views[0].border_shift, 1);
+  EXPECT_TRUE(std::isinf(views[0].border_shift_error));
+}
+
+TEST(KeepBorders, LeavesNothingOpen) {
+  ViewSet views = {MakeView(3, 0.6, 0.1)};
+  KeepBorders(&views);
+  EXPECT_EQ(views[0].border_shift, 0);
+  EXPECT_EQ(views[0].border_shift_error, 0);
 }
 
 }  // namespace

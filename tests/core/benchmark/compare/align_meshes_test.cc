@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
+#include "tests/core/base/recorder.h"
 #include "tests/core/mesh/test_shapes.h"
 
 namespace octacut {
@@ -238,22 +239,8 @@ TEST_F(GlobalSearchTest, RigidAndTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(one.translation, three.translation);
 }
 
-// Warnings of a run.
-class WarningSink : public ProgressSink {
- public:
-  void BeginPhase(std::string_view /*name*/, size_t /*total*/) override {}
-  void Advance(size_t /*done*/) override {}
-  void EndPhase() override {}
-  void Info(std::string_view /*message*/) override {}
-  void Warn(std::string_view message) override { text_ += message; }
-  const std::string& Text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
 TEST_F(GlobalSearchTest, SymmetricShapesAndFailuresAreReported) {
-  WarningSink sink;
+  testing::Recorder sink;
   IndexedMesh brick = Cube(6);
   for (Eigen::Vector3d& p : brick.positions) {
     p = p.cwiseProduct(Eigen::Vector3d(3, 2, 1));
@@ -262,7 +249,8 @@ TEST_F(GlobalSearchTest, SymmetricShapesAndFailuresAreReported) {
       AlignMeshes(
           TransformMesh(brick, FarAway(1)), brick, Options(), Context(2, &sink))
           .is_ambiguous);
-  EXPECT_THAT(sink.Text(), ::testing::HasSubstr("symmetric"));
+  EXPECT_THAT(sink.warnings,
+              ::testing::ElementsAre(::testing::HasSubstr("symmetric")));
   // Other shapes.
   EXPECT_THAT(
       [&] {
@@ -273,9 +261,11 @@ TEST_F(GlobalSearchTest, SymmetricShapesAndFailuresAreReported) {
       },
       ::testing::ThrowsMessage<InputError>(
           ::testing::HasSubstr("alignment failed: the surfaces stay")));
-  WarningSink second;
+  testing::Recorder second;
   AlignMeshes(BumpyTorus(20), brick, FewSamples(), Context(2, &second));
-  EXPECT_THAT(second.Text(), ::testing::HasSubstr("alignment.global_search"));
+  EXPECT_THAT(
+      second.warnings,
+      ::testing::ElementsAre(::testing::HasSubstr("alignment.global_search")));
 }
 
 TEST(AlignMeshes, NoiseDoesNotBiasTheScale) {
@@ -361,7 +351,7 @@ TEST(AlignMeshesOptions, Rejections) {
     return std::string();
   };
   using Options = AlignMeshesOptions;
-  using testing::StartsWith;
+  using ::testing::StartsWith;
   EXPECT_THAT(refusal([](Options& o) { o.num_samples = 0; }),
               StartsWith("alignment.num_samples = 0: must"));
   EXPECT_THAT(refusal([](Options& o) { o.max_iterations = 0; }),

@@ -12,8 +12,8 @@
 namespace octacut {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 CompareMeshesOptions FewComparedSamples(int64_t count = 20000) {
   CompareMeshesOptions options;

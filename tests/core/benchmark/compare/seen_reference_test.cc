@@ -12,8 +12,8 @@
 namespace octacut {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 // On the x axis, looking at the origin, 60 degrees wide.
 PosedCamera CameraOnXAxis(double x) {

@@ -258,7 +258,7 @@ class Writer {
     const double unknown = ShareOfUnknown(blind);
     const std::string facing =
         unknown > 0
-            ? fmt::format("{:.1f} % faces away from them", 100 * unknown)
+            ? fmt::format("fewer than two views face {:.1f} %", 100 * unknown)
             : fmt::format(
                   "{:.1f} % faces upward in the images, {:.1f} % "
                   "downward and {:.1f} % sideways",

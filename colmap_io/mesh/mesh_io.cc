@@ -98,6 +98,7 @@ MeshFile ReadMesh(std::istream& stream,
   switch (format) {
     case MeshFormat::kPly:
       polygons = ReadPly(&source, &result.notes);
+      RemoveNonFinite(name, &polygons, &result.notes);
       break;
     case MeshFormat::kObj:
       polygons = ReadObj(&source, &result.notes);

@@ -105,18 +105,6 @@ class PlyBody {
           fmt::format("{} vertex normals are not finite and were set to zero",
                       num_bad_normals_));
     }
-    const size_t num_vertices = mesh_.positions.size();
-    const RemovedElements removed = RemoveNonFinite(&mesh_);
-    if (removed.num_vertices > 0) {
-      if (removed.num_vertices == num_vertices) {
-        values_.Source().Fail("no vertex has finite coordinates");
-      }
-      notes->push_back(fmt::format(
-          "{} vertices whose coordinates are not finite, and the {} faces at "
-          "them, are left out",
-          removed.num_vertices,
-          removed.num_faces));
-    }
     return std::move(mesh_);
   }
 

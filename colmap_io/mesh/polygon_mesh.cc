@@ -171,7 +171,10 @@ void CheckCorners(const PolygonMesh& mesh, const std::string& name) {
 
 }  // namespace
 
-RemovedElements RemoveNonFinite(PolygonMesh* mesh) {
+void RemoveNonFinite(const std::string& name,
+                     PolygonMesh* mesh,
+                     std::vector<std::string>* notes) {
+  CheckCorners(*mesh, name);
   const size_t num_vertices = mesh->positions.size();
   std::vector<uint32_t> kept;
   std::vector<uint32_t> numbers(num_vertices, kRemoved);
@@ -181,9 +184,11 @@ RemovedElements RemoveNonFinite(PolygonMesh* mesh) {
       kept.push_back(uint32_t(v));
     }
   }
-  RemovedElements removed{.num_vertices = num_vertices - kept.size()};
-  if (removed.num_vertices == 0) {
-    return removed;
+  if (kept.size() == num_vertices) {
+    return;
+  }
+  if (kept.empty()) {
+    throw InputError(fmt::format("{}: no vertex has finite coordinates", name));
   }
   Keep(kept, &mesh->positions);
   Keep(kept, &mesh->normals);
@@ -193,20 +198,23 @@ RemovedElements RemoveNonFinite(PolygonMesh* mesh) {
   for (size_t i = 0; i < mesh->NumFaces(); ++i) {
     const std::span<const uint32_t> face = mesh->Face(i);
     const auto is_removed = [&](uint32_t vertex) {
-      return vertex < num_vertices && numbers[vertex] == kRemoved;
+      return numbers[vertex] == kRemoved;
     };
     if (std::any_of(face.begin(), face.end(), is_removed)) {
-      ++removed.num_faces;
       continue;
     }
     for (const uint32_t vertex : face) {
-      faces.corners.push_back(vertex < num_vertices ? numbers[vertex] : vertex);
+      faces.corners.push_back(numbers[vertex]);
     }
     faces.EndFace();
   }
+  notes->push_back(fmt::format(
+      "{} vertices whose coordinates are not finite, and the {} faces at them, "
+      "are left out",
+      num_vertices - kept.size(),
+      mesh->NumFaces() - faces.NumFaces()));
   mesh->face_begins = std::move(faces.face_begins);
   mesh->corners = std::move(faces.corners);
-  return removed;
 }
 
 IndexedMesh Triangulate(PolygonMesh mesh,

@@ -31,15 +31,13 @@ struct PolygonMesh {
   void EndFace() { face_begins.push_back(corners.size()); }
 };
 
-struct RemovedElements {
-  size_t num_vertices = 0;
-  size_t num_faces = 0;
-};
-
 // Removes the vertices with coordinates that are not finite, as COLMAP's
-// poisson_mesher writes some, and the faces at them. Corners that are no vertex
-// stay.
-RemovedElements RemoveNonFinite(PolygonMesh* mesh);
+// poisson_mesher writes some, and the faces at them; says so in `notes`. Throws
+// InputError "<name>: ..." if no vertex is left, and for a corner that is no
+// vertex, as Triangulate does.
+void RemoveNonFinite(const std::string& name,
+                     PolygonMesh* mesh,
+                     std::vector<std::string>* notes);
 
 // Triangles of all faces, in their order. A quadrilateral is cut along its
 // shorter inner diagonal, a larger polygon by clipping the ears of its

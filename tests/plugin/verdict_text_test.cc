@@ -173,11 +173,12 @@ TEST(VerdictText, SaysNotWhereUpIsIfImagesHaveNoCommonUp) {
   blind.below = 0;
   blind.hidden = 0.05;
   blind.nearest_view = 1;
-  EXPECT_THAT(WarningsOf(verdict),
-              ElementsAre(AllOf(HasSubstr("15.0 % faces away from them, and "
-                                          "5.0 % is hidden"),
-                                HasSubstr("views of these parts"),
-                                HasSubstr("nearest existing view is b.jpg"))));
+  EXPECT_THAT(
+      WarningsOf(verdict),
+      ElementsAre(AllOf(HasSubstr("fewer than two views face 15.0 %, and "
+                                  "5.0 % is hidden"),
+                        HasSubstr("views of these parts"),
+                        HasSubstr("nearest existing view is b.jpg"))));
 }
 
 TEST(VerdictText, SaysWhereLightWouldHelp) {

@@ -214,8 +214,8 @@ TEST(PlyReader, ErrorsNameTheElement) {
   };
   const std::string two = "element vertex 2\n" + kXyz;
   EXPECT_THAT(error(two, "0 nan 0 1 inf 1"), HasSubstr("no vertex has finite"));
-  EXPECT_THAT(error(two + faces, "nan 0 0 1 1 1 3 1 1 1 3 1 1 2"),
-              HasSubstr("face 1: vertex index 2 is out of range"));
+  EXPECT_THAT(error(two + faces, "nan 0 0 1 1 1 3 0 1 1 3 1 1 2"),
+              HasSubstr("face 1: vertex index 2 is out of range, there are 2"));
   EXPECT_THAT(error(two, "0 0 0 1 1x 1"), HasSubstr("vertex 1: \"1x\""));
   EXPECT_THAT(error(two, "0.0 0.0 0.0 0.0"), HasSubstr("vertex 1: the file"));
   EXPECT_THAT(error(two + faces, "0 0 0 1 1 1 3 0 1 1 3 0 1 2"),

@@ -16,6 +16,8 @@ namespace {
 
 constexpr float kProbeStep = 0.5f;  // pixels
 constexpr float kBeside = 1;        // pixels
+// Cosine of the largest angle to the line of sight, 45 degrees.
+constexpr float kAlongSight = 0.7f;
 
 // Pixels from (u, v) along `direction` to the border of the mask: where the
 // coverage falls through one half, if it does so once within the range.
@@ -56,11 +58,13 @@ class ContourFinder {
   ContourFinder(const PreparedView& view,
                 const RayScene& rays,
                 const std::vector<LocalSurface>& surfaces,
+                const VertexCorners& neighbors,
                 float range,
                 float border_shift)
       : view_(view),
         rays_(rays),
         surfaces_(surfaces),
+        neighbors_(neighbors),
         range_(range),
         border_shift_(border_shift) {}
 
@@ -100,10 +104,35 @@ class ContourFinder {
     if (!border || !IsOutermost(point + kBeside / speed * normal)) {
       return std::nullopt;
     }
-    return ContourTarget{{{a, b}, fraction, *border / speed, 1}, speed};
+    const float beyond = std::max(Beyond(a, point, pixel, outward),
+                                  Beyond(b, point, pixel, outward));
+    return ContourTarget{{{a, b}, fraction, (*border - beyond) / speed, 1},
+                         speed};
   }
 
  private:
+  // Pixels by which neighbours of the vertex lie outside of the point, before
+  // or behind it; 0 if none does. Where normals are noisy, edges beside the
+  // contour change sides, too, and the outline lies as far outside of them.
+  // Neighbours to the sides are outside wherever the outline is concave.
+  float Beyond(uint32_t vertex,
+               const Eigen::Vector3f& point,
+               const Eigen::Vector2f& pixel,
+               const Eigen::Vector2f& outward) const {
+    const ViewProjection& projection = view_.projection;
+    const Eigen::Vector3f sight = (point - projection.center).normalized();
+    float beyond = 0;
+    for (const uint32_t neighbor : neighbors_.Of(vertex)) {
+      const Eigen::Vector3f& center = surfaces_[neighbor].center;
+      const Eigen::Vector3f way = center - point;
+      const Eigen::Vector3f h = projection.Homogeneous(center);
+      if (h.z() > 0 && std::abs(way.dot(sight)) > kAlongSight * way.norm()) {
+        beyond = std::max(beyond, (h.head<2>() / h.z() - pixel).dot(outward));
+      }
+    }
+    return beyond;
+  }
+
   // Whether the mesh ends here in the view: a line of sight just beside the
   // point misses all of it. A fold before the object is no occluding contour.
   bool IsOutermost(const Eigen::Vector3f& beside) const {
@@ -116,6 +145,7 @@ class ContourFinder {
   const PreparedView& view_;
   const RayScene& rays_;
   const std::vector<LocalSurface>& surfaces_;
+  const VertexCorners& neighbors_;
   float range_;
   float border_shift_;
 };
@@ -135,6 +165,7 @@ std::vector<ContourTarget> FindContourTargets(
       const ContourFinder finder(views[i],
                                  rays,
                                  surfaces,
+                                 neighbors,
                                  float(search.range),
                                  float(search.border_shift));
       for (uint32_t a = 0; a < surfaces.size(); ++a) {

@@ -28,10 +28,11 @@ struct ContourSearch {
 
 // One for each edge and view along which the fitted surface turns away from the
 // view within the range of where the border of its mask should be. Targets are
-// offsets of the fitted surface. Pixels are those of each view. Only where the
-// mesh of `rays` ends in the view, and where the border is a plain step from
-// object to background. `surfaces` are those of points, `neighbors` those of
-// SurfacePoints.
+// offsets of the fitted surface that bring its outline, which may pass outside
+// of the edge where normals are noisy, to the border. Pixels are those of each
+// view. Only where the mesh of `rays` ends in the view, and where the border is
+// a plain step from object to background. `surfaces` are those of points,
+// `neighbors` those of SurfacePoints.
 std::vector<ContourTarget> FindContourTargets(
     const ViewSet& views,
     const RayScene& rays,

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "tests/core/refine/refine_scene.h"
+#include "tests/core/views/random_views.h"
 
 namespace octacut {
 namespace {
@@ -19,18 +20,26 @@ class ContourTargets : public ::testing::Test {
   }
   static void TearDownTestSuite() { delete scene_; }
 
+  // Normals of the fitted surfaces are off by at most `normal_noise` a
+  // coordinate.
   std::vector<ContourTarget> Find(const IndexedMesh& mesh,
                                   const RayScene& rays,
-                                  double border_shift = 0) const {
+                                  double border_shift = 0,
+                                  double normal_noise = 0) const {
     const VertexCorners neighbors = RefineScene::Neighbors(mesh);
-    return FindContourTargets(
-        scene_->test.views,
-        rays,
-        FitLocalSurfaces(
-            mesh, neighbors, testing::AllVertices(mesh), 0.05, Context(2)),
-        neighbors,
-        {.range = 4, .border_shift = border_shift},
-        Context(2));
+    std::vector<LocalSurface> surfaces = FitLocalSurfaces(
+        mesh, neighbors, testing::AllVertices(mesh), 0.05, Context(2));
+    testing::Random random(5);
+    for (LocalSurface& surface : surfaces) {
+      surface.normal += random.Point(-normal_noise, normal_noise).cast<float>();
+      surface.normal.normalize();
+    }
+    return FindContourTargets(scene_->test.views,
+                              rays,
+                              surfaces,
+                              neighbors,
+                              {.range = 4, .border_shift = border_shift},
+                              Context(2));
   }
   IndexedMesh Larger(double pixels) const { return scene_->Larger(32, pixels); }
 
@@ -85,6 +94,20 @@ TEST_F(ContourTargets, LeadBesideBordersThatAreShifted) {
       EXPECT_NEAR(sum / double(targets.size()), -shift, 0.2);
     }
   }
+}
+
+// Points beside the contour, where noisy normals turn away from the view, are
+// inside of the border where the surface is right.
+TEST_F(ContourTargets, AreNotLedOutwardByNoisyNormals) {
+  const IndexedMesh mesh = Larger(0);
+  const double pixel = scene_->Pixel() / scene_->test.region.cube.edge;
+  double sum = 0;
+  const std::vector<ContourTarget> targets = Find(mesh, RayScene(mesh), 0, 0.3);
+  for (const ContourTarget& target : targets) {
+    sum += target.edge.target / pixel;
+  }
+  ASSERT_GT(targets.size(), 100 * scene_->test.views.size());
+  EXPECT_NEAR(sum / double(targets.size()), 0, 0.1);
 }
 
 TEST_F(ContourTargets, OnlyWhereTheMeshEnds) {

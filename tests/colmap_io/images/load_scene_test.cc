@@ -31,8 +31,9 @@ class LoadSceneTest : public testing::FolderTest {
  protected:
   void SetUp() override {
     const SparseCamera& camera = kRadial;
-    static const std::vector<cv::Mat> masks = [&] {
+    static const std::vector<cv::Mat> kMasks = [&] {
       std::vector<cv::Mat> result;
+      result.reserve(kNumImages);
       for (int i = 0; i < kNumImages; ++i) {
         result.push_back(SphereMask(camera, RingPose(i, kNumImages), 0.8));
       }
@@ -43,7 +44,7 @@ class LoadSceneTest : public testing::FolderTest {
     for (int i = 0; i < kNumImages; ++i) {
       WritePicture(folder_ / "images" / model_.images[i].name,
                    Texture(int(camera.width), int(camera.height)));
-      WritePicture(MaskPath(i), masks[i]);
+      WritePicture(MaskPath(i), kMasks[i]);
     }
   }
   fs::path MaskPath(int i) const {

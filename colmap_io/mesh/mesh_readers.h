@@ -13,8 +13,7 @@ namespace octacut {
 // Ascii, binary little and big endian; any properties and elements in any
 // order. Understands x y z, nx ny nz, red green blue (also r g b and
 // diffuse_red ...), confidence, vertex_indices or vertex_index of `face`, and
-// `tristrips`. Vertices that are not finite are left out with the faces at
-// them; all of them are an error.
+// `tristrips`. Coordinates that are not finite are left to RemoveNonFinite.
 PolygonMesh ReadPly(ByteSource* source, std::vector<std::string>* notes);
 
 // v with colours, vn, vt, f in every form with negative indices. A vertex

@@ -174,7 +174,6 @@ void CheckCorners(const PolygonMesh& mesh, const std::string& name) {
 void RemoveNonFinite(const std::string& name,
                      PolygonMesh* mesh,
                      std::vector<std::string>* notes) {
-  CheckCorners(*mesh, name);
   const size_t num_vertices = mesh->positions.size();
   std::vector<uint32_t> kept;
   std::vector<uint32_t> numbers(num_vertices, kRemoved);
@@ -187,6 +186,7 @@ void RemoveNonFinite(const std::string& name,
   if (kept.size() == num_vertices) {
     return;
   }
+  CheckCorners(*mesh, name);
   if (kept.empty()) {
     throw InputError(fmt::format("{}: no vertex has finite coordinates", name));
   }

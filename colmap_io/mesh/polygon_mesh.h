@@ -33,8 +33,8 @@ struct PolygonMesh {
 
 // Removes the vertices with coordinates that are not finite, as COLMAP's
 // poisson_mesher writes some, and the faces at them; says so in `notes`. Throws
-// InputError "<name>: ..." if no vertex is left, and for a corner that is no
-// vertex, as Triangulate does.
+// InputError "<name>: ..." if no vertex is left, and, before faces are
+// renumbered, for a corner that is no vertex, as Triangulate does.
 void RemoveNonFinite(const std::string& name,
                      PolygonMesh* mesh,
                      std::vector<std::string>* notes);

@@ -1,7 +1,5 @@
 #include "core/hull/false_gaps.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <Eigen/LU>
 #include <set>
@@ -137,19 +135,6 @@ void FillFalse(std::vector<GapOfView>* candidates,
                 [](const GapOfView& candidate) { return candidate.is_false; });
 }
 
-void Report(const RepairedScene& filled, const Context& context) {
-  if (filled.gaps.empty()) {
-    return;
-  }
-  const FalseGap& largest = LargestGap(filled);
-  context.Info(fmt::format(
-      "Filled {} gaps in the masks because other views show the object there. "
-      "The largest gap has {} pixels and is in the mask of {}.",
-      filled.gaps.size(),
-      largest.num_pixels,
-      filled.scene.views[largest.view].name));
-}
-
 }  // namespace
 
 RepairedScene FillFalseGaps(const Scene& scene,
@@ -176,7 +161,7 @@ RepairedScene FillFalseGaps(const Scene& scene,
       break;
     }
   }
-  Report(filled, context);
+  ReportGaps(filled, "other views show the object", context);
   return filled;
 }
 

@@ -122,27 +122,6 @@ FilledView FillView(const std::vector<Eigen::Vector3d>& points,
   return filled;
 }
 
-void Report(const RepairedScene& filled,
-            const std::vector<std::string>& too_large,
-            const Context& context) {
-  if (!filled.gaps.empty()) {
-    const FalseGap& largest = LargestGap(filled);
-    context.Info(fmt::format(
-        "Filled {} gaps in the masks because sparse points of the object lie "
-        "there. The largest gap has {} pixels and is in the mask of {}.",
-        filled.gaps.size(),
-        largest.num_pixels,
-        filled.scene.views[largest.view].name));
-  }
-  if (!too_large.empty()) {
-    context.Info(fmt::format(
-        "Sparse points of the object lie in background that is larger than a "
-        "twentieth of the object. The masks of these images are left as they "
-        "are: {}.",
-        fmt::join(too_large, ", ")));
-  }
-}
-
 }  // namespace
 
 RepairedScene FillGapsAtPoints(const Scene& scene,
@@ -168,7 +147,14 @@ RepairedScene FillGapsAtPoints(const Scene& scene,
       too_large.push_back(scene.views[v].name);
     }
   }
-  Report(filled, too_large, context);
+  ReportGaps(filled, "sparse points of the object lie", context);
+  if (!too_large.empty()) {
+    context.Info(fmt::format(
+        "Sparse points of the object lie in background that is larger than a "
+        "twentieth of the object. The masks of these images are left as they "
+        "are: {}.",
+        fmt::join(too_large, ", ")));
+  }
   return filled;
 }
 

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
+#include "core/base/context.h"
 #include "core/scene/scene.h"
 
 namespace octacut {
@@ -21,7 +23,10 @@ struct RepairedScene {
   std::vector<FalseGap> gaps;
 };
 
-// The first one of those with most pixels; there must be one.
-const FalseGap& LargestGap(const RepairedScene& repaired);
+// Logs how many gaps were filled, for what reason ("other views show ..."), and
+// the largest one; nothing where there are none.
+void ReportGaps(const RepairedScene& repaired,
+                std::string_view reason,
+                const Context& context);
 
 }  // namespace octacut

@@ -132,7 +132,7 @@ TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
   ShiftBordersToEdges(Context(1), &large);
   EXPECT_NEAR(large[0].border_shift, 3, 0.2);
   EXPECT_LT(large[0].border_shift_error, 0.5);
-  // Edges beyond six pixels are not seen, so that these are few of many.
+  // Beyond the largest shift.
   ViewSet largest = {MakeView(5.6, 0.6, 0.1)};
   ShiftBordersToEdges(Context(1), &largest);
   EXPECT_EQ(largest[0].border_shift, 5);

@@ -24,9 +24,9 @@ void DeclareMainOptions(OptionManager& options,
       &meshing->refine,
       "If 1, refine the mesh and the poses photometrically below voxel size. "
       "Takes precedence over --quality.");
-  DeclareMaskTolerance(options, &meshing->mask_tolerance);
-  DeclareFillFalseGaps(options, &meshing->fill_false_gaps);
-  DeclareMoveMaskBorders(options, &meshing->move_mask_borders);
+  DeclareMaskTolerance(options, &meshing->masks.mask_tolerance);
+  DeclareFillFalseGaps(options, &meshing->masks.fill_false_gaps);
+  DeclareMoveMaskBorders(options, &meshing->masks.move_mask_borders);
   options.Add("OctahedralMeshing.ballooning",
               &meshing->evidence.ballooning,
               "How strongly voxels of the visual hull count as inside of the "

@@ -1,9 +1,6 @@
 #include "core/pipeline/options.h"
 
-#include <fmt/format.h>
-
 #include "core/base/check_option.h"
-#include "core/scene/scene.h"
 
 namespace octacut {
 
@@ -22,10 +19,7 @@ void EnergyOptions::Check() const {
 }
 
 void ReconstructionOptions::Check() const {
-  CheckOption(mask_tolerance >= 0 && mask_tolerance <= kMaxMaskTolerance,
-              "mask_tolerance",
-              mask_tolerance,
-              fmt::format("must be in 0 .. {}", kMaxMaskTolerance));
+  masks.Check();
   hull.Check();
   evidence.Check();
   crust.Check();

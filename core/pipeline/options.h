@@ -8,6 +8,7 @@
 #include "core/evidence/inside_evidence.h"
 #include "core/hull/visual_hull.h"
 #include "core/mesh/smooth.h"
+#include "core/pipeline/prepare_scene.h"
 #include "core/refine/refine_options.h"
 #include "core/visibility/visibility.h"
 
@@ -32,12 +33,7 @@ struct EnergyOptions {
 };
 
 struct ReconstructionOptions {
-  // Pixels of the photographs by which masks may be too small; 0 .. 64.
-  double mask_tolerance = 2;
-  bool fill_false_gaps = true;  // of masks: RepairMasks
-  // To the edges of the photographs, and with the occluding contours in
-  // refinement.
-  bool move_mask_borders = true;
+  MaskOptions masks;
   VisualHullOptions hull;
   InsideEvidenceOptions evidence;
   CrustOptions crust;
@@ -68,7 +64,7 @@ struct ReconstructionOptions {
 };
 
 struct HullReconstructionOptions {
-  bool fill_false_gaps = true;  // as above
+  bool fill_false_gaps = true;  // as MaskOptions has it
   VisualHullOptions hull{.hull_level = 8};
   SmoothOptions smoothing{.iterations = 2};
   void Check() const;

@@ -10,13 +10,12 @@
 #include "core/crust/label_hierarchy.h"
 #include "core/evidence/trim_hull.h"
 #include "core/hull/hull_surface.h"
-#include "core/hull/repair_masks.h"
 #include "core/pipeline/deepen_level.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/hull_border.h"
 #include "core/pipeline/level_step.h"
+#include "core/pipeline/prepare_scene.h"
 #include "core/pipeline/shown_surface.h"
-#include "core/views/border_edges.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
@@ -70,55 +69,41 @@ void ReportLevel(const LevelSummary& level, const Context& context) {
                   level.cut_cost));
 }
 
-// The scene with its masks repaired, and what the steps take from it.
-struct PreparedScene {
-  RepairedScene repaired;
-  ViewSet views;
-  Eigen::AlignedBox3f box;  // of the region, unit coordinates
-};
-
 PreparedScene Prepare(const Scene& scene,
                       const Region& region,
                       const ReconstructionOptions& options,
                       const Context& context,
                       ReconstructionSummary* summary) {
   return Timed(&summary->prepare_seconds, [&] {
-    PreparedScene prepared;
-    prepared.repaired = RepairMasks(scene,
-                                    region.cube,
-                                    options.mask_tolerance,
-                                    options.fill_false_gaps,
-                                    context);
-    prepared.views = PrepareViews(
-        prepared.repaired.scene, region.cube, context, options.mask_tolerance);
-    prepared.box = BoxInUnitCoordinates(region);
+    PreparedScene prepared =
+        PrepareScene(scene, region.cube, options.masks, context);
     summary->num_false_gaps = prepared.repaired.gaps.size();
-    if (options.move_mask_borders) {
-      summary->border_edges = ShiftBordersToEdges(context, &prepared.views);
-    } else {
-      KeepBorders(&prepared.views);
-    }
+    summary->border_edges = prepared.border_edges;
     return prepared;
   });
 }
 
-VoxelGrid CarveHull(const PreparedScene& scene,
+VoxelGrid CarveHull(const ViewSet& views,
+                    const Region& region,
                     const ReconstructionOptions& options,
                     const Context& context,
                     ReconstructionSummary* summary) {
   VisualHull hull = Timed(&summary->hull_seconds, [&] {
-    return ComputeVisualHull(scene.views, scene.box, options.hull, context);
+    return ComputeVisualHull(
+        views, BoxInUnitCoordinates(region), options.hull, context);
   });
   summary->hull = std::move(hull.summary);
   return std::move(hull.voxels);
 }
 
-LabeledVoxels HullSurface(const PreparedScene& scene,
+LabeledVoxels HullSurface(const ViewSet& views,
+                          const Region& region,
                           const ReconstructionOptions& options,
                           const Context& context,
                           ReconstructionSummary* summary) {
   return Timed(&summary->hull_seconds, [&] {
-    return ComputeHullSurface(scene.views, scene.box, options.hull, context);
+    return ComputeHullSurface(
+        views, BoxInUnitCoordinates(region), options.hull, context);
   });
 }
 
@@ -192,6 +177,21 @@ IndexedMesh Refine(IndexedMesh mesh,
   return std::move(refined.mesh);
 }
 
+SurfaceMesh Color(const IndexedMesh& mesh,
+                  const LabeledVoxels& surface,
+                  const LevelInputs& inputs,
+                  const BoundingCube& cube,
+                  ReconstructionSummary* summary) {
+  return Timed(&summary->coloring_seconds, [&] {
+    return ColoredMesh(mesh,
+                       inputs.views,
+                       surface,
+                       cube,
+                       inputs.options.visibility,
+                       inputs.context);
+  });
+}
+
 MeshVerdict Judge(const FinishedMesh& finished,
                   const JudgedScene& scene,
                   const ReconstructionOptions& options,
@@ -201,7 +201,7 @@ MeshVerdict Judge(const FinishedMesh& finished,
       finished.mesh,
       finished.removed,
       scene,
-      {.mask_tolerance = options.mask_tolerance,
+      {.mask_tolerance = options.masks.mask_tolerance,
        .border_shift = summary.refinement ? summary.refinement->border_shift
                                           : scene.views.front().border_shift,
        .hull_level = options.hull.hull_level,
@@ -223,8 +223,9 @@ Reconstruction Reconstruct(const Scene& scene,
 
   PreparedScene prepared = Prepare(scene, region, options, context, &summary);
   ViewSet& views = prepared.views;
-  VoxelGrid hull = CarveHull(prepared, options, context, &summary);
-  const auto hull_surface = HullSurface(prepared, options, context, &summary);
+  VoxelGrid hull = CarveHull(views, region, options, context, &summary);
+  const auto hull_surface =
+      HullSurface(views, region, options, context, &summary);
   if (observer) {
     observer(-1, PositionedMesh(hull_surface, region.cube, context));
   }
@@ -257,14 +258,11 @@ Reconstruction Reconstruct(const Scene& scene,
                            &views,
                            &summary);
   }
-  result.mesh = Timed(&summary.coloring_seconds, [&] {
-    return ColoredMesh(finished.mesh,
-                       views,
-                       hierarchy.Finest(),
-                       region.cube,
-                       options.visibility,
-                       context);
-  });
+  result.mesh = Color(finished.mesh,
+                      hierarchy.Finest(),
+                      {views, evidence, options, context},
+                      region.cube,
+                      &summary);
 
   finished.mesh = ToIndexedMesh(result.mesh);
   result.audit = AuditMesh(finished.mesh, context);
@@ -285,9 +283,14 @@ HullReconstruction ReconstructHull(const Scene& scene,
   options.Check();
   CheckScene(scene, false);
   CheckFloatsResolve(region.cube, options.hull.hull_level);
-  const RepairedScene repaired =
-      RepairMasks(scene, region.cube, 0, options.fill_false_gaps, context);
-  const ViewSet views = PrepareViews(repaired.scene, region.cube, context);
+  const PreparedScene prepared =
+      PrepareScene(scene,
+                   region.cube,
+                   {.mask_tolerance = 0,
+                    .fill_false_gaps = options.fill_false_gaps,
+                    .move_mask_borders = false},
+                   context);
+  const ViewSet& views = prepared.views;
   const LabeledVoxels surface = ComputeHullSurface(
       views, BoxInUnitCoordinates(region), options.hull, context);
   ReconstructionOptions finishing;
@@ -299,12 +302,12 @@ HullReconstruction ReconstructHull(const Scene& scene,
   result.mesh = ToSurfaceMesh(finished.mesh);
   result.audit = AuditMesh(finished.mesh, context);
   CheckAudit(result.audit);
-  result.verdict =
-      JudgeMesh(finished.mesh,
-                finished.removed,
-                {scene.views, repaired.scene.views, views, region.cube},
-                JudgeOptions(),
-                context);
+  result.verdict = JudgeMesh(
+      finished.mesh,
+      finished.removed,
+      {scene.views, prepared.repaired.scene.views, views, region.cube},
+      JudgeOptions(),
+      context);
   return result;
 }
 

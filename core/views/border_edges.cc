@@ -49,10 +49,10 @@ constexpr float kMaxDoubtfulShift = 1;
 // cut off, so that the rest of them would be taken for a peak.
 constexpr float kMaxShift = kRange - 1;
 constexpr double kMaxDisagreement = 0.5;
-// The share of edges that agree, from which on their deviation says how well
-// the shift is known, and how many of these (1.3 standard deviations).
+// The share of edges that agree, from which on the shift is known, and by how
+// many pixels it may then be wrong (docs/experiments/mask_borders.md).
 constexpr double kMostEdges = 0.5;
-constexpr float kShiftDeviations = 2;
+constexpr float kEdgeError = 0.1f;
 
 constexpr int kNumSteps = int(2 * kRange / kStep) + 1;
 constexpr int kHalfEdge = int(kEdgeWidth / 2 / kStep);
@@ -399,9 +399,8 @@ std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
   for (PreparedView& view : *views) {
     view.border_shift =
         edges ? float(std::clamp(edges->shift, -limit, limit)) : 0;
-    view.border_shift_error = is_known
-                                  ? kShiftDeviations * float(edges->deviation)
-                                  : std::numeric_limits<float>::infinity();
+    view.border_shift_error =
+        is_known ? kEdgeError : std::numeric_limits<float>::infinity();
   }
   return edges;
 }

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include "colmap_io/mesh/mesh_io.h"
-#include "core/hull/repair_masks.h"
 #include "core/mesh/audit.h"
-#include "core/pipeline/options.h"
+#include "core/pipeline/prepare_scene.h"
 #include "core/scene/region.h"
 #include "core/verdict/judge_mesh.h"
-#include "core/views/border_edges.h"
 #include "plugin/closed_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/refinement_options.h"
@@ -29,8 +27,7 @@ class MeshRefiner : public Command {
   WorkspaceArguments workspace_;
   std::filesystem::path mesh_path_;
   int target_level_ = 9;
-  bool fill_false_gaps_ = true;
-  bool move_mask_borders_ = true;
+  MaskOptions masks_;
   RefineOptions refinement_;
 };
 
@@ -45,12 +42,9 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
               &target_level_,
               "Level of the mesh. The images are downsampled as for "
               "(2^level)^3 voxels.");
-  // The windows of the images, which these decide, are to be the mesher's.
-  workspace_.loading.region.mask_tolerance =
-      ReconstructionOptions().mask_tolerance;
-  DeclareMaskTolerance(options, &workspace_.loading.region.mask_tolerance);
-  DeclareFillFalseGaps(options, &fill_false_gaps_);
-  DeclareMoveMaskBorders(options, &move_mask_borders_);
+  DeclareMaskTolerance(options, &masks_.mask_tolerance);
+  DeclareFillFalseGaps(options, &masks_.fill_false_gaps);
+  DeclareMoveMaskBorders(options, &masks_.move_mask_borders);
   DeclareChromaWeight(options, &refinement_.patch.chroma_weight);
   DeclareRefinementOptions(options, &refinement_);
 }
@@ -65,35 +59,31 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   files.Read(mesh_path_, "the mesh to refine");
   workspace_.Complete("meshed-refined.ply", {}, files);
   IndexedMesh mesh = ReadClosedMesh(mesh_path_, context);
-  workspace_.loading.fill_bites = fill_false_gaps_;
+  // The windows of the images, which these decide, are to be the mesher's.
+  workspace_.loading.region.mask_tolerance = masks_.mask_tolerance;
+  workspace_.loading.fill_bites = masks_.fill_false_gaps;
   const LoadedScene loaded = LoadScene(
       workspace_.workspace_path, workspace_.loading, target_level_, context);
   CheckFloatsResolve(loaded.region.cube, target_level_);
-  const RepairedScene repaired =
-      RepairMasks(loaded.scene,
-                  loaded.region.cube,
-                  workspace_.loading.region.mask_tolerance,
-                  fill_false_gaps_,
-                  context);
-  ViewSet views = PrepareViews(repaired.scene, loaded.region.cube, context);
-  if (move_mask_borders_) {
-    ShiftBordersToEdges(context, &views);
-  } else {
-    KeepBorders(&views);
-  }
+  PreparedScene prepared =
+      PrepareScene(loaded.scene, loaded.region.cube, masks_, context);
+  ViewSet& views = prepared.views;
   RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
   const MeshAudit audit = AuditMesh(refined.mesh, context);
   CheckAudit(audit);
-  const MeshVerdict verdict = JudgeMesh(
-      refined.mesh,
-      IndexedMesh(),
-      {loaded.scene.views, repaired.scene.views, views, loaded.region.cube},
-      {.mask_tolerance = workspace_.loading.region.mask_tolerance,
-       .border_shift = refined.summary.border_shift,
-       .refinement = refinement_,
-       .confidence = workspace_.confidence},
-      context);
+  const MeshVerdict verdict =
+      JudgeMesh(refined.mesh,
+                IndexedMesh(),
+                {loaded.scene.views,
+                 prepared.repaired.scene.views,
+                 views,
+                 loaded.region.cube},
+                {.mask_tolerance = masks_.mask_tolerance,
+                 .border_shift = refined.summary.border_shift,
+                 .refinement = refinement_,
+                 .confidence = workspace_.confidence},
+                context);
   refined.mesh.confidence = verdict.confidence;
   WriteMesh(workspace_.output_path, refined.mesh);
   const VerdictText words = DescribeVerdict(verdict, loaded.scene.views);

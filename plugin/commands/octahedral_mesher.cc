@@ -153,8 +153,8 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   meshing_.confidence = workspace_.confidence;
   meshing_.Check();
   CheckFiles();
-  workspace_.loading.region.mask_tolerance = meshing_.mask_tolerance;
-  workspace_.loading.fill_bites = meshing_.fill_false_gaps;
+  workspace_.loading.region.mask_tolerance = meshing_.masks.mask_tolerance;
+  workspace_.loading.fill_bites = meshing_.masks.fill_false_gaps;
   const LevelObserver observer = LevelWriter();
   if (extract_masks_) {
     MakeMasks(context);

@@ -56,14 +56,14 @@ TEST(Reconstruct, ToleratesMasksThatAreTooSmall) {
   ReconstructionOptions options = QuickOptions();
   options.refine = false;
   const double clean = ErrorWithMasksOff(0, options);
-  options.move_mask_borders = false;
+  options.masks.move_mask_borders = false;
   const double tolerant = ErrorWithMasksOff(-2, options);
-  options.mask_tolerance = 0;
+  options.masks.mask_tolerance = 0;
   const double strict = ErrorWithMasksOff(-2, options);
   EXPECT_LT(tolerant, 1.5 * clean);
   EXPECT_GT(strict, 2 * clean);
   // The edges of the photographs show that all masks are too small.
-  options.move_mask_borders = true;
+  options.masks.move_mask_borders = true;
   EXPECT_LT(ErrorWithMasksOff(-2, options), 1.5 * clean);
 }
 
@@ -84,7 +84,7 @@ TEST(Reconstruct, ToleratesLargeHolesInMasks) {
   const ReconstructedScene filled = ReconstructScene(spec, options);
   EXPECT_GT(filled.result.summary.num_false_gaps, 48u);
   EXPECT_EQ(filled.result.audit.genus, 0);
-  options.fill_false_gaps = false;
+  options.masks.fill_false_gaps = false;
   const ReconstructedScene unrepaired = ReconstructScene(spec, options);
   EXPECT_EQ(unrepaired.result.summary.num_false_gaps, 0u);
   EXPECT_GT(unrepaired.result.audit.genus, 3);

@@ -126,12 +126,12 @@ TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
   ASSERT_TRUE(edges);
   for (const PreparedView& view : views) {
     EXPECT_FLOAT_EQ(view.border_shift, float(edges->shift));
-    EXPECT_FLOAT_EQ(view.border_shift_error, 2 * float(edges->deviation));
+    EXPECT_FLOAT_EQ(view.border_shift_error, 0.1f);
   }
   ViewSet large = {MakeView(3, 0.6, 0.1)};
   ShiftBordersToEdges(Context(1), &large);
   EXPECT_NEAR(large[0].border_shift, 3, 0.2);
-  EXPECT_LT(large[0].border_shift_error, 0.5);
+  EXPECT_FLOAT_EQ(large[0].border_shift_error, 0.1f);
   // Beyond the largest shift.
   ViewSet largest = {MakeView(5.6, 0.6, 0.1)};
   ShiftBordersToEdges(Context(1), &largest);

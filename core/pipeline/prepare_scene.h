@@ -1,0 +1,41 @@
+// What every reconstruction begins with: masks without false gaps, views
+// prepared for a root cube, and borders of the masks where the photographs show
+// them.
+#pragma once
+
+#include <optional>
+
+#include "core/base/context.h"
+#include "core/hull/repaired_scene.h"
+#include "core/scene/scene.h"
+#include "core/views/border_edges.h"
+#include "core/views/view_set.h"
+
+namespace octacut {
+
+struct MaskOptions {
+  // Pixels of the photographs by which masks may be too small; 0 .. 64.
+  double mask_tolerance = 2;
+  // That points or other views show to be false (FillGapsAtPoints,
+  // FillFalseGaps).
+  bool fill_false_gaps = true;
+  // To the edges of the photographs (ShiftBordersToEdges), and with the
+  // occluding contours in refinement.
+  bool move_mask_borders = true;
+  void Check() const;
+};
+
+struct PreparedScene {
+  RepairedScene repaired;
+  ViewSet views;  // of the repaired scene
+  std::optional<BorderEdges> border_edges;
+};
+
+// `options` are valid. Without `move_mask_borders`, or without images, the
+// borders stay where they are.
+PreparedScene PrepareScene(const Scene& scene,
+                           const BoundingCube& cube,
+                           const MaskOptions& options,
+                           const Context& context);
+
+}  // namespace octacut

@@ -215,7 +215,9 @@ browser = await Browser.start(1440, 900);
 let failed = false;
 try {
   await open(1440, 900);
-  await checkRendering();
+  if (kind === 'truth') {
+    await checkRendering();  // the same on every page
+  }
   await checkDistances();
   await checkPlaces();
   await {
@@ -225,7 +227,9 @@ try {
     benchmark: checkBenchmark,
   }[kind]();
   await checkReport();
-  await checkPhone();
+  if (kind === 'truth') {
+    await checkPhone();
+  }
   const errors = await browser.consoleErrors();
   assert.deepEqual(errors, [], 'no errors in the console');
   console.log('the page works');

@@ -1,5 +1,6 @@
 // What a workspace can have wrong, as a user meets it: one line that names
 // file, field and value, exit code 1, earlier results as they were.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,7 +62,7 @@ class InputErrors : public testing::SmallWorkspaceTest {
                      const std::string& counter,
                      int count,
                      const std::vector<std::string>& options) {
-    const ProgramResult result = RunMesher(options);
+    const ProgramResult result = RunCut(options);
     EXPECT_EQ(result.exit_code, 0) << result.err;
     EXPECT_THAT(result.err, HasSubstr("WARNING: "));
     EXPECT_THAT(result.err, HasSubstr(message));
@@ -92,8 +93,10 @@ class InputErrors : public testing::SmallWorkspaceTest {
 TEST_F(InputErrors, ImageOfAnotherSizeThanItsCamera) {
   cv::imwrite(Image(4).string(), cv::Mat::zeros(150, 200, CV_8UC3));
   ExpectError(
-      "view_004.jpg: the image has 200x150 pixels, but its camera 1 has "
-      "240x180");
+      fmt::format("view_004.jpg: the image has 200x150 pixels, but its camera "
+                  "1 has {}x{}",
+                  kSmallWidth,
+                  kSmallHeight));
 }
 
 TEST_F(InputErrors, MissingImages) {
@@ -224,18 +227,18 @@ TEST_F(InputErrors, MasksThatShowNothingOfABoundingBox) {
   cv::Mat mask = cv::Mat::zeros(kSmallHeight, kSmallWidth, CV_8UC1);
   mask(cv::Rect(1, 1, 4, 4)).setTo(255);
   ASSERT_TRUE(cv::imwrite(Mask(3).string(), mask));
-  const ProgramResult left_out = RunMesher({});
+  const ProgramResult left_out = RunCut({});
   EXPECT_EQ(left_out.exit_code, 0);
   EXPECT_THAT(left_out.err,
               HasSubstr("view_003.jpg.png: this mask or the pose of "
                         "view_003.jpg contradicts the other views"));
-  const ProgramResult all = RunMesher({"--keep_all_views", "1"});
+  const ProgramResult all = RunCut({"--keep_all_views", "1"});
   EXPECT_EQ(all.exit_code, 1);
   EXPECT_THAT(all.err, HasSubstr("all masks except that of view_003.jpg fit"));
-  const ProgramResult result = RunMesher({"--keep_all_views",
-                                          "1",
-                                          "--OctahedralMeshing.bounding_box",
-                                          "-0.7,-0.7,-0.3,0.7,0.7,0.3"});
+  const ProgramResult result = RunCut({"--keep_all_views",
+                                       "1",
+                                       "--OctahedralMeshing.bounding_box",
+                                       "-0.7,-0.7,-0.3,0.7,0.7,0.3"});
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err,
               HasSubstr("view_003.jpg.png: the mask shows no object within the "

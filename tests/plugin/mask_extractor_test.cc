@@ -135,20 +135,20 @@ TEST_F(MaskExtractorTest, UnsureViewsGetNoMask) {
   EXPECT_EQ(List()["views"][6]["status"], "unsure");
   EXPECT_THAT(List()["views"][6]["doubt"].get<std::string>(),
               Not(::testing::IsEmpty()));
-  const ProgramResult mesh = RunMesher({"--mask_path", Extracted()});
+  const ProgramResult mesh = RunCut({"--mask_path", Extracted()});
   EXPECT_EQ(mesh.exit_code, 0) << mesh.err;
   EXPECT_THAT(mesh.err, HasSubstr("1 of 12 images are left out"));
   // Any other mask that is not there is still an error.
   fs::remove(Found(7));
-  EXPECT_THAT(RunMesher({"--mask_path", Extracted()}).err,
+  EXPECT_THAT(RunCut({"--mask_path", Extracted()}).err,
               HasSubstr("view_007.jpg.png: no such mask; missing for 1"));
 }
 
 TEST_F(MaskExtractorTest, MesherMakesTheMasksIfAsked) {
   fs::remove_all(Workspace() / "masks");
-  EXPECT_THAT(RunMesher().err,
+  EXPECT_THAT(RunCut().err,
               HasSubstr("octacut mask_extractor --workspace_path"));
-  const ProgramResult result = RunMesher({"--extract_masks", "1"});
+  const ProgramResult result = RunCut({"--extract_masks", "1"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_TRUE(fs::exists(Mask(0)));
   EXPECT_THAT(result.out, HasSubstr("genus 1"));
@@ -174,9 +174,9 @@ TEST_F(MaskExtractorTest, MistakesAreNamedAndLeaveNothing) {
 
 TEST_F(MaskExtractorTest, TwoMasksOfOneImageMayNotDiffer) {
   fs::copy(Mask(3), Workspace() / "masks" / "mask_view_003.png");
-  EXPECT_EQ(RunMesher().exit_code, 0);
+  EXPECT_EQ(RunCut().exit_code, 0);
   fs::copy(Mask(4), Workspace() / "masks" / "view_003_mask.png");
-  const ProgramResult result = RunMesher();
+  const ProgramResult result = RunCut();
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_THAT(result.err, HasSubstr("view_003.jpg.png and "));
   EXPECT_THAT(result.err, HasSubstr("view_003_mask.png: both are the mask"));

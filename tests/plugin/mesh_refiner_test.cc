@@ -21,9 +21,7 @@ class MeshRefiner : public testing::SmallWorkspaceTest {
   fs::path Mesh() const { return Workspace() / "meshed-octahedral.ply"; }
   fs::path Refined() const { return Workspace() / "meshed-refined.ply"; }
 
-  ProgramResult MeshWithoutRefinement() const {
-    return RunMesher({"--picture", "0", "--OctahedralMeshing.refine", "0"});
-  }
+  ProgramResult MeshWithoutRefinement() const { return RunCut(); }
 
   ProgramResult Refine(const std::vector<std::string>& options = {}) const {
     std::vector<std::string> arguments = {"mesh_refiner",

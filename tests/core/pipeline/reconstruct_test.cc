@@ -176,12 +176,14 @@ class Stopper : public ProgressSink {
 };
 
 TEST(Reconstruct, CanBeCancelledInEveryPhase) {
-  const SmallScene small = MakeSmallScene();
+  SmallScene small = MakeSmallScene();
+  small.options.hull.hull_level = 4;
+  small.options.target_level = 5;
   std::atomic<bool> stop{false};
   Stopper counter(-1, &stop);
   RunSmall(small, Context(2, &counter, &stop));
   EXPECT_THAT(counter.phases, Contains("visual hull"));
-  EXPECT_THAT(counter.phases, Contains("photo-consistency of level 6"));
+  EXPECT_THAT(counter.phases, Contains("photo-consistency of level 5"));
   for (size_t phase = 0; phase < counter.phases.size(); ++phase) {
     stop = false;
     Stopper stopper(int(phase), &stop);

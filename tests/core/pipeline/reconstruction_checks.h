@@ -24,16 +24,18 @@ struct ReconstructedScene {
   }
 };
 
-// 64^3 to 128^3.
+// 32^3 to 64^3.
 inline ReconstructionOptions QuickOptions() {
   ReconstructionOptions options;
-  options.hull.hull_level = 6;
-  options.target_level = 7;
+  options.hull.hull_level = 5;
+  options.target_level = 6;
   return options;
 }
 
-inline SceneSpec PipelineSpec(const std::string& object) {
-  SceneSpec spec = QuickScene(object, 240, 180, 24);
+inline SceneSpec PipelineSpec(const std::string& object,
+                              int width = 160,
+                              int height = 120) {
+  SceneSpec spec = QuickScene(object, width, height, 24);
   spec.lighting.num_samples = 4;
   return spec;
 }

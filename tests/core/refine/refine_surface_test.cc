@@ -29,15 +29,23 @@ IndexedMesh BumpyMesh(const RefineScene& scene) {
   return RefineScene::Mesh(40, Bumps(2 * scene.Pixel()));
 }
 
-RefinedSurface Refine(const RefineScene& scene,
-                      const Context& context = Context(2),
-                      int alignment_steps = RefineOptions().alignment_steps) {
+RefinedSurface RefineMesh(
+    IndexedMesh mesh,
+    const RefineScene& scene,
+    const Context& context,
+    int alignment_steps = RefineOptions().alignment_steps) {
   RefineOptions options;
   options.coarse_rounds = 1;
   options.alignment_steps = alignment_steps;
   ViewSet views = scene.test.views;
   return RefineSurface(
-      BumpyMesh(scene), scene.test.region.cube, options, context, &views);
+      std::move(mesh), scene.test.region.cube, options, context, &views);
+}
+
+RefinedSurface Refine(const RefineScene& scene,
+                      const Context& context = Context(2),
+                      int alignment_steps = RefineOptions().alignment_steps) {
+  return RefineMesh(BumpyMesh(scene), scene, context, alignment_steps);
 }
 
 TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
@@ -266,14 +274,16 @@ class Stopper : public ProgressSink {
 
 TEST(RefineSurface, CanBeCancelledInEveryPhase) {
   const RefineScene scene = testing::MakeRefineScene();
+  const IndexedMesh mesh = RefineScene::Mesh(10, Bumps(2 * scene.Pixel()));
   std::atomic<bool> stop{false};
   Stopper counter(-1, &stop);
-  Refine(scene, Context(2, &counter, &stop));
+  RefineMesh(mesh, scene, Context(2, &counter, &stop));
   EXPECT_GE(counter.num_phases, 5);
   for (int phase = 0; phase < counter.num_phases; ++phase) {
     stop = false;
     Stopper stopper(phase, &stop);
-    EXPECT_THROW(Refine(scene, Context(2, &stopper, &stop)), CancelledError);
+    EXPECT_THROW(RefineMesh(mesh, scene, Context(2, &stopper, &stop)),
+                 CancelledError);
     EXPECT_EQ(stopper.num_phases, phase + 1) << "it went on";
   }
 }

@@ -58,7 +58,7 @@ struct RefineScene {
 };
 
 inline SceneSpec RefineSceneSpec() {
-  SceneSpec spec = TestSpec("sphere", 240, 180, 28);
+  SceneSpec spec = TestSpec("sphere", 192, 144, 28);
   spec.rig.min_elevation = -60;
   spec.texture.kind = TextureKind::kSpeckle;
   spec.texture.scale = 0.18;

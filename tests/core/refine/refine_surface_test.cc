@@ -26,7 +26,7 @@ using testing::RefineScene;
 // A mesh with edges of about one and a half pixels that is up to two pixels
 // off.
 IndexedMesh BumpyMesh(const RefineScene& scene) {
-  return RefineScene::Mesh(40, Bumps(2 * scene.Pixel()));
+  return RefineScene::Mesh(32, Bumps(2 * scene.Pixel()));
 }
 
 RefinedSurface RefineMesh(

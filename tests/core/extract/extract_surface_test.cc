@@ -83,7 +83,7 @@ TEST(ExtractSurface, AllLabellingsAroundACornerAreClosedManifolds) {
 TEST(ExtractSurface, RandomBlocksAreClosedManifolds) {
   std::mt19937 random(1);
   ExtractSurfaceSummary sum;
-  for (int round = 0; round < 4000; ++round) {
+  for (int round = 0; round < 2500; ++round) {
     const LabelledCrust block =
         LabelRandomBlock(2 + round % 5, round % 2 != 0, random);
     const ExtractedSurface surface = Extract(block);

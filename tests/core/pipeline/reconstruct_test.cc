@@ -177,6 +177,7 @@ class Stopper : public ProgressSink {
 
 TEST(Reconstruct, CanBeCancelledInEveryPhase) {
   SmallScene small = MakeSmallScene();
+  small.scene.views.resize(8);
   small.options.hull.hull_level = 4;
   small.options.target_level = 5;
   std::atomic<bool> stop{false};
@@ -276,7 +277,7 @@ TEST(EstimateReconstructionBytes, GrowsWithLevelCrustAndViews) {
   view.mask = cv::Mat::zeros(100, 200, CV_8UC1);
   scene.views.push_back(view);
   // Image and silhouette sums: at least 8 bytes a pixel.
-  EXPECT_GE(bytes_of(scene, options), bytes + 8 * 100 * 200);
+  EXPECT_GE(bytes_of(scene, options), bytes + size_t{8} * 100 * 200);
 }
 
 // Where cuts are thin and lean, refinement needs more than they.

@@ -15,7 +15,7 @@ TEST_P(Objects, HaveTheTopologyTheySayAndTheReferenceLiesOnThem) {
   const SyntheticObject object = MakeObject(GetParam());
   PolygonizeOptions options;
   // The drapery's narrowest folds are a hundredth of it.
-  options.resolution = GetParam() == "drapery" ? 160 : 60;
+  options.resolution = GetParam() == "drapery" ? 130 : 60;
   const IndexedMesh mesh = Polygonize(object.shape, options, Context(2));
   EXPECT_TRUE(IsClosedAndOriented(mesh));
   EXPECT_EQ(CountComponents(mesh), object.num_components);

@@ -105,6 +105,27 @@ bool IsAroundTunnel(const IndexedMesh& mesh,
   return facing > 0;
 }
 
+// Whether a loop is no longer than its place allows.
+bool IsShort(const IndexedMesh& mesh,
+             const HalfEdges& half_edges,
+             const HandleLoop& loop,
+             const RemoveHandlesOptions& options) {
+  if (loop.length <= options.max_length) {
+    return true;
+  }
+  double max_length = options.max_length;
+  if (options.is_hidden &&
+      std::all_of(
+          loop.half_edges.begin(), loop.half_edges.end(), [&](uint32_t h) {
+            return options.is_hidden(mesh.positions[half_edges.Origin(h)]);
+          })) {
+    max_length *= options.hidden_factor;
+  }
+  return loop.length <= max_length ||
+         (loop.length <= kTunnelLength * max_length &&
+          IsAroundTunnel(mesh, half_edges, loop));
+}
+
 struct CutMesh {
   IndexedMesh mesh;
   size_t num_loops = 0;  // 0: there is no mesh
@@ -135,20 +156,20 @@ CutMesh CutLoops(const IndexedMesh& mesh,
 }
 
 // One round: what can be told from the handles as they are.
-size_t RemoveSome(double max_length,
-                  double min_height,
+size_t RemoveSome(const RemoveHandlesOptions& options,
                   const Context& context,
                   std::set<Vertices>* refused,
                   IndexedMesh* mesh) {
   const HalfEdges half_edges(mesh->positions.size(), mesh->triangles, context);
+  const double factor = options.is_hidden ? options.hidden_factor : 1;
   std::vector<HandleLoop> loops =
       FindHandleLoops(*mesh,
                       half_edges,
                       SurfaceHomology(half_edges, context),
-                      kTunnelLength * max_length,
+                      factor * kTunnelLength * options.max_length,
                       context);
   std::erase_if(loops, [&](const HandleLoop& loop) {
-    return loop.length > max_length && !IsAroundTunnel(*mesh, half_edges, loop);
+    return !IsShort(*mesh, half_edges, loop, options);
   });
   for (int attempt = 0; attempt < kMaxAttempts; ++attempt) {
     std::vector<HandleLoop> chosen =
@@ -157,8 +178,12 @@ size_t RemoveSome(double max_length,
       break;
     }
     KeepConnected(half_edges, chosen);
-    CutMesh cut = CutLoops(
-        *mesh, half_edges, std::move(chosen), min_height, context, refused);
+    CutMesh cut = CutLoops(*mesh,
+                           half_edges,
+                           std::move(chosen),
+                           options.min_height,
+                           context,
+                           refused);
     if (cut.num_loops > 0) {
       *mesh = std::move(cut.mesh);
       return cut.num_loops;
@@ -170,20 +195,18 @@ size_t RemoveSome(double max_length,
 }  // namespace
 
 RemovedHandles RemoveHandles(IndexedMesh mesh,
-                             double max_length,
-                             double min_height,
+                             const RemoveHandlesOptions& options,
                              const Context& context) {
   RemovedHandles result;
   result.mesh = std::move(mesh);
-  if (max_length <= 0) {
+  if (options.max_length <= 0) {
     return result;
   }
   const Phase phase(context, "removal of small handles");
   std::set<Vertices> refused;
   size_t num_removed;
   do {
-    num_removed =
-        RemoveSome(max_length, min_height, context, &refused, &result.mesh);
+    num_removed = RemoveSome(options, context, &refused, &result.mesh);
     result.summary.num_removed += num_removed;
   } while (num_removed > 0);
   result.summary.num_refused = refused.size();

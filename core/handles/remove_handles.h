@@ -7,11 +7,25 @@
 #pragma once
 
 #include <cstddef>
+#include <Eigen/Core>
+#include <functional>
 
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
 
 namespace octacut {
+
+// Lengths are world units.
+struct RemoveHandlesOptions {
+  // Of the loops that are cut. Twice that around a tunnel; 0: none are cut.
+  double max_length = 0;
+  // New triangles are no thinner (thin_triangles.h).
+  double min_height = 0;
+  // Loops all of whose vertices are hidden, if there is such a test, may be
+  // this many times as long.
+  double hidden_factor = 1;
+  std::function<bool(const Eigen::Vector3d&)> is_hidden = nullptr;
+};
 
 struct RemoveHandlesSummary {
   size_t num_removed = 0;
@@ -25,16 +39,14 @@ struct RemovedHandles {
   RemoveHandlesSummary summary;
 };
 
-// Removes handles around which there is a loop of edges of at most `max_length`
-// (world units; 0: none) that does not cut the surface in two, or of twice that
-// around a tunnel, the shortest first: the genus falls by one with each, no
-// component falls apart. A handle all of whose loops are refused stays. `mesh`
-// is to be closed, oriented and free of self-intersections, and stays so; its
-// vertices and triangles keep their numbers. New triangles are no thinner than
-// `min_height` (world units, thin_triangles.h).
+// Removes handles around which there is a loop of edges that does not cut the
+// surface in two and is short enough, the shortest first: the genus falls by
+// one with each, no component falls apart. A handle all of whose loops are
+// refused stays. `mesh` is to be closed, oriented and free of
+// self-intersections, and stays so; its vertices and triangles keep their
+// numbers.
 RemovedHandles RemoveHandles(IndexedMesh mesh,
-                             double max_length,
-                             double min_height,
+                             const RemoveHandlesOptions& options,
                              const Context& context);
 
 }  // namespace octacut

@@ -23,6 +23,27 @@ namespace {
 constexpr size_t kVertexGrain = 1024;
 constexpr uint8_t kUnseenGrey = 128;
 
+// Farther than that inside the visual hull, voxels or pixels, whichever is
+// larger, no silhouette shows what there is.
+constexpr float kDeepInHull = 4;
+// Handles that no silhouette shows are removed although their loops are so many
+// times as long (docs/experiments/handles.md).
+constexpr double kHiddenHandle = 2;
+
+// Unit coordinates.
+bool IsDeepInHull(const ViewSet& views,
+                  const Eigen::Vector3f& point,
+                  float voxel) {
+  return std::all_of(views.begin(), views.end(), [&](const PreparedView& view) {
+    const std::optional<ProjectedPoint> p =
+        view.projection.ProjectIntoFrame(point);
+    return !p ||
+           view.silhouette.SignedDistance(p->u, p->v) - view.border_shift >
+               kDeepInHull *
+                   std::max(1.0f, view.projection.Footprint(voxel, p->depth));
+  });
+}
+
 // Mean colour of the selected views at a point.
 SurfaceMesh::Color BlendColor(const ViewSet& views,
                               const Visibility::Selection& selection,
@@ -97,11 +118,19 @@ FinishedMesh FinalMesh(const ViewSet& views,
   // Below a pixel the images cannot tell a handle from none.
   const double pixel =
       cube.edge * PixelSize(views, Eigen::Vector3f::Constant(0.5f));
-  RemovedHandles cleaned =
-      RemoveHandles(std::move(kept.mesh),
-                    options.min_handle * std::max(voxel_size, pixel),
-                    placing.min_height * voxel_size,
-                    context);
+  RemovedHandles cleaned = RemoveHandles(
+      std::move(kept.mesh),
+      {.max_length = options.min_handle * std::max(voxel_size, pixel),
+       .min_height = placing.min_height * voxel_size,
+       .hidden_factor = kHiddenHandle,
+       .is_hidden =
+           [&](const Eigen::Vector3d& point) {
+             return IsDeepInHull(
+                 views,
+                 ((point - cube.min_corner) / cube.edge).cast<float>(),
+                 float(voxel_size / cube.edge));
+           }},
+      context);
   summary->handles = cleaned.summary;
   std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;
   SmoothedSurface smoothed = SmoothSurface(

@@ -44,6 +44,15 @@ IndexedMesh JoinedBalls(double first_radius, double second_radius) {
   });
 }
 
+RemovedHandles Remove(const IndexedMesh& mesh,
+                      double max_length,  // voxels
+                      const Context& context = Context(2)) {
+  return RemoveHandles(
+      mesh,
+      {.max_length = max_length * kVoxel, .min_height = kMinHeight * kVoxel},
+      context);
+}
+
 // Closed, no triangles intersect, and as many handles fewer as the summary
 // says.
 void ExpectValidWithoutHandles(const RemovedHandles& removed,
@@ -59,8 +68,7 @@ TEST(RemoveHandles, CutsTheThinnerOfTwoBars) {
   const IndexedMesh mesh = JoinedBalls(1.1 * kVoxel, 3 * kVoxel);
   const MeshAudit before = AuditMesh(mesh);
   ASSERT_EQ(before.genus, 1);
-  const RemovedHandles cut =
-      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(2));
+  const RemovedHandles cut = Remove(mesh, 12);
   EXPECT_EQ(cut.summary.num_removed, 1u);
   ExpectValidWithoutHandles(cut, before);
   // Vertices have moved at the thin bar alone.
@@ -80,8 +88,7 @@ TEST(RemoveHandles, FillsAPinholeThroughAPlate) {
   });
   const MeshAudit before = AuditMesh(mesh);
   ASSERT_EQ(before.genus, 1);
-  const RemovedHandles filled =
-      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(2));
+  const RemovedHandles filled = Remove(mesh, 12);
   EXPECT_EQ(filled.summary.num_removed, 1u);
   ExpectValidWithoutHandles(filled, before);
   const double volume = AuditMesh(filled.mesh).volume;
@@ -101,9 +108,7 @@ TEST(RemoveHandles, FillsTunnelsTwiceAsWideAsTheBridgesItCuts) {
                      radius - std::hypot(q.x(), q.y())});
   });
   const auto num_removed = [&](const IndexedMesh& mesh, double max_length) {
-    return RemoveHandles(
-               mesh, max_length * kVoxel, kMinHeight * kVoxel, Context(2))
-        .summary.num_removed;
+    return Remove(mesh, max_length).summary.num_removed;
   };
   EXPECT_EQ(num_removed(bars, 10), 0u);
   EXPECT_EQ(num_removed(bars, 20), 1u);
@@ -111,10 +116,28 @@ TEST(RemoveHandles, FillsTunnelsTwiceAsWideAsTheBridgesItCuts) {
   EXPECT_EQ(num_removed(plate, 10), 1u);
 }
 
+// The loops around the bar have 14 to 17 voxels.
+TEST(RemoveHandles, CutsThickerBarsWhereAllOfALoopIsHidden) {
+  const IndexedMesh bars = JoinedBalls(2.2 * kVoxel, 3 * kVoxel);
+  const auto num_removed = [&](double max_length, const auto& is_hidden) {
+    return RemoveHandles(bars,
+                         {.max_length = max_length * kVoxel,
+                          .min_height = kMinHeight * kVoxel,
+                          .hidden_factor = 2,
+                          .is_hidden = is_hidden},
+                         Context(2))
+        .summary.num_removed;
+  };
+  const auto everywhere = [](const Eigen::Vector3d&) { return true; };
+  const auto upper_half = [](const Eigen::Vector3d& p) { return p.z() > 0.5; };
+  EXPECT_EQ(num_removed(10, everywhere), 1u);
+  EXPECT_EQ(num_removed(6, everywhere), 0u);
+  EXPECT_EQ(num_removed(10, upper_half), 0u);
+}
+
 TEST(RemoveHandles, LeavesThickHandles) {
   const IndexedMesh mesh = MeshOf(TorusDistance);
-  const RemovedHandles same =
-      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(2));
+  const RemovedHandles same = Remove(mesh, 12);
   EXPECT_EQ(same.summary.num_removed, 0u);
   EXPECT_EQ(same.mesh.positions, mesh.positions);
   EXPECT_EQ(same.mesh.triangles, mesh.triangles);
@@ -133,7 +156,8 @@ TEST(RemoveHandles, KeepsRandomBlocksValid) {
       continue;
     }
     const MeshAudit before = AuditMesh(mesh);
-    const RemovedHandles cut = RemoveHandles(mesh, 12, kMinHeight, Context(1));
+    const RemovedHandles cut = RemoveHandles(
+        mesh, {.max_length = 12, .min_height = kMinHeight}, Context(1));
     ExpectValidWithoutHandles(cut, before);
     ASSERT_FALSE(HasFailure()) << "round " << round;
     num_removed += cut.summary.num_removed;
@@ -160,12 +184,10 @@ TEST(RemoveHandles, FillsAHundredPinholesTheSameWithAnyNumberOfThreads) {
   });
   const MeshAudit before = AuditMesh(mesh);
   ASSERT_EQ(before.genus, 100);
-  const RemovedHandles filled =
-      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(1));
+  const RemovedHandles filled = Remove(mesh, 12, Context(1));
   EXPECT_EQ(filled.summary.num_removed, 100u);
   ExpectValidWithoutHandles(filled, before);
-  const RemovedHandles threaded =
-      RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, Context(3));
+  const RemovedHandles threaded = Remove(mesh, 12, Context(3));
   EXPECT_EQ(threaded.mesh.positions, filled.mesh.positions);
   EXPECT_EQ(threaded.mesh.triangles, filled.mesh.triangles);
 }
@@ -182,8 +204,7 @@ TEST(RemoveHandles, RefusesWhatWouldIntersect) {
   const MeshAudit before = AuditMesh(mesh);
   ASSERT_EQ(before.genus, 1);
   ASSERT_EQ(before.num_components, 2);
-  const RemovedHandles kept =
-      RemoveHandles(mesh, 36 * kVoxel, kMinHeight * kVoxel, Context(2));
+  const RemovedHandles kept = Remove(mesh, 36);
   EXPECT_EQ(kept.summary.num_removed, 0u);
   EXPECT_GT(kept.summary.num_refused, 0u);
   EXPECT_EQ(kept.mesh.positions, mesh.positions);
@@ -192,17 +213,14 @@ TEST(RemoveHandles, RefusesWhatWouldIntersect) {
 
 TEST(RemoveHandles, LeavesAllWhereTheLengthIsNone) {
   const IndexedMesh mesh = JoinedBalls(1.1 * kVoxel, 3 * kVoxel);
-  EXPECT_EQ(
-      RemoveHandles(mesh, 0, kMinHeight * kVoxel, Context(1)).mesh.triangles,
-      mesh.triangles);
+  EXPECT_EQ(Remove(mesh, 0).mesh.triangles, mesh.triangles);
 }
 
 TEST(RemoveHandles, CanBeCancelled) {
   const IndexedMesh mesh = MeshOf(TorusDistance);
   std::atomic<bool> cancelled = true;
   const Context context(1, nullptr, &cancelled);
-  EXPECT_THROW(RemoveHandles(mesh, 12 * kVoxel, kMinHeight * kVoxel, context),
-               CancelledError);
+  EXPECT_THROW(Remove(mesh, 12, context), CancelledError);
 }
 
 }  // namespace

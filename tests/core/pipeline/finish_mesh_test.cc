@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <opencv2/core.hpp>
 
 #include "tests/core/extract/label_crust.h"
 
@@ -28,18 +29,27 @@ LabeledVoxels BallsWithBars() {
   return {crust.crust, crust.labels};
 }
 
-// Seen from a distance of two cubes, with pixels of so many voxels.
-ViewSet ViewsWithPixels(double voxels) {
+// Seen from a distance of two cubes, with pixels of so many voxels. The border
+// of the mask passes beside the thin bar, or there is none.
+ViewSet ViewsWithPixels(double voxels, bool shows_bar = true) {
+  const double focal_length = 2 / (voxels * kVoxel);
   PreparedView view;
-  view.projection.linear.setIdentity();
+  view.projection.focal_length = float(focal_length);
+  view.projection.linear =
+      Eigen::Vector3d(focal_length, focal_length, 1).cast<float>().asDiagonal();
   view.projection.offset = Eigen::Vector3f(0, 0, 1.5f);
-  view.projection.focal_length = float(2 / (voxels * kVoxel));
+  view.projection.width = view.projection.height = int(focal_length);
+  cv::Mat mask(view.projection.height, view.projection.width, CV_8UC1, 255.0);
+  if (shows_bar) {
+    mask.rowRange(0, int(0.18 * focal_length)).setTo(0);
+  }
+  view.silhouette = Silhouette(mask);
   return {view};
 }
 
-int64_t GenusWithPixels(double voxels) {
+int64_t GenusIn(const ViewSet& views) {
   ReconstructionSummary summary;
-  return AuditMesh(FinalMesh(ViewsWithPixels(voxels),
+  return AuditMesh(FinalMesh(views,
                              BallsWithBars(),
                              UnitCube(),
                              ReconstructionOptions(),
@@ -50,9 +60,14 @@ int64_t GenusWithPixels(double voxels) {
 }
 
 TEST(FinalMesh, RemovesHandlesThatPixelsDoNotShow) {
-  EXPECT_EQ(GenusWithPixels(0.5), 1);
-  EXPECT_EQ(GenusWithPixels(1), 1);
-  EXPECT_EQ(GenusWithPixels(2.4), 0);
+  EXPECT_EQ(GenusIn(ViewsWithPixels(0.5)), 1);
+  EXPECT_EQ(GenusIn(ViewsWithPixels(1)), 1);
+  EXPECT_EQ(GenusIn(ViewsWithPixels(2.4)), 0);
+}
+
+TEST(FinalMesh, RemovesHandlesThatNoSilhouetteShows) {
+  EXPECT_EQ(GenusIn(ViewsWithPixels(0.5, false)), 0);
+  EXPECT_EQ(GenusIn(ViewsWithPixels(1, false)), 0);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ void CommonOptions::Declare(OptionManager& options, bool uses_random_seed) {
   options.Add("log_path",
               &log.path,
               "Folder for log files, or one file with the extension .log. "
-              "Default: the folder for temporary files.");
+              "Default: the system's temporary folder, such as /tmp.");
   // As COLMAP 3.8 has it; log_target says more.
   options
       .Add("log_to_stderr",

@@ -249,21 +249,21 @@ void DeclareMaskExtractionOptions(OptionManager& options,
                                   MaskExtractionOptions* extraction) {
   options.Add("given_masks_path",
               &extraction->given_masks_path,
-              "Folder of finished masks for some images, which are used and "
-              "kept. Default: none.");
+              "Folder of masks that you have made for some of the images; they "
+              "are used and kept. Default: none.");
   options.Add("strokes_path",
               &extraction->strokes_path,
-              "Folder of strokes for some images, named as masks: 0 is "
-              "background, 255 object, 128 says nothing. Default: none.");
+              "Folder of strokes for some images, named like masks: 0 is "
+              "background, 255 object, 128 unlabelled. Default: none.");
   options.Add(
       "network_path",
       &extraction->network_path,
-      "Network in an ONNX file, such as U2-Net, that proposes where the "
-      "object is (docs/masks.md). Default: none.");
+      "ONNX file of a segmentation network, such as U2-Net, that is used as a "
+      "prior (docs/masks.md). Default: none.");
   options.Add("on_stand",
               &extraction->on_stand,
-              "If 1, the object stands on a plane that has sparse points; "
-              "nothing on or below it is object.");
+              "If 1, find the plane on which the object stands in the sparse "
+              "points, and exclude all that is on or below it.");
 }
 
 MaskExtraction ExtractMasks(const Workspace& workspace,

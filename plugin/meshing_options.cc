@@ -12,13 +12,13 @@ void DeclareMainOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.target_level",
       &meshing->target_level,
-      "Level of the result, which is cut from (2^level)^3 voxels. Choose it so "
-      "that a voxel is about as large as a pixel on the object. Takes "
-      "precedence over --quality.");
+      "Resolution of the mesh: (2^level)^3 voxels. A voxel should cover about "
+      "1.5 pixels of the photographs on the object. Takes precedence over "
+      "--quality.");
   options.Add("OctahedralMeshing.hull_level",
               &meshing->hull.hull_level,
-              "Level of the visual hull, which has (2^level)^3 voxels. Raise "
-              "it for structures thinner than three of its voxels.");
+              "Resolution of the visual hull: (2^level)^3 voxels. Use 8 for "
+              "parts thinner than 1/40 of the object.");
   options.Add(
       "OctahedralMeshing.refine",
       &meshing->refine,
@@ -27,23 +27,23 @@ void DeclareMainOptions(OptionManager& options,
   DeclareMaskTolerance(options, &meshing->masks.mask_tolerance);
   DeclareFillFalseGaps(options, &meshing->masks.fill_false_gaps);
   DeclareMoveMaskBorders(options, &meshing->masks.move_mask_borders);
-  options.Add("OctahedralMeshing.ballooning",
-              &meshing->evidence.ballooning,
-              "How strongly voxels of the visual hull count as inside of the "
-              "object where no photograph decides. Lower values open deeper "
-              "concavities, higher values keep more of untextured objects.");
+  options.Add(
+      "OctahedralMeshing.ballooning",
+      &meshing->evidence.ballooning,
+      "Weight with which voxels are labelled as inside the object where "
+      "the photographs do not determine the depth. Lower values open "
+      "deeper concavities, higher values keep untextured parts.");
   DeclareChromaWeight(options, &meshing->consistency.chroma_weight);
   options.Add("OctahedralMeshing.min_component",
               &meshing->min_component,
-              "Remove components with less than this share of the largest "
-              "component's volume, except those that the masks of two or more "
-              "images require.");
+              "Remove components smaller than this fraction of the volume of "
+              "the largest one, unless the masks of at least two images show "
+              "them.");
   options.Add(
       "OctahedralMeshing.min_handle",
       &meshing->min_handle,
-      "Remove bridges that a loop of at most this many voxels (or pixels, if "
-      "these are larger) encircles, and fill tunnels up to twice as wide; 0 "
-      "keeps all.");
+      "Remove bridges up to this circumference and fill tunnels up to twice "
+      "this circumference, in voxels (pixels, if larger); 0 keeps all.");
 }
 
 void DeclareExpertOptions(OptionManager& options,

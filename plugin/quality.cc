@@ -36,9 +36,8 @@ void QualityOption::Declare(OptionManager& options) {
                    {"medium", Quality::kMedium},
                    {"high", Quality::kHigh},
                    {"extreme", Quality::kExtreme}},
-                  "Resolution and effort: 256^3 voxels (low) or 512^3 voxels "
-                  "(medium) without refinement, 512^3 (high) or 1024^3 "
-                  "(extreme) with refinement.");
+                  "Preset. Without refinement: low (256^3 voxels), medium "
+                  "(512^3). With refinement: high (512^3), extreme (1024^3).");
 }
 
 std::string QualityOption::Apply(const OptionManager& options,

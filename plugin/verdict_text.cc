@@ -95,9 +95,9 @@ class Writer {
     text_.findings.push_back(
         text_.warnings.empty()
             ? std::string("Verdict: no problems found.")
-            : fmt::format("Verdict: {} problem{} found. The warnings say what "
-                          "would help.",
+            : fmt::format("Verdict: {} problem{} found; see the warning{}.",
                           text_.warnings.size(),
+                          text_.warnings.size() == 1 ? "" : "s",
                           text_.warnings.size() == 1 ? "" : "s"));
     return std::move(text_);
   }
@@ -284,7 +284,8 @@ class Writer {
     if (surface.nothing > kMaxUndecided) {
       text_.warnings.push_back(fmt::format(
           "Neither photographs nor silhouettes determine {:.0f} % of the "
-          "surface. It may be wrong there by more than a voxel.",
+          "surface. It may be wrong there by more than a voxel. More views of "
+          "these parts, diffuse light or a matt coating may help.",
           100 * surface.nothing));
     }
   }

@@ -74,7 +74,7 @@ void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance) {
   options.Add("OctahedralMeshing.mask_tolerance",
               mask_tolerance,
               "Number of pixels of the photographs by which masks may be too "
-              "small; 0 trusts the masks.");
+              "small; 0 if they are exact.");
 }
 
 void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps) {

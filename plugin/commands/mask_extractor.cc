@@ -42,9 +42,9 @@ void MaskExtractor::DeclareOptions(OptionManager& options) {
                   &mode_,
                   {{"sparse_model", MaskMode::kSparseModel},
                    {"turntable", MaskMode::kTurntable}},
-                  "sparse_model: the object, after the mapper. turntable: what "
-                  "turns in front of a camera that stands still, before the "
-                  "mapper; requires image_path and output_path.");
+                  "sparse_model: segment the object, after the mapper. "
+                  "turntable: segment what moves before a fixed camera; needs "
+                  "no model, but image_path and output_path.");
   options.Add("image_path",
               &workspace_.image_path,
               "Folder of the photographs. Default: images in the workspace.");
@@ -54,9 +54,9 @@ void MaskExtractor::DeclareOptions(OptionManager& options) {
               "that has the most images.");
   options.Add("output_path",
               &extraction_.output_path,
-              "Folder in which the masks, masks.json and contact_sheet.jpg are "
-              "written. Masks in it that octacut did not make are used and "
-              "kept. Default: masks in the workspace.");
+              "Folder for the masks, masks.json and contact_sheet.jpg. Masks "
+              "in it that octacut has not written are used as input and kept. "
+              "Default: masks in the workspace.");
   options.Add("image_list_path",
               &workspace_.image_list_path,
               "Text file with the names of the images to use, one per line. "
@@ -67,13 +67,13 @@ void MaskExtractor::DeclareOptions(OptionManager& options) {
       "If 1, leave out images whose file is missing instead of stopping.");
   options.Add("background_path",
               &background_path_,
-              "Folder of photographs of the empty set, for mode turntable. "
+              "Folder of photographs without the object, for mode turntable. "
               "Default: none.");
   DeclareMaskExtractionOptions(options, &extraction_);
   options.Add("OctahedralMeshing.bounding_box",
               &extraction_.bounding_box,
               "Bounding box x0,y0,z0,x1,y1,z1 of the object in the frame of "
-              "the sparse model. Default: where the cameras look.");
+              "the sparse model. Default: estimated from the poses.");
 }
 
 void MaskExtractor::Run(const CommandEnvironment& environment) {

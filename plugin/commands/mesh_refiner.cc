@@ -40,8 +40,8 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
               "Default: meshed-octahedral.ply in the workspace.");
   options.Add("OctahedralMeshing.target_level",
               &target_level_,
-              "Level of the mesh. The images are downsampled as for "
-              "(2^level)^3 voxels.");
+              "The images are downsampled to 1.5 pixels per voxel of "
+              "(2^level)^3. Use the level that the mesh was made with.");
   DeclareMaskTolerance(options, &masks_.mask_tolerance);
   DeclareFillFalseGaps(options, &masks_.fill_false_gaps);
   DeclareMoveMaskBorders(options, &masks_.move_mask_borders);

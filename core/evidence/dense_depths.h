@@ -18,7 +18,7 @@ struct DenseDepthsOptions {
   // them. A finer level has smaller windows: of the temple, level 8 finds a
   // quarter fewer depths than level 7, in six times the time.
   int level = 7;
-  double mask_tolerance = 2;   // as in ReconstructionOptions
+  double mask_tolerance = 2;   // as in MaskOptions
   int min_agreeing_views = 2;  // as in InsideEvidenceOptions
   DepthSweepOptions sweep;
 

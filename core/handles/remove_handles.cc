@@ -105,25 +105,29 @@ bool IsAroundTunnel(const IndexedMesh& mesh,
   return facing > 0;
 }
 
-// Whether a loop is no longer than its place allows.
+bool IsHidden(const IndexedMesh& mesh,
+              const HalfEdges& half_edges,
+              const HandleLoop& loop,
+              const RemoveHandlesOptions& options) {
+  return options.is_hidden &&
+         std::all_of(
+             loop.half_edges.begin(), loop.half_edges.end(), [&](uint32_t h) {
+               return options.is_hidden(mesh.positions[half_edges.Origin(h)]);
+             });
+}
+
+// Whether a loop is short enough to be cut: tunnels and hidden loops may be
+// longer.
 bool IsShort(const IndexedMesh& mesh,
              const HalfEdges& half_edges,
              const HandleLoop& loop,
              const RemoveHandlesOptions& options) {
-  if (loop.length <= options.max_length) {
-    return true;
-  }
-  double max_length = options.max_length;
-  if (options.is_hidden &&
-      std::all_of(
-          loop.half_edges.begin(), loop.half_edges.end(), [&](uint32_t h) {
-            return options.is_hidden(mesh.positions[half_edges.Origin(h)]);
-          })) {
-    max_length *= options.hidden_factor;
-  }
+  const double max_length =
+      options.max_length *
+      (IsAroundTunnel(mesh, half_edges, loop) ? kTunnelLength : 1);
   return loop.length <= max_length ||
-         (loop.length <= kTunnelLength * max_length &&
-          IsAroundTunnel(mesh, half_edges, loop));
+         (loop.length <= options.hidden_factor * max_length &&
+          IsHidden(mesh, half_edges, loop, options));
 }
 
 struct CutMesh {

@@ -21,8 +21,8 @@ struct RemoveHandlesOptions {
   double max_length = 0;
   // New triangles are no thinner (thin_triangles.h).
   double min_height = 0;
-  // Loops all of whose vertices are hidden, if there is such a test, may be
-  // this many times as long.
+  // Factor on both lengths, at least 1, for loops all of whose vertices
+  // `is_hidden`.
   double hidden_factor = 1;
   std::function<bool(const Eigen::Vector3d&)> is_hidden = nullptr;
 };

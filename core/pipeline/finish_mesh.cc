@@ -23,17 +23,18 @@ namespace {
 constexpr size_t kVertexGrain = 1024;
 constexpr uint8_t kUnseenGrey = 128;
 
-// Farther than that inside the visual hull, voxels or pixels, whichever is
-// larger, no silhouette shows what there is.
+// Points this deep in the visual hull show in no silhouette. In voxels, or
+// pixels where these are larger.
 constexpr float kDeepInHull = 4;
-// Handles that no silhouette shows are removed although their loops are so many
-// times as long (docs/experiments/handles.md).
+// Factor on the lengths of loops around handles that no silhouette shows
+// (docs/experiments/handles.md).
 constexpr double kHiddenHandle = 2;
 
-// Unit coordinates.
-bool IsDeepInHull(const ViewSet& views,
-                  const Eigen::Vector3f& point,
-                  float voxel) {
+// Deep in the silhouettes of all views that have the point in their frames.
+// `point` and `voxel` are in unit coordinates.
+bool IsHiddenFromSilhouettes(const ViewSet& views,
+                             const Eigen::Vector3f& point,
+                             float voxel) {
   return std::all_of(views.begin(), views.end(), [&](const PreparedView& view) {
     const std::optional<ProjectedPoint> p =
         view.projection.ProjectIntoFrame(point);
@@ -125,7 +126,7 @@ FinishedMesh FinalMesh(const ViewSet& views,
        .hidden_factor = kHiddenHandle,
        .is_hidden =
            [&](const Eigen::Vector3d& point) {
-             return IsDeepInHull(
+             return IsHiddenFromSilhouettes(
                  views,
                  ((point - cube.min_corner) / cube.edge).cast<float>(),
                  float(voxel_size / cube.edge));

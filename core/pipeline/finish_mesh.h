@@ -22,10 +22,11 @@ struct FinishedMesh {
   IndexedMesh removed;  // components that were too small, before smoothing
 };
 
-// Extraction, placement and smoothing; components and handles smaller than the
-// options say are removed. No triangles intersect, once coordinates are rounded
-// to the floats of files either. With normals, without colours. Throws
-// InputError when there is no surface. `views` say how large pixels are.
+// Extraction, placement and smoothing; components smaller than the
+// options say are removed, and handles as `min_handle` says. No triangles
+// intersect, once coordinates are rounded to the floats of files either. With
+// normals, without colours. Throws InputError when there is no surface. `views`
+// say how large pixels are, and what silhouettes show.
 FinishedMesh FinalMesh(const ViewSet& views,
                        const LabeledVoxels& surface,
                        const BoundingCube& cube,

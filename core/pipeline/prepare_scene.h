@@ -16,11 +16,11 @@ namespace octacut {
 struct MaskOptions {
   // Pixels of the photographs by which masks may be too small; 0 .. 64.
   double mask_tolerance = 2;
-  // That points or other views show to be false (FillGapsAtPoints,
-  // FillFalseGaps).
+  // Fill gaps of masks that points or other views show to be false
+  // (FillGapsAtPoints, FillFalseGaps).
   bool fill_false_gaps = true;
-  // To the edges of the photographs (ShiftBordersToEdges), and with the
-  // occluding contours in refinement.
+  // Move the borders of the masks to the edges of the photographs
+  // (ShiftBordersToEdges), and in refinement also by the occluding contours.
   bool move_mask_borders = true;
   void Check() const;
 };

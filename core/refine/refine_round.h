@@ -56,8 +56,8 @@ struct RoundPlan {
   // The shift of the masks' borders as found by the round before, pixels of the
   // views.
   double border_shift = 0;
-  // The shift of the borders from the edges of the photographs, pixels, and by
-  // how much that may be wrong.
+  // The shift of the borders by the edges of the photographs, pixels, and how
+  // far occluding contours may lead away from it.
   double edge_shift = 0;
   double edge_shift_error = std::numeric_limits<double>::infinity();
 };

@@ -26,9 +26,10 @@ constexpr float kMaxDoubtfulShift = 1;
 constexpr float kMaxShift = kEdgeRange - 1;
 constexpr double kMaxDisagreement = 0.5;
 // The share of edges that agree, from which on the shift is known, and by how
-// many pixels it may then be wrong (docs/experiments/mask_borders.md).
+// many pixels refinement may then move the borders from it: contours err more
+// than edges do (docs/experiments/mask_borders.md).
 constexpr double kMostEdges = 0.5;
-constexpr float kEdgeError = 0.1f;
+constexpr float kContourSlack = 0.1f;
 
 }  // namespace
 
@@ -81,7 +82,7 @@ std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
     view.border_shift =
         edges ? float(std::clamp(edges->shift, -limit, limit)) : 0;
     view.border_shift_error =
-        is_known ? kEdgeError : std::numeric_limits<float>::infinity();
+        is_known ? kContourSlack : std::numeric_limits<float>::infinity();
   }
   return edges;
 }

@@ -8,8 +8,9 @@
 namespace octacut {
 
 // Pixels from the border within which edges are looked for: masks that are
-// farther off are wrong, not shifted. And the steps along the lines.
+// farther off are wrong, not shifted.
 inline constexpr float kEdgeRange = 6;
+// Pixels between the samples of a line.
 inline constexpr float kEdgeStep = 0.25f;
 
 // Pixels by which borders lie outside edges, point by point: outside the

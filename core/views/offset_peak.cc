@@ -15,6 +15,12 @@ namespace {
 constexpr size_t kMinPoints = 100;
 constexpr int kNumBins = int(2 * kEdgeRange / kEdgeStep) + 1;
 
+// Pixels on both sides of a peak where offsets have to be less frequent.
+constexpr int kBesideBegin = int(1.25f / kEdgeStep);
+constexpr int kBesideEnd = int(2 / kEdgeStep);
+// Of the greatest height above what is beside: there may be two outlines.
+constexpr float kClearHeight = 0.75f;
+
 std::vector<float> WithinAPixel(const std::vector<float>& offsets,
                                 float center) {
   std::vector<float> near;
@@ -25,12 +31,6 @@ std::vector<float> WithinAPixel(const std::vector<float>& offsets,
   }
   return near;
 }
-
-// Pixels on both sides of a peak where offsets have to be less frequent.
-constexpr int kBesideBegin = int(1.25f / kEdgeStep);
-constexpr int kBesideEnd = int(2 / kEdgeStep);
-// Of the greatest height above what is beside: there may be two outlines.
-constexpr float kClearHeight = 0.75f;
 
 using Histogram = std::array<int, kNumBins>;
 

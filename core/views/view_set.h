@@ -24,7 +24,7 @@ struct PreparedView {
   // Pixels by which the border of the mask lies outside the edges that the
   // photographs show (ShiftBordersToEdges).
   float border_shift = 0;
-  // Pixels by which that may be wrong.
+  // Pixels by which refinement may move the border from there.
   float border_shift_error = std::numeric_limits<float>::infinity();
 
   // Pixels within the border of the mask's object from which on it is surely

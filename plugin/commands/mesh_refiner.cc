@@ -51,6 +51,7 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
 
 void MeshRefiner::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
+  masks_.Check();
   refinement_.Check();
   if (mesh_path_.empty()) {
     mesh_path_ = workspace_.workspace_path / "meshed-octahedral.ply";

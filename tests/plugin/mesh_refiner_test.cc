@@ -21,8 +21,6 @@ class MeshRefiner : public testing::SmallWorkspaceTest {
   fs::path Mesh() const { return Workspace() / "meshed-octahedral.ply"; }
   fs::path Refined() const { return Workspace() / "meshed-refined.ply"; }
 
-  ProgramResult MeshWithoutRefinement() const { return RunCut(); }
-
   ProgramResult Refine(const std::vector<std::string>& options = {}) const {
     std::vector<std::string> arguments = {"mesh_refiner",
                                           "--workspace_path",
@@ -65,7 +63,7 @@ class MeshRefiner : public testing::SmallWorkspaceTest {
 };
 
 TEST_F(MeshRefiner, BringsAMeshCloserToTheTruth) {
-  ASSERT_EQ(MeshWithoutRefinement().exit_code, 0);
+  ASSERT_EQ(RunCut().exit_code, 0);
   const ProgramResult result = Refine();
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out,
@@ -94,7 +92,7 @@ TEST_F(MeshRefiner, BringsAMeshCloserToTheTruth) {
 }
 
 TEST_F(MeshRefiner, GivesTheSameBytesForAnyNumberOfThreads) {
-  ASSERT_EQ(MeshWithoutRefinement().exit_code, 0);
+  ASSERT_EQ(RunCut().exit_code, 0);
   ASSERT_EQ(Refine({"--num_threads", "1"}).exit_code, 0);
   const std::string expected = ReadFile(Refined());
   EXPECT_GT(expected.size(), 10000u);
@@ -103,7 +101,7 @@ TEST_F(MeshRefiner, GivesTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_F(MeshRefiner, IsTheLastStepOfAReconstruction) {
-  ASSERT_EQ(MeshWithoutRefinement().exit_code, 0);
+  ASSERT_EQ(RunCut().exit_code, 0);
   const Json plain =
       Json::parse(ReadFile(Workspace() / "meshed-octahedral.json"));
   EXPECT_TRUE(plain["reconstruction"]["refinement"].is_null());
@@ -152,9 +150,6 @@ TEST_F(MeshRefiner, MistakesAreNamed) {
     ExpectError("ERROR: Refinement." + key + " = 99: must",
                 {"--mesh_path", closed, "--project_path", project.string()});
   }
-  ExpectError(
-      "mask_tolerance = -1: must be in",
-      {"--mesh_path", closed, "--OctahedralMeshing.mask_tolerance", "-1"});
   ExpectError("cannot be written",
               {"--mesh_path",
                closed,

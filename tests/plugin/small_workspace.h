@@ -74,7 +74,7 @@ class SmallWorkspaceTest : public ::testing::Test {
     return RunOctacut(arguments);
   }
 
-  // The same without what comes after the cut.
+  // The same without refinement and picture.
   ProgramResult RunCut(std::vector<std::string> options = {}) const {
     options.insert(options.begin(),
                    {"--picture", "0", "--OctahedralMeshing.refine", "0"});

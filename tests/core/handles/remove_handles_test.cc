@@ -98,41 +98,48 @@ TEST(RemoveHandles, FillsAPinholeThroughAPlate) {
 
 // Loops of 14 to 17 edges of a voxel go around a bar and a hole of the same
 // width.
-TEST(RemoveHandles, FillsTunnelsTwiceAsWideAsTheBridgesItCuts) {
-  const double radius = 2.2 * kVoxel;
-  const IndexedMesh bars = JoinedBalls(radius, 3 * kVoxel);
-  const IndexedMesh plate = MeshOf([&](const Eigen::Vector3d& p) {
+constexpr double kWideRadius = 2.2 * kVoxel;
+
+IndexedMesh WideBars() { return JoinedBalls(kWideRadius, 3 * kVoxel); }
+
+IndexedMesh PlateWithHole() {
+  return MeshOf([&](const Eigen::Vector3d& p) {
     const Eigen::Vector3d q = p - Eigen::Vector3d(0.5, 0.5, 0.5);
     return std::max({std::hypot(q.x(), q.y()) - 0.35,
                      std::abs(q.z()) - 4 * kVoxel,
-                     radius - std::hypot(q.x(), q.y())});
+                     kWideRadius - std::hypot(q.x(), q.y())});
   });
+}
+
+TEST(RemoveHandles, FillsTunnelsTwiceAsWideAsTheBridgesItCuts) {
   const auto num_removed = [&](const IndexedMesh& mesh, double max_length) {
     return Remove(mesh, max_length).summary.num_removed;
   };
-  EXPECT_EQ(num_removed(bars, 10), 0u);
-  EXPECT_EQ(num_removed(bars, 20), 1u);
-  EXPECT_EQ(num_removed(plate, 5), 0u);
-  EXPECT_EQ(num_removed(plate, 10), 1u);
+  EXPECT_EQ(num_removed(WideBars(), 10), 0u);
+  EXPECT_EQ(num_removed(WideBars(), 20), 1u);
+  EXPECT_EQ(num_removed(PlateWithHole(), 5), 0u);
+  EXPECT_EQ(num_removed(PlateWithHole(), 10), 1u);
 }
 
-// The loops around the bar have 14 to 17 voxels.
-TEST(RemoveHandles, CutsThickerBarsWhereAllOfALoopIsHidden) {
-  const IndexedMesh bars = JoinedBalls(2.2 * kVoxel, 3 * kVoxel);
-  const auto num_removed = [&](double max_length, const auto& is_hidden) {
-    return RemoveHandles(bars,
-                         {.max_length = max_length * kVoxel,
-                          .min_height = kMinHeight * kVoxel,
-                          .hidden_factor = 2,
-                          .is_hidden = is_hidden},
-                         Context(2))
-        .summary.num_removed;
-  };
+TEST(RemoveHandles, LoopsMayBeLongerWhereAllOfThemIsHidden) {
+  const auto num_removed =
+      [&](const IndexedMesh& mesh, double max_length, const auto& is_hidden) {
+        return RemoveHandles(mesh,
+                             {.max_length = max_length * kVoxel,
+                              .min_height = kMinHeight * kVoxel,
+                              .hidden_factor = 2,
+                              .is_hidden = is_hidden},
+                             Context(2))
+            .summary.num_removed;
+      };
   const auto everywhere = [](const Eigen::Vector3d&) { return true; };
   const auto upper_half = [](const Eigen::Vector3d& p) { return p.z() > 0.5; };
-  EXPECT_EQ(num_removed(10, everywhere), 1u);
-  EXPECT_EQ(num_removed(6, everywhere), 0u);
-  EXPECT_EQ(num_removed(10, upper_half), 0u);
+  EXPECT_EQ(num_removed(WideBars(), 10, everywhere), 1u);
+  EXPECT_EQ(num_removed(WideBars(), 6, everywhere), 0u);
+  EXPECT_EQ(num_removed(WideBars(), 10, upper_half), 0u);
+  const auto nowhere = [](const Eigen::Vector3d&) { return false; };
+  EXPECT_EQ(num_removed(PlateWithHole(), 5, everywhere), 1u);
+  EXPECT_EQ(num_removed(PlateWithHole(), 5, nowhere), 0u);
 }
 
 TEST(RemoveHandles, LeavesThickHandles) {

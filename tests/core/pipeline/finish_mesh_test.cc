@@ -29,9 +29,9 @@ LabeledVoxels BallsWithBars() {
   return {crust.crust, crust.labels};
 }
 
-// Seen from a distance of two cubes, with pixels of so many voxels. The border
-// of the mask passes beside the thin bar, or there is none.
-ViewSet ViewsWithPixels(double voxels, bool shows_bar = true) {
+// Seen from a distance of two cubes, with pixels of so many voxels. The thin
+// bar is at 0.2 of the frame's height. Above `border` the mask is background.
+ViewSet ViewsWithPixels(double voxels, double border = 0.18) {
   const double focal_length = 2 / (voxels * kVoxel);
   PreparedView view;
   view.projection.focal_length = float(focal_length);
@@ -40,9 +40,7 @@ ViewSet ViewsWithPixels(double voxels, bool shows_bar = true) {
   view.projection.offset = Eigen::Vector3f(0, 0, 1.5f);
   view.projection.width = view.projection.height = int(focal_length);
   cv::Mat mask(view.projection.height, view.projection.width, CV_8UC1, 255.0);
-  if (shows_bar) {
-    mask.rowRange(0, int(0.18 * focal_length)).setTo(0);
-  }
+  mask.rowRange(0, int(border * focal_length)).setTo(0);
   view.silhouette = Silhouette(mask);
   return {view};
 }
@@ -66,8 +64,14 @@ TEST(FinalMesh, RemovesHandlesThatPixelsDoNotShow) {
 }
 
 TEST(FinalMesh, RemovesHandlesThatNoSilhouetteShows) {
-  EXPECT_EQ(GenusIn(ViewsWithPixels(0.5, false)), 0);
-  EXPECT_EQ(GenusIn(ViewsWithPixels(1, false)), 0);
+  EXPECT_EQ(GenusIn(ViewsWithPixels(0.5, 0)), 0);
+  EXPECT_EQ(GenusIn(ViewsWithPixels(1, 0)), 0);
+  // Ten of 128 pixels farther away, unless that is by how much the mask is too
+  // large.
+  ViewSet views = ViewsWithPixels(1, 0.1);
+  EXPECT_EQ(GenusIn(views), 0);
+  views[0].border_shift = 10;
+  EXPECT_EQ(GenusIn(views), 1);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 namespace octacut {
@@ -30,19 +31,23 @@ TEST(FindOffsetPeak, LiesAmongThoseThatAgree) {
   EXPECT_NEAR(peak->deviation, 0.67 * 0.2, 0.05);
 }
 
-TEST(FindOffsetPeak, PrefersANarrowPeakToAHump) {
-  std::vector<float> offsets = Offsets(800, 3, 0.2f);
-  // Three times as many, but hardly less frequent on both sides.
-  const std::vector<float> hump = Offsets(2400, 0, 2);
-  offsets.insert(offsets.end(), hump.begin(), hump.end());
+TEST(FindOffsetPeak, PrefersANarrowPeakToAHigherHump) {
+  std::vector<float> offsets(150, 4.5f);
+  for (int k = -24; k <= 24; ++k) {
+    const float at = 0.25f * float(k);
+    offsets.insert(offsets.end(), size_t(100 * (1 - std::abs(at) / 8)), at);
+  }
   const auto peak = FindOffsetPeak(offsets, 0);
   ASSERT_TRUE(peak);
-  EXPECT_NEAR(peak->center, 3, 0.1);
+  // The hump below it draws the median inward.
+  EXPECT_NEAR(peak->center, 4.5, 0.3);
 }
 
 TEST(FindOffsetPeak, IsNoneForFewOffsetsOrASmallShare) {
   EXPECT_FALSE(FindOffsetPeak({}, 0));
   EXPECT_FALSE(FindOffsetPeak(Offsets(40, 1, 0.1f), 0));
+  // Enough, but fewer than a hundred of them at the peak.
+  EXPECT_FALSE(FindOffsetPeak(Offsets(60, 1, 0.1f), 0));
   EXPECT_FALSE(FindOffsetPeak(Offsets(1000, 1, 0.2f), 0.7));
 }
 

@@ -137,12 +137,12 @@ TEST_F(MeshRefiner, MistakesAreNamed) {
   const std::string closed = (Workspace() / "gt" / "reference.ply").string();
   for (const std::string option : {"OctahedralMeshing.mask_tolerance",
                                    "OctahedralMeshing.chroma_weight"}) {
-    ExpectError("--" + option + " = -1: must",
+    ExpectError("--" + option + " = -1: must be in",
                 {"--mesh_path", closed, "--" + option, "-1"});
     // Other groups of the mesher's have fields of the same names.
     const ProgramResult mesher = RunMesher({"--" + option, "-1"});
     EXPECT_EQ(mesher.exit_code, 1);
-    EXPECT_THAT(mesher.err, HasSubstr("--" + option + " = -1: must"));
+    EXPECT_THAT(mesher.err, HasSubstr("--" + option + " = -1: must be in"));
   }
   for (const std::string key : {"coarse_passes", "alignment_steps"}) {
     const fs::path project =

@@ -39,7 +39,7 @@ bool IsHiddenFromSilhouettes(const ViewSet& views,
     const std::optional<ProjectedPoint> p =
         view.projection.ProjectIntoFrame(point);
     return !p ||
-           view.silhouette.SignedDistance(p->u, p->v) - view.border_shift >
+           view.DistanceInside(*p) >
                kDeepInHull *
                    std::max(1.0f, view.projection.Footprint(voxel, p->depth));
   });

@@ -78,9 +78,7 @@ class HullBorder {
         continue;
       }
       const float pixel = 1 / view->projection.Footprint(1, p->depth);
-      const float depth =
-          (view->silhouette.SignedDistance(p->u, p->v) - view->border_shift) *
-          pixel;
+      const float depth = view->DistanceInside(*p) * pixel;
       if (depth < least.depth) {
         least = {depth, pixel};
       }

@@ -83,27 +83,22 @@ PreparedScene Prepare(const Scene& scene,
   });
 }
 
-VoxelGrid CarveHull(const ViewSet& views,
-                    const Region& region,
-                    const ReconstructionOptions& options,
-                    const Context& context,
-                    ReconstructionSummary* summary) {
-  VisualHull hull = Timed(&summary->hull_seconds, [&] {
-    return ComputeVisualHull(
-        views, BoxInUnitCoordinates(region), options.hull, context);
-  });
-  summary->hull = std::move(hull.summary);
-  return std::move(hull.voxels);
-}
+struct Hull {
+  VoxelGrid voxels;
+  LabeledVoxels surface;
+};
 
-LabeledVoxels HullSurface(const ViewSet& views,
-                          const Region& region,
-                          const ReconstructionOptions& options,
-                          const Context& context,
-                          ReconstructionSummary* summary) {
+Hull CarveHull(const ViewSet& views,
+               const Region& region,
+               const ReconstructionOptions& options,
+               const Context& context,
+               ReconstructionSummary* summary) {
   return Timed(&summary->hull_seconds, [&] {
-    return ComputeHullSurface(
-        views, BoxInUnitCoordinates(region), options.hull, context);
+    const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);
+    VisualHull hull = ComputeVisualHull(views, box, options.hull, context);
+    summary->hull = std::move(hull.summary);
+    return Hull{std::move(hull.voxels),
+                ComputeHullSurface(views, box, options.hull, context)};
   });
 }
 
@@ -177,21 +172,6 @@ IndexedMesh Refine(IndexedMesh mesh,
   return std::move(refined.mesh);
 }
 
-SurfaceMesh Color(const IndexedMesh& mesh,
-                  const LabeledVoxels& surface,
-                  const LevelInputs& inputs,
-                  const BoundingCube& cube,
-                  ReconstructionSummary* summary) {
-  return Timed(&summary->coloring_seconds, [&] {
-    return ColoredMesh(mesh,
-                       inputs.views,
-                       surface,
-                       cube,
-                       inputs.options.visibility,
-                       inputs.context);
-  });
-}
-
 MeshVerdict Judge(const FinishedMesh& finished,
                   const JudgedScene& scene,
                   const ReconstructionOptions& options,
@@ -223,20 +203,19 @@ Reconstruction Reconstruct(const Scene& scene,
 
   PreparedScene prepared = Prepare(scene, region, options, context, &summary);
   ViewSet& views = prepared.views;
-  VoxelGrid hull = CarveHull(views, region, options, context, &summary);
-  const auto hull_surface =
-      HullSurface(views, region, options, context, &summary);
+  Hull hull = CarveHull(views, region, options, context, &summary);
   if (observer) {
-    observer(-1, PositionedMesh(hull_surface, region.cube, context));
+    observer(-1, PositionedMesh(hull.surface, region.cube, context));
   }
-  const InsideEvidence evidence =
-      EstimateEvidence(views, hull_surface, options, context, &hull, &summary);
+  const InsideEvidence evidence = EstimateEvidence(
+      views, hull.surface, options, context, &hull.voxels, &summary);
 
   LabelHierarchy hierarchy;
   std::vector<float> decided;
-  for (int level = hull.Level(); level <= options.target_level; ++level) {
+  for (int level = hull.voxels.Level(); level <= options.target_level;
+       ++level) {
     decided = AddLevel(
-        {views, evidence, options, context}, hull, &hierarchy, &summary);
+        {views, evidence, options, context}, hull.voxels, &hierarchy, &summary);
     if (observer) {
       observer(level, PositionedMesh(hierarchy.Finest(), region.cube, context));
     }
@@ -258,11 +237,14 @@ Reconstruction Reconstruct(const Scene& scene,
                            &views,
                            &summary);
   }
-  result.mesh = Color(finished.mesh,
-                      hierarchy.Finest(),
-                      {views, evidence, options, context},
-                      region.cube,
-                      &summary);
+  result.mesh = Timed(&summary.coloring_seconds, [&] {
+    return ColoredMesh(finished.mesh,
+                       views,
+                       hierarchy.Finest(),
+                       region.cube,
+                       options.visibility,
+                       context);
+  });
 
   finished.mesh = ToIndexedMesh(result.mesh);
   result.audit = AuditMesh(finished.mesh, context);

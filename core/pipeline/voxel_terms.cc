@@ -121,9 +121,7 @@ class BoundingViews {
         continue;  // some of its voxels may be in the frame
       }
       const float footprint = projection.Footprint(voxel_, p->depth);
-      const float depth = (views_[i].silhouette.SignedDistance(p->u, p->v) -
-                           views_[i].border_shift) /
-                          footprint;
+      const float depth = views_[i].DistanceInside(*p) / footprint;
       // Distances are in pixels and may jump by one at a border; depths
       // across the brick change by less than the share that is added.
       const float reach = kBrickReach + kBorderStep / footprint +

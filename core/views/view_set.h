@@ -27,6 +27,12 @@ struct PreparedView {
   // Pixels by which refinement may move the border from there.
   float border_shift_error = std::numeric_limits<float>::infinity();
 
+  // Pixels from the border of the mask, as shifted, to a point of the view;
+  // negative outside of the object.
+  float DistanceInside(const ProjectedPoint& p) const {
+    return silhouette.SignedDistance(p.u, p.v) - border_shift;
+  }
+
   // Pixels within the border of the mask's object from which on it is surely
   // object: what the mask is not known to, and a pixel for sampling, half for
   // the mask's own and half for a ray's through the middle of a pixel.

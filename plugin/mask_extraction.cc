@@ -148,10 +148,10 @@ void Extractor::Propose() {
   size_t num_views = 0;
   for (UnsegmentedView& view : files_.input.views) {
     const cv::Mat saliency = network.Saliency(view.image);
-    view.proposal = cv::Mat(saliency.size(), CV_8U, cv::Scalar(kNothingSaid));
-    view.proposal.setTo(kObject, saliency >= kSalient);
-    view.proposal.setTo(kSurroundings, saliency <= kNotSalient);
-    num_views += cv::countNonZero(view.proposal == kObject) > 0;
+    view.proposal = cv::Mat(saliency.size(), CV_8U, cv::Scalar(kNoLabel));
+    view.proposal.setTo(kObjectLabel, saliency >= kSalient);
+    view.proposal.setTo(kSurroundingsLabel, saliency <= kNotSalient);
+    num_views += cv::countNonZero(view.proposal == kObjectLabel) > 0;
     phase.Advance();
   }
   if (num_views == 0) {

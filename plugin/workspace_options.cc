@@ -160,10 +160,9 @@ void WorkspaceArguments::Complete(const fs::path& default_output,
               "requires an output_path with the extension .ply");
   // The report is written last; that it cannot be must not be news then.
   files.Write("output_path", output_path, "the mesh");
-  for (const FileBeside& file : beside) {
-    if (Beside(file.ending) != output_path) {
-      files.Write("output_path", Beside(file.ending), file.what);
-    }
+  beside_ = beside;
+  for (const auto& [path, what] : FilesBesideMesh()) {
+    files.Write("output_path", path, what);
   }
   files.Write("report_path", report_path, "the report");
 }
@@ -173,6 +172,17 @@ fs::path WorkspaceArguments::Beside(const std::string& ending) const {
   path.replace_extension();
   path += ending;
   return path;
+}
+
+std::vector<std::pair<fs::path, std::string>>
+WorkspaceArguments::FilesBesideMesh() const {
+  std::vector<std::pair<fs::path, std::string>> files;
+  for (const FileBeside& file : beside_) {
+    if (Beside(file.ending) != output_path) {
+      files.emplace_back(Beside(file.ending), file.what);
+    }
+  }
+  return files;
 }
 
 namespace {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "colmap_io/images/load_scene.h"
@@ -50,6 +52,12 @@ struct WorkspaceArguments {
                 FileRoles files);
   // The output path with another ending, for files beside the mesh.
   std::filesystem::path Beside(const std::string& ending) const;
+  // Those given to Complete that are not the mesh itself: path, what it is.
+  std::vector<std::pair<std::filesystem::path, std::string>> FilesBesideMesh()
+      const;
+
+ private:
+  std::vector<FileBeside> beside_;
 };
 
 // What was read, for the report.

@@ -311,9 +311,13 @@ void Loader::PlanWindows() {
                     workspace_.model.images.size()));
   }
   RequireEnoughViews(workspace_, summary.num_views);
-  context_.Info(fmt::format("Loading {} views with {:.0f} MB of pixels.",
-                            summary.num_views,
-                            double(summary.scene_bytes) / 1e6));
+  context_.Info(fmt::format(
+      "Using {} of the {} images of the sparse model {}. Reading them needs "
+      "{:.0f} MB of memory.",
+      summary.num_views,
+      workspace_.model.images.size(),
+      summary.model_path.string(),
+      double(summary.scene_bytes) / 1e6));
 }
 
 void Loader::ReadView(const Candidate& candidate, View* view) const {

@@ -126,9 +126,8 @@ cv::Mat OutsideOf(const cv::Mat& turning,
   cv::dilate(ReduceView(turning, camera, reduced) > 0,
              near,
              cv::Mat::ones(2 * kNearTurning + 1, 2 * kNearTurning + 1, CV_8U));
-  cv::Mat labels(
-      reduced.height, reduced.width, CV_8U, cv::Scalar(kNothingSaid));
-  labels.setTo(kSurroundings, near == 0);
+  cv::Mat labels(reduced.height, reduced.width, CV_8U, cv::Scalar(kNoLabel));
+  labels.setTo(kSurroundingsLabel, near == 0);
   return labels;
 }
 
@@ -145,16 +144,15 @@ cv::Mat ReadStrokes(const SegmentationFile& file,
   if (file.strokes_are_turntable_mask) {
     return OutsideOf(strokes, *file.camera, reduced);
   }
-  cv::Mat labels(
-      reduced.height, reduced.width, CV_8U, cv::Scalar(kNothingSaid));
+  cv::Mat labels(reduced.height, reduced.width, CV_8U, cv::Scalar(kNoLabel));
   // A JPEG file does not keep the values to the last bit.
-  constexpr int kMiddle = kNothingSaid / 2;
+  constexpr int kMiddle = kNoLabel / 2;
   const cv::Mat background =
       ReduceView(strokes < kMiddle, *file.camera, reduced);
   const cv::Mat object =
-      ReduceView(strokes > kNothingSaid + kMiddle, *file.camera, reduced);
-  labels.setTo(kSurroundings, background > kStrokeCoverage);
-  labels.setTo(kObject, object > kStrokeCoverage);
+      ReduceView(strokes > kNoLabel + kMiddle, *file.camera, reduced);
+  labels.setTo(kSurroundingsLabel, background > kStrokeCoverage);
+  labels.setTo(kObjectLabel, object > kStrokeCoverage);
   return labels;
 }
 
@@ -171,8 +169,8 @@ UnsegmentedView ReadView(const SegmentationFile& file, int longest_side) {
     RequireSize(file.given_mask, mask, *file.camera);
     const cv::Mat reduced = ReduceView(mask, *file.camera, view.pose.camera);
     view.labels.create(reduced.size(), CV_8U);
-    view.labels.setTo(kSurroundings);
-    view.labels.setTo(kObject, reduced >= kObjectThreshold);
+    view.labels.setTo(kSurroundingsLabel);
+    view.labels.setTo(kObjectLabel, reduced >= kObjectThreshold);
   } else if (!file.strokes.empty()) {
     view.labels = ReadStrokes(file, view.pose.camera);
     view.is_turntable = file.strokes_are_turntable_mask;

@@ -57,16 +57,13 @@ void CheckInput(const Scene& scene,
 }
 
 void ReportLevel(const LevelSummary& level, const Context& context) {
-  context.Info(
-      fmt::format("Level {} ({}^3 voxels): of the {} voxels of the crust, the "
-                  "cut passes through {} ({} of them at the crust's border); "
-                  "its cost is {:.6g}.",
-                  level.level,
-                  level.resolution,
-                  level.num_crust_voxels,
-                  level.num_cut_voxels,
-                  level.num_border_voxels,
-                  level.cut_cost));
+  context.Info(fmt::format(
+      "Level {} ({}^3 voxels) is done: the cut passes through {} of "
+      "the crust's {} voxels.",
+      level.level,
+      level.resolution,
+      level.num_cut_voxels,
+      level.num_crust_voxels));
 }
 
 PreparedScene Prepare(const Scene& scene,

@@ -58,9 +58,9 @@ Appearance::Appearance(std::span<const cv::Mat> features,
   };
   ParallelFor(context, features.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      objects[i] = Samples(features[i], labels[i], kObject, kOwnSamples);
+      objects[i] = Samples(features[i], labels[i], kObjectLabel, kOwnSamples);
       surroundings[i] =
-          Samples(features[i], labels[i], kSurroundings, kOwnSamples);
+          Samples(features[i], labels[i], kSurroundingsLabel, kOwnSamples);
       const size_t num_surroundings = surroundings[i].size();
       AddShadows(&surroundings[i]);
       Models& own = own_[i];

@@ -40,7 +40,7 @@ class Cutter {
   void Run() {
     for (int y = 0; y < labels_.rows; ++y) {
       for (int x = 0; x < labels_.cols; ++x) {
-        if (labels_.at<uint8_t>(y, x) == kNothingSaid) {
+        if (labels_.at<uint8_t>(y, x) == kNoLabel) {
           nodes_(y, x) = int(pixels_.size());
           pixels_.emplace_back(x, y);
         }
@@ -61,7 +61,7 @@ class Cutter {
     graph_.maxFlow();
     for (size_t i = 0; i < pixels_.size(); ++i) {
       labels_.at<uint8_t>(pixels_[i]) =
-          graph_.inSourceSegment(int(i)) ? kObject : kSurroundings;
+          graph_.inSourceSegment(int(i)) ? kObjectLabel : kSurroundingsLabel;
     }
   }
 
@@ -103,7 +103,7 @@ class Cutter {
         (diagonal ? std::sqrt(2.0f) : 1.0f);
     if (nodes_(q) >= 0) {
       graph_.addEdges(nodes_(p), nodes_(q), weight, weight);
-    } else if (labels_.at<uint8_t>(q) == kObject) {
+    } else if (labels_.at<uint8_t>(q) == kObjectLabel) {
       graph_.addTermWeights(nodes_(p), weight, 0);
     } else {
       graph_.addTermWeights(nodes_(p), 0, weight);

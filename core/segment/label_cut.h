@@ -5,7 +5,7 @@
 
 namespace octacut {
 
-// Decides every pixel of `labels` (CV_8UC1) that is kNothingSaid; the others
+// Decides every pixel of `labels` (CV_8UC1) that is kNoLabel; the others
 // stay as they are. Minimizes
 //   sum over pixels labelled background of their log odds (CV_32F)
 //   + smoothness * sum over neighbours with different labels of

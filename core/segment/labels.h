@@ -5,8 +5,8 @@
 
 namespace octacut {
 
-inline constexpr uint8_t kSurroundings = 0;
-inline constexpr uint8_t kNothingSaid = 128;
-inline constexpr uint8_t kObject = 255;
+inline constexpr uint8_t kSurroundingsLabel = 0;
+inline constexpr uint8_t kNoLabel = 128;
+inline constexpr uint8_t kObjectLabel = 255;
 
 }  // namespace octacut

@@ -81,7 +81,7 @@ void CutBand(const cv::Mat& image, double reach, cv::Mat* mask) {
       }
     }
   }
-  mask->setTo(kNothingSaid, band);
+  mask->setTo(kNoLabel, band);
   CutLabels(image, log_odds, kSmoothness, mask);
 }
 

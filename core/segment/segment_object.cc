@@ -111,9 +111,9 @@ cv::Mat Segmenter::FirstLabels(size_t view, double middle) const {
           pose.camera.Unproject({x + 0.5, y + 0.5}).normalized();
       const double distance =
           (center - ray * ray.dot(center)).norm() / region.radius;
-      labels.at<uint8_t>(y, x) = distance < middle       ? kObject
-                                 : distance < 2 * middle ? kNothingSaid
-                                                         : kSurroundings;
+      labels.at<uint8_t>(y, x) = distance < middle       ? kObjectLabel
+                                 : distance < 2 * middle ? kNoLabel
+                                                         : kSurroundingsLabel;
     }
   }
   return labels;
@@ -127,15 +127,15 @@ void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
     (*labels)(
         cv::Rect(corner, cv::Size(2 * kPointRadius + 1, 2 * kPointRadius + 1)) &
         frame)
-        .setTo(kSurroundings);
+        .setTo(kSurroundingsLabel);
   }
   const cv::Mat& said = input_.views[view].labels;
   if (said.empty()) {
     return;
   }
-  said.copyTo(*labels, said != kNothingSaid);
+  said.copyTo(*labels, said != kNoLabel);
   if (IsObjectOrStand(view)) {
-    labels->setTo(kNothingSaid, said == kSurroundings);
+    labels->setTo(kNoLabel, said == kSurroundingsLabel);
   }
 }
 
@@ -151,8 +151,8 @@ void Segmenter::Learn(bool own_objects) {
     cv::max(colours, -kOneViewsWord, colours);
     const cv::Mat& said = input_.views[i].labels;
     if (!said.empty()) {
-      colours.setTo(2 * kOneViewsWord, said == kObject);
-      colours.setTo(-2 * kOneViewsWord, said == kSurroundings);
+      colours.setTo(2 * kOneViewsWord, said == kObjectLabel);
+      colours.setTo(-2 * kOneViewsWord, said == kSurroundingsLabel);
     }
   });
 }
@@ -160,9 +160,9 @@ void Segmenter::Learn(bool own_objects) {
 void Segmenter::Relabel(size_t view) {
   const cv::Mat& log_odds = result_.views[view].log_odds;
   cv::Mat& labels = labels_[view];
-  labels.setTo(kNothingSaid);
-  labels.setTo(kObject, log_odds > kSure);
-  labels.setTo(kSurroundings, log_odds < -kSure);
+  labels.setTo(kNoLabel);
+  labels.setTo(kObjectLabel, log_odds > kSure);
+  labels.setTo(kSurroundingsLabel, log_odds < -kSure);
   ApplySaid(view, &labels);
 }
 
@@ -198,11 +198,11 @@ void Segmenter::CutView(size_t i) {
       colours_[i] + kOneViewsWord * view.others - kInsideDoubt * positive;
   view.colours = colours_[i];
   view.mask.create(view.log_odds.size(), CV_8U);
-  view.mask.setTo(kNothingSaid);
-  view.mask.setTo(kSurroundings, view.others < -0.95f);
+  view.mask.setTo(kNoLabel);
+  view.mask.setTo(kSurroundingsLabel, view.others < -0.95f);
   const cv::Mat& said = input_.views[i].labels;
   if (!said.empty()) {
-    said.copyTo(view.mask, said != kNothingSaid);
+    said.copyTo(view.mask, said != kNoLabel);
   }
   CutLabels(input_.views[i].image, view.log_odds, kSmoothness, &view.mask);
 }
@@ -218,7 +218,7 @@ bool Segmenter::IsObjectSaid() const {
   return std::any_of(
       input_.views.begin(), input_.views.end(), [](const auto& view) {
         return !view.labels.empty() &&
-               cv::countNonZero(view.labels == kObject) > 0;
+               cv::countNonZero(view.labels == kObjectLabel) > 0;
       });
 }
 
@@ -229,10 +229,10 @@ bool Segmenter::FindObject(double middle) {
     const cv::Mat& proposal = input_.views[i].proposal;
     labels_[i] = proposal.empty() ? FirstLabels(i, middle) : proposal.clone();
     if (is_said && proposal.empty()) {  // better than a guess
-      labels_[i].setTo(kNothingSaid, labels_[i] == kObject);
+      labels_[i].setTo(kNoLabel, labels_[i] == kObjectLabel);
     }
     if (IsObjectOrStand(i)) {
-      labels_[i].setTo(kNothingSaid, labels_[i] == kSurroundings);
+      labels_[i].setTo(kNoLabel, labels_[i] == kSurroundingsLabel);
     }
     ApplySaid(i, &labels_[i]);
   });

@@ -136,12 +136,12 @@ StillObject FindStillObject(const StillBackground& background,
     log_odds = LogOdds(features,
                        ColourMixture(Samples(features, object), kComponents),
                        surroundings);
-    cv::Mat labels(turning.size(), CV_8U, cv::Scalar(kNothingSaid));
-    labels.setTo(kSurroundings, sure);
-    labels.setTo(kObject, turning);
-    labels.setTo(kObject, seeds);
+    cv::Mat labels(turning.size(), CV_8U, cv::Scalar(kNoLabel));
+    labels.setTo(kSurroundingsLabel, sure);
+    labels.setTo(kObjectLabel, turning);
+    labels.setTo(kObjectLabel, seeds);
     CutLabels(image, log_odds, kSmoothness, &labels);
-    object = (labels == kObject) & ~turning;
+    object = (labels == kObjectLabel) & ~turning;
   }
   // What is told clearly: the seeds themselves must look different from the
   // background, and so must the border that is not with what turns.

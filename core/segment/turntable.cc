@@ -128,9 +128,9 @@ void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
   cv::dilate(log_odds, largest, window);
   cv::erode(log_odds, least, window);
   TurntableView& view = result_[i];
-  view.mask = cv::Mat(lab.size(), CV_8U, cv::Scalar(kNothingSaid));
-  view.mask.setTo(kSurroundings, largest < 0);
-  view.mask.setTo(kObject, least > 0);
+  view.mask = cv::Mat(lab.size(), CV_8U, cv::Scalar(kNoLabel));
+  view.mask.setTo(kSurroundingsLabel, largest < 0);
+  view.mask.setTo(kObjectLabel, least > 0);
   CutLabels(input_.images[i], log_odds, kSmoothness, &view.mask);
   // Specks are smaller than the window.
   cv::Mat opened;

@@ -8,11 +8,8 @@
 #include "core/scene/region.h"
 #include "core/verdict/judge_mesh.h"
 #include "plugin/closed_mesh.h"
-#include "plugin/mesh_json.h"
+#include "plugin/mesh_report.h"
 #include "plugin/refinement_options.h"
-#include "plugin/report.h"
-#include "plugin/verdict_json.h"
-#include "plugin/verdict_text.h"
 #include "plugin/workspace_options.h"
 
 namespace octacut {
@@ -87,16 +84,12 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
                 context);
   refined.mesh.confidence = verdict.confidence;
   WriteMesh(workspace_.output_path, refined.mesh);
-  const VerdictText words = DescribeVerdict(verdict, loaded.scene.views);
-  ReportVerdict(words, context);
-
-  Json report = MakeReport(environment);
-  report["mesh_path"] = workspace_.output_path.string();
-  report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
-  report["refinement"] = RefinementToJson(refined.summary);
-  report["audit"] = AuditToJson(audit);
-  report["verdict"] = VerdictToJson(verdict, words, loaded.scene.views);
-  WriteReport(workspace_.report_path, report);
+  WriteMeshReport(environment,
+                  workspace_,
+                  {loaded,
+                   audit,
+                   verdict,
+                   {{"refinement", RefinementToJson(refined.summary)}}});
   environment.out << fmt::format(
       "{}: {} of {} vertices moved by {:.2f} pixels on average; agreement of "
       "the views {:.3f} (before: {:.3f})\n",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <system_error>
+#include <utility>
 
 #include "colmap_io/files/atomic_files.h"
 #include "colmap_io/mesh/mesh_io.h"
@@ -10,15 +11,12 @@
 #include "core/base/error.h"
 #include "core/pipeline/reconstruct.h"
 #include "plugin/mask_extraction.h"
-#include "plugin/mesh_json.h"
+#include "plugin/mesh_report.h"
 #include "plugin/meshing_options.h"
 #include "plugin/quality.h"
 #include "plugin/reconstruction_json.h"
-#include "plugin/report.h"
 #include "plugin/run_picture.h"
 #include "plugin/texturing.h"
-#include "plugin/verdict_json.h"
-#include "plugin/verdict_text.h"
 #include "plugin/workspace_options.h"
 
 namespace octacut {
@@ -164,9 +162,8 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
                                        meshing_.target_level,
                                        context);
   context.Info(fmt::format(
-      "The reconstruction from {} views needs about {:.1f} GB of memory in "
-      "addition to the images.",
-      loaded.scene.views.size(),
+      "The reconstruction needs about {:.1f} GB of memory in addition to the "
+      "images.",
       double(EstimateReconstructionBytes(loaded.scene, meshing_, context)) /
           1e9));
   const Reconstruction result =
@@ -177,23 +174,13 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   if (picture_) {
     WriteRunPicture(workspace_.Beside(".png"), loaded.scene, mesh, context);
   }
-  Json texture;
+  Json members = {{"reconstruction", ReconstructionToJson(result.summary)}};
   if (texture_) {
-    texture = TextureMeshOf(loaded.scene, mesh, context);
+    members["texture"] = TextureMeshOf(loaded.scene, mesh, context);
   }
-  const VerdictText words = DescribeVerdict(result.verdict, loaded.scene.views);
-  ReportVerdict(words, context);
-
-  Json report = MakeReport(environment);
-  report["mesh_path"] = workspace_.output_path.string();
-  report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
-  report["reconstruction"] = ReconstructionToJson(result.summary);
-  report["audit"] = AuditToJson(result.audit);
-  report["verdict"] = VerdictToJson(result.verdict, words, loaded.scene.views);
-  if (texture_) {
-    report["texture"] = texture;
-  }
-  WriteReport(workspace_.report_path, report);
+  WriteMeshReport(environment,
+                  workspace_,
+                  {loaded, result.audit, result.verdict, std::move(members)});
   environment.out << fmt::format(
       "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s), "
       "genus {}\n",

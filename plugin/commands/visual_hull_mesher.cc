@@ -4,10 +4,7 @@
 
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/pipeline/reconstruct.h"
-#include "plugin/mesh_json.h"
-#include "plugin/report.h"
-#include "plugin/verdict_json.h"
-#include "plugin/verdict_text.h"
+#include "plugin/mesh_report.h"
 #include "plugin/workspace_options.h"
 
 namespace octacut {
@@ -45,15 +42,8 @@ void VisualHullMesher::Run(const CommandEnvironment& environment) {
   const HullReconstruction result =
       ReconstructHull(loaded.scene, loaded.region, options_, context);
   WriteMesh(workspace_.output_path, ToIndexedMesh(result.mesh));
-  const VerdictText words = DescribeVerdict(result.verdict, loaded.scene.views);
-  ReportVerdict(words, context);
-
-  Json report = MakeReport(environment);
-  report["mesh_path"] = workspace_.output_path.string();
-  report["input"] = LoadSummaryToJson(loaded.summary, loaded.region);
-  report["audit"] = AuditToJson(result.audit);
-  report["verdict"] = VerdictToJson(result.verdict, words, loaded.scene.views);
-  WriteReport(workspace_.report_path, report);
+  WriteMeshReport(
+      environment, workspace_, {loaded, result.audit, result.verdict});
   environment.out << fmt::format(
       "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s)\n",
       workspace_.output_path.string(),

@@ -14,6 +14,7 @@ namespace octacut {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsSupersetOf;
 
@@ -236,6 +237,13 @@ TEST_F(OctahedralMesher, LogIsShortAndSaysWhatWasChosen) {
                              0),
             0u)
       << result.err;
+  EXPECT_THAT(result.err,
+              HasSubstr("images of the sparse model " +
+                        (Workspace() / "sparse" / "0").string()));
+  EXPECT_THAT(result.err,
+              HasSubstr("Wrote the report: " + Result(".json").string() +
+                        "; the picture: " + Result(".png").string()));
+  EXPECT_THAT(result.err, ContainsRegex("The run took [0-9.]+ s and at most "));
   const Json report = Json::parse(ReadFile(Result(".json")));
   EXPECT_EQ(report["options"]["quality"], "low");
   EXPECT_EQ(report["options"]["OctahedralMeshing"]["refine"], false);

@@ -18,9 +18,9 @@ cv::Mat TwoSides() {
 
 // Columns 0 to 4 are background and 15 to 19 object; between is open.
 cv::Mat OpenMiddle() {
-  cv::Mat labels(10, 20, CV_8U, cv::Scalar(kNothingSaid));
-  labels(cv::Rect(0, 0, 5, 10)).setTo(kSurroundings);
-  labels(cv::Rect(15, 0, 5, 10)).setTo(kObject);
+  cv::Mat labels(10, 20, CV_8U, cv::Scalar(kNoLabel));
+  labels(cv::Rect(0, 0, 5, 10)).setTo(kSurroundingsLabel);
+  labels(cv::Rect(15, 0, 5, 10)).setTo(kObjectLabel);
   return labels;
 }
 
@@ -28,7 +28,7 @@ TEST(LabelCut, RunsAlongTheEdgeWhereColoursSayNothing) {
   cv::Mat labels = OpenMiddle();
   CutLabels(TwoSides(), cv::Mat::zeros(10, 20, CV_32F), 4, &labels);
   cv::Mat expected = cv::Mat::zeros(10, 20, CV_8U);
-  expected(cv::Rect(12, 0, 8, 10)).setTo(kObject);
+  expected(cv::Rect(12, 0, 8, 10)).setTo(kObjectLabel);
   EXPECT_EQ(cv::countNonZero(labels != expected), 0);
 }
 
@@ -39,19 +39,19 @@ TEST(LabelCut, SinglePixelsFollowTheirNeighbours) {
   log_odds(cv::Rect(12, 0, 8, 10)).setTo(1);
   log_odds.at<float>(5, 8) = 4;  // eight neighbours against it
   CutLabels(TwoSides(), log_odds, 4, &labels);
-  EXPECT_EQ(labels.at<uint8_t>(5, 8), kSurroundings);
+  EXPECT_EQ(labels.at<uint8_t>(5, 8), kSurroundingsLabel);
   // Without smoothness its own word counts.
   labels = OpenMiddle();
   CutLabels(TwoSides(), log_odds, 0, &labels);
-  EXPECT_EQ(labels.at<uint8_t>(5, 8), kObject);
+  EXPECT_EQ(labels.at<uint8_t>(5, 8), kObjectLabel);
 }
 
 TEST(LabelCut, WhatIsDecidedStays) {
   cv::Mat labels = OpenMiddle();
   cv::Mat log_odds(10, 20, CV_32F, cv::Scalar(4));
   CutLabels(TwoSides(), log_odds, 1, &labels);
-  EXPECT_EQ(labels.at<uint8_t>(3, 4), kSurroundings);
-  EXPECT_EQ(labels.at<uint8_t>(3, 5), kObject);
+  EXPECT_EQ(labels.at<uint8_t>(3, 4), kSurroundingsLabel);
+  EXPECT_EQ(labels.at<uint8_t>(3, 5), kObjectLabel);
 }
 
 }  // namespace

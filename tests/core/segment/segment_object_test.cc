@@ -71,8 +71,8 @@ TEST(SegmentObject, WhatTurnsAboveTheStandIsObject) {
     Paint(~scene.truth[i], kBallColour, i, &view.image);
     Paint(foot_pixels, {30, 120, 30}, i, &view.image);
     view.labels.create(scene.truth[i].size(), CV_8U);
-    view.labels.setTo(kSurroundings);
-    view.labels.setTo(kNothingSaid, foot_pixels | scene.truth[i]);
+    view.labels.setTo(kSurroundingsLabel);
+    view.labels.setTo(kNoLabel, foot_pixels | scene.truth[i]);
     view.is_turntable = true;
     std::vector<cv::Point> points;
     cv::findNonZero(foot_pixels, points);
@@ -90,9 +90,9 @@ TEST(SegmentObject, SaidLabelsStay) {
   RingScene scene = MakeRingScene(12, {{0, 0, 0}, 0.4});
   cv::Mat& labels = scene.input.views[2].labels;
   labels.create(scene.truth[2].size(), CV_8U);
-  labels.setTo(kNothingSaid);
-  labels(cv::Rect(0, 0, 20, 20)).setTo(kSurroundings);
-  labels(cv::Rect(78, 58, 4, 4)).setTo(kSurroundings);
+  labels.setTo(kNoLabel);
+  labels(cv::Rect(0, 0, 20, 20)).setTo(kSurroundingsLabel);
+  labels(cv::Rect(78, 58, 4, 4)).setTo(kSurroundingsLabel);
   const Segmentation found = SegmentObject(scene.input, Context(2));
   EXPECT_EQ(found.views[2].mask.at<uint8_t>(60, 80), 0);
   EXPECT_EQ(found.views[2].mask.at<uint8_t>(60, 70), 255);

@@ -67,5 +67,6 @@ function(octacut_test name)
   target_compile_options(${target} PRIVATE ${OCTACUT_WARNINGS}
                                            ${OCTACUT_TEST_OPTIONS})
   gtest_discover_tests(${target} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
-                       PROPERTIES TIMEOUT 600)
+                       PROPERTIES TIMEOUT 600
+                                  ENVIRONMENT "${OCTACUT_TEST_ENVIRONMENT}")
 endfunction()

@@ -95,8 +95,8 @@ void JudgeBorders(const std::vector<ContourTarget>& contours,
     // that the edges contradict (docs/experiments/mask_borders.md).
     summary->border_shift =
         std::clamp(FindBorderShift(contours, surfaces, measurements, plan),
-                   plan.edge_shift - plan.edge_shift_error,
-                   plan.edge_shift + plan.edge_shift_error);
+                   plan.edge_shift - plan.edge_shift_slack,
+                   plan.edge_shift + plan.edge_shift_slack);
   }
 }
 

@@ -59,7 +59,7 @@ struct RoundPlan {
   // The shift of the borders by the edges of the photographs, pixels, and how
   // far occluding contours may lead away from it.
   double edge_shift = 0;
-  double edge_shift_error = std::numeric_limits<double>::infinity();
+  double edge_shift_slack = std::numeric_limits<double>::infinity();
 };
 
 // What all rounds of a refinement share; unit coordinates.

@@ -154,7 +154,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   const AgreementInputs agreeing{*views, neighbors, pixel, options};
   summary.agreement_before = MeasureAgreement(agreeing, context, &unit).Mean();
   const double edge_shift = views->front().border_shift;
-  const double edge_shift_error = views->front().border_shift_error;
+  const double edge_shift_slack = views->front().border_shift_slack;
   summary.border_shift = edge_shift;
   for (RoundPlan plan : PlanRounds(options)) {
     // Coarse images of glossy objects agree by chance, and poses that are
@@ -165,7 +165,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
                     summary.rounds.end(),
                     [](const auto& round) { return round.KnowsMost(); });
     plan.edge_shift = edge_shift;
-    plan.edge_shift_error = edge_shift_error;
+    plan.edge_shift_slack = edge_shift_slack;
     plan.border_shift = summary.border_shift;
     const RoundSummary round = RefineOnce(
         {start, neighbors, pixel, options}, plan, context, views, &unit);

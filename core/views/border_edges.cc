@@ -81,7 +81,7 @@ std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
   for (PreparedView& view : *views) {
     view.border_shift =
         edges ? float(std::clamp(edges->shift, -limit, limit)) : 0;
-    view.border_shift_error =
+    view.border_shift_slack =
         is_known ? kContourSlack : std::numeric_limits<float>::infinity();
   }
   return edges;
@@ -90,7 +90,7 @@ std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
 void KeepBorders(ViewSet* views) {
   for (PreparedView& view : *views) {
     view.border_shift = 0;
-    view.border_shift_error = 0;
+    view.border_shift_slack = 0;
   }
 }
 

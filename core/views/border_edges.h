@@ -33,7 +33,7 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
 
 // Measures and sets PreparedView::border_shift of all views: 0 where there is
 // nothing to measure, at most one pixel where the strongest edges disagree with
-// the nearest ones, and at most five in any case. border_shift_error is a
+// the nearest ones, and at most five in any case. border_shift_slack is a
 // tenth of a pixel if at least half of the strongest edges agree, the nearest
 // ones agree with them to a pixel, and the shift is within these limits; else
 // it is infinite.

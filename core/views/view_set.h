@@ -25,7 +25,7 @@ struct PreparedView {
   // photographs show (ShiftBordersToEdges).
   float border_shift = 0;
   // Pixels by which refinement may move the border from there.
-  float border_shift_error = std::numeric_limits<float>::infinity();
+  float border_shift_slack = std::numeric_limits<float>::infinity();
 
   // Pixels from the border of the mask, as shifted, to a point of the view;
   // negative outside of the object.

@@ -103,7 +103,7 @@ TEST(RefineSurface, FindsOutThatMasksAreTooLargeOrTooSmall) {
 double BorderShiftAfter(double scale,
                         double known,
                         double edge_shift = 0,
-                        double edge_shift_error = 9) {
+                        double edge_shift_slack = 9) {
   const RefineScene scene = testing::MakeSceneWithMasksOff(2);
   IndexedMesh mesh = scene.ToUnitMesh(BumpyMesh(scene));
   RefineOptions options;
@@ -119,7 +119,7 @@ double BorderShiftAfter(double scale,
                      .aligns = false,
                      .border_shift = known,
                      .edge_shift = edge_shift,
-                     .edge_shift_error = edge_shift_error},
+                     .edge_shift_slack = edge_shift_slack},
                     Context(2),
                     &views,
                     &mesh)

@@ -67,6 +67,5 @@ function(octacut_test name)
   target_compile_options(${target} PRIVATE ${OCTACUT_WARNINGS}
                                            ${OCTACUT_TEST_OPTIONS})
   gtest_discover_tests(${target} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
-                       PROPERTIES TIMEOUT 600
-                                  ENVIRONMENT "${OCTACUT_TEST_ENVIRONMENT}")
+                       PROPERTIES TIMEOUT 600 ${OCTACUT_TEST_PROPERTIES})
 endfunction()

@@ -25,13 +25,14 @@ constexpr float kContradictingShare = 0.25f;
 // upon together.
 constexpr float kRegionRadius = 8;
 // Shares of contradicted depths there: up to the first they are relied upon,
-// from the second on not at all. Two of three wrong depths are contradicted, so
-// that a quarter and three fifths of the depths are wrong.
+// from the second on not at all. They are 0.7 of those of the scene, since
+// fewer depths have a surface before them than have one nearly before them.
+constexpr float kSureShareOfRegion = 0.7f / 6;
+constexpr float kDoubtfulShareOfRegion = 0.28f;
+// Shares of nearly contradicted depths of the whole scene: up to the first they
+// are relied upon; from the second on they must be dense to be relied upon. Few
+// views have few depths, but those do not contradict each other.
 constexpr float kSureShare = 1.0f / 6;
-constexpr float kDoubtfulShare = 0.4f;
-// The share of all depths from which on they must be dense to be relied upon if
-// they are contradicted. Few views have few depths, but those do not contradict
-// each other.
 constexpr float kManyShare = 0.25f;
 // Shares of the object's samples, over all views, that have a depth: up to the
 // first, which chance alone reaches on metal and porcelain, such depths are not
@@ -65,41 +66,67 @@ constexpr float kPriorNear = 100;
 constexpr int kBrickSteps = 2;
 constexpr size_t kBrickGrain = 16;
 
-// For each voxel of the hull, how many views have found a surface in it or in
-// one of the 26 voxels around it.
-std::vector<uint16_t> CountSurfaces(const ViewSet& views,
-                                    const VoxelGrid& hull,
-                                    const std::vector<SweptDepthMap>& maps,
-                                    const Context& context) {
+// For each voxel of the hull, how many views have found a surface in it, and
+// how many in it or in one of the 26 voxels around it.
+struct SurfaceCounts {
+  std::vector<uint16_t> within;
+  std::vector<uint16_t> nearby;
+};
+
+// The voxels in which a view has found a surface. A sample is about as wide as
+// a voxel, so the centres of its quarters leave no gaps in a surface.
+VoxelGrid FoundSurface(const ViewProjection& projection,
+                       const SweptDepthMap& map,
+                       int level) {
+  const float resolution = float(1 << level);
+  const float quarter = 0.25f / map.scale;
+  const Eigen::Matrix3f rays = projection.linear.inverse();
+  std::vector<MortonCode> codes;
+  ForEachDepth(map, projection, [&](int x, int y, float depth, const auto&) {
+    for (const float v : {-quarter, quarter}) {
+      for (const float u : {-quarter, quarter}) {
+        const Eigen::Vector3f ray =
+            rays * (map.Pixel(x, y) + Eigen::Vector3f(u, v, 0));
+        const Eigen::Vector3f point =
+            (projection.center + depth * ray) * resolution;
+        if ((point.array() >= 0).all() && (point.array() < resolution).all()) {
+          codes.push_back(EncodeMorton(Eigen::Vector3i(point.cast<int>())));
+        }
+      }
+    }
+  });
+  return VoxelGrid::FromCodes(level, std::move(codes));
+}
+
+void AddOne(const VoxelGrid& surface,
+            const VoxelGrid& hull,
+            std::vector<uint16_t>* counts) {
+  surface.ForEach([&](VoxelGrid::Index, MortonCode code) {
+    const VoxelGrid::Index index = hull.Find(code);
+    if (index != VoxelGrid::kNone) {
+      ++(*counts)[index];
+    }
+  });
+}
+
+SurfaceCounts CountSurfaces(const ViewSet& views,
+                            const VoxelGrid& hull,
+                            const std::vector<SweptDepthMap>& maps,
+                            const Context& context) {
   std::vector<VoxelGrid> surfaces(maps.size());
-  const float resolution = float(hull.Resolution());
+  std::vector<VoxelGrid> dilated(maps.size());
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     const Context alone(1);
     for (size_t i = begin; i < end; ++i) {
-      std::vector<MortonCode> codes;
-      ForEachDepth(
-          maps[i],
-          views[i].projection,
-          [&](int, int, float depth, const Eigen::Vector3f& ray) {
-            const Eigen::Vector3f point =
-                (views[i].projection.center + depth * ray) * resolution;
-            if ((point.array() >= 0).all() &&
-                (point.array() < resolution).all()) {
-              codes.push_back(EncodeMorton(Eigen::Vector3i(point.cast<int>())));
-            }
-          });
-      surfaces[i] = Dilate(
-          VoxelGrid::FromCodes(hull.Level(), std::move(codes)), 1, alone);
+      surfaces[i] = FoundSurface(views[i].projection, maps[i], hull.Level());
+      dilated[i] = Dilate(surfaces[i], 1, alone);
     }
   });
-  std::vector<uint16_t> counts(hull.Size());
-  for (const VoxelGrid& surface : surfaces) {
-    surface.ForEach([&](VoxelGrid::Index, MortonCode code) {
-      const VoxelGrid::Index index = hull.Find(code);
-      if (index != VoxelGrid::kNone) {
-        ++counts[index];
-      }
-    });
+  SurfaceCounts counts{std::vector<uint16_t>(hull.Size()),
+                       std::vector<uint16_t>(hull.Size())};
+  for (size_t i = 0; i < maps.size(); ++i) {
+    AddOne(surfaces[i], hull, &counts.within);
+    AddOne(dilated[i], hull, &counts.nearby);
   }
   return counts;
 }
@@ -115,15 +142,22 @@ int CountAt(const VoxelGrid& hull,
   return index == VoxelGrid::kNone ? 0 : counts[index];
 }
 
-// The most views that have found a surface in one voxel on the way to a depth.
-int MostBefore(const VoxelGrid& hull,
-               const std::vector<uint16_t>& counts,
-               const Eigen::Vector3f& origin,
-               const Eigen::Vector3f& ray,
-               float depth) {
-  int most = 0;
+// The most views that have found a surface within, and near, one voxel on the
+// way to a depth.
+struct MostViews {
+  int within = 0;
+  int nearby = 0;
+};
+
+MostViews MostBefore(const VoxelGrid& hull,
+                     const SurfaceCounts& counts,
+                     const Eigen::Vector3f& origin,
+                     const Eigen::Vector3f& ray,
+                     float depth) {
+  MostViews most;
   AnyVoxelBefore(hull, origin, ray, depth, kClear, [&](VoxelGrid::Index index) {
-    most = std::max(most, int(counts[index]));
+    most.within = std::max(most.within, int(counts.within[index]));
+    most.nearby = std::max(most.nearby, int(counts.nearby[index]));
     return false;
   });
   return most;
@@ -163,16 +197,26 @@ class SquareSums {
 };
 
 // Which samples of a map have a depth, and which of those are contradicted and
-// outvoted.
+// outvoted by surfaces on the way to them. Nearly contradicted are also those
+// whose ray passes a surface within a voxel, as all rays into a cup pass its
+// rim: more of them lie in objects with hollows, but where few depths are found
+// only they show which contradict each other.
 struct JudgedMap {
   std::vector<uint8_t> is_depth;
   std::vector<uint8_t> is_contradicted;
   std::vector<uint8_t> is_outvoted;
+  size_t num_depths = 0;
+  size_t num_nearly_contradicted = 0;
 };
+
+bool IsContradicted(int before, int own) {
+  return before >= kMinViews &&
+         float(before) > kContradictingShare * float(own);
+}
 
 JudgedMap JudgeDepths(const ViewProjection& projection,
                       const VoxelGrid& hull,
-                      const std::vector<uint16_t>& counts,
+                      const SurfaceCounts& counts,
                       const SweptDepthMap& map) {
   const size_t size = map.depths.size();
   JudgedMap judged{std::vector<uint8_t>(size),
@@ -182,16 +226,17 @@ JudgedMap JudgeDepths(const ViewProjection& projection,
                projection,
                [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
                  const size_t k = size_t(y) * map.width + x;
-                 const int own =
-                     CountAt(hull, counts, projection.center + depth * ray);
-                 const int before =
+                 const int own = CountAt(
+                     hull, counts.nearby, projection.center + depth * ray);
+                 const MostViews before =
                      MostBefore(hull, counts, projection.center, ray, depth);
                  judged.is_depth[k] = 1;
-                 if (before >= kMinViews) {
-                   judged.is_contradicted[k] =
-                       float(before) > kContradictingShare * float(own);
-                   judged.is_outvoted[k] = before > own;
-                 }
+                 judged.is_contradicted[k] = IsContradicted(before.within, own);
+                 judged.is_outvoted[k] =
+                     before.within >= kMinViews && before.within > own;
+                 ++judged.num_depths;
+                 judged.num_nearly_contradicted +=
+                     IsContradicted(before.nearby, own) ? 1 : 0;
                });
   return judged;
 }
@@ -242,7 +287,7 @@ std::vector<float> ConfidenceOfRegions(const ViewProjection& projection,
       const float share =
           contradicted.Around(x, y, radius) / (num_depths + kPriorDepths);
       confidence[size_t(y) * map.width + x] =
-          Ramp(share, kDoubtfulShare, kSureShare);
+          Ramp(share, kDoubtfulShareOfRegion, kSureShareOfRegion);
     }
   }
   return confidence;
@@ -256,8 +301,7 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
                                        double surrounded_share,
                                        float shown,
                                        const Context& context) {
-  const std::vector<uint16_t> counts =
-      CountSurfaces(views, hull, maps, context);
+  const SurfaceCounts counts = CountSurfaces(views, hull, maps, context);
   ReliableDepths result{maps, std::vector<std::vector<float>>(maps.size())};
   std::vector<size_t> num_depths(maps.size());
   std::vector<size_t> num_contradicted(maps.size());
@@ -269,9 +313,9 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
       num_samples[i] = CountObjectSamples(views[i].silhouette, maps[i]);
       result.confidence[i] =
           ConfidenceOfRegions(projection, hull, maps[i], judged);
-      for (size_t k = 0; k < judged.is_depth.size(); ++k) {
-        num_depths[i] += judged.is_depth[k];
-        num_contradicted[i] += judged.is_contradicted[k];
+      num_depths[i] = judged.num_depths;
+      num_contradicted[i] = judged.num_nearly_contradicted;
+      for (size_t k = 0; k < judged.is_outvoted.size(); ++k) {
         if (judged.is_outvoted[k]) {
           result.maps[i].depths[k] = 0;
         }

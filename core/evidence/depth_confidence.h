@@ -31,7 +31,9 @@ struct ReliableDepths {
   std::vector<std::vector<float>> confidence;
   // 0 .. 1; by this the confidence of the parts of all views is multiplied.
   float scene_confidence = 1;
-  double contradicted_share = 0;  // of all depths
+  // The share of all depths that have a surface on the way to them, or within
+  // a voxel of it.
+  double contradicted_share = 0;
   // The share of the samples within the silhouettes that have a depth.
   double found_share = 0;
 };

@@ -204,9 +204,10 @@ void TexturingArguments::Declare(OptionManager& options) {
       "view_blending",
       &texture.view_blending,
       {{"best", ViewBlending::kBest}, {"median", ViewBlending::kMedian}},
-      "Whether a texel is from the best photograph, or the median "
-      "of the photographs that show it, which removes highlights "
-      "and loses some sharpness.");
+      "best: take the best photograph for each triangle, averaged with others "
+      "that differ from it only by noise. median: take the median of the "
+      "photographs at each texel, which removes highlights but loses some "
+      "sharpness.");
   options.Add("texture_size",
               &texture.texture_size,
               "Texels along the side of a page, at most.");

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace octacut {
 namespace {
@@ -206,8 +208,8 @@ class Writer {
     text_.findings.push_back(
         fmt::format("Surface: {:.1f} % is determined by photographs, {:.1f} % "
                     "by silhouettes and {:.1f} % by neither. At least two "
-                    "views see {:.1f} % of it; there, the photographs agree "
-                    "with a mean score of {:.2f} (1 is perfect).",
+                    "views see {:.1f} % of it; there, their mean agreement "
+                    "is {:.2f} (1 is perfect, noise and highlights lower it).",
                     100 * surface.photographs,
                     100 * surface.silhouettes,
                     100 * surface.nothing,
@@ -255,19 +257,20 @@ class Writer {
   }
 
   static std::string DescribeBlind(const BlindPart& blind) {
-    const double unknown = ShareOfUnknown(blind);
-    const std::string facing =
-        unknown > 0
-            ? fmt::format("fewer than two views face {:.1f} %", 100 * unknown)
-            : fmt::format(
-                  "{:.1f} % faces upward in the images, {:.1f} % "
-                  "downward and {:.1f} % sideways",
-                  100 * blind.above,
-                  100 * blind.below,
-                  100 * blind.aside);
-    return fmt::format("{}, and {:.1f} % is hidden by the object itself",
-                       facing,
-                       100 * blind.hidden);
+    const std::pair<double, const char*> parts[] = {
+        {ShareOfUnknown(blind), "faces no two views"},
+        {blind.above, "faces upward in the images"},
+        {blind.below, "faces downward in the images"},
+        {blind.aside, "faces sideways"},
+        {blind.hidden, "is hidden by the object itself"},
+    };
+    std::vector<std::string> described;
+    for (const auto& [share, where] : parts) {
+      if (share >= 0.0005) {
+        described.push_back(fmt::format("{:.1f} % {}", 100 * share, where));
+      }
+    }
+    return fmt::format("{}", fmt::join(described, ", "));
   }
 
   void WarnOfUndecided(const SurfaceSupport& surface) {

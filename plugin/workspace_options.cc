@@ -96,7 +96,9 @@ void DeclareMoveMaskBorders(OptionManager& options, bool* move_mask_borders) {
       .ForExperts();
 }
 
-void WorkspaceArguments::Declare(OptionManager& options) {
+void WorkspaceArguments::Declare(const std::string& default_output,
+                                 OptionManager& options) {
+  default_output_ = default_output;
   DeclareLoadingOptions(options, &workspace_path, &loading);
   options
       .Add("keep_all_views",
@@ -106,8 +108,8 @@ void WorkspaceArguments::Declare(OptionManager& options) {
       .ForExperts();
   options.Add("output_path",
               &output_path,
-              "Mesh file to write (.ply, .obj, .off, .stl or .glb). Default: a "
-              "file in the workspace whose name begins with meshed-.");
+              "Mesh file to write (.ply, .obj, .off, .stl or .glb). Default: " +
+                  default_output + " in the workspace.");
   options
       .Add("report_path",
            &report_path,
@@ -131,8 +133,7 @@ void WorkspaceArguments::DeclareConfidence(OptionManager& options) {
       .ForExperts();
 }
 
-void WorkspaceArguments::Complete(const fs::path& default_output,
-                                  const std::vector<FileBeside>& beside,
+void WorkspaceArguments::Complete(const std::vector<FileBeside>& beside,
                                   FileRoles files) {
   loading.Check();
   if (!bounding_box.empty()) {
@@ -143,7 +144,7 @@ void WorkspaceArguments::Complete(const fs::path& default_output,
                      ": there is no such workspace folder");
   }
   if (output_path.empty()) {
-    output_path = workspace_path / default_output;
+    output_path = workspace_path / default_output_;
   }
   if (report_path.empty()) {
     report_path = Beside(".json");

@@ -29,13 +29,14 @@ void DeclareMoveMaskBorders(OptionManager& options, bool* move_mask_borders);
 
 struct WorkspaceArguments {
   std::filesystem::path workspace_path;
-  std::filesystem::path output_path;  // empty: default_output in the workspace
+  std::filesystem::path output_path;  // empty: the default in the workspace
   std::filesystem::path report_path;  // empty: output_path with .json
   LoadSceneOptions loading;
   std::vector<double> bounding_box;  // empty, or x0,y0,z0,x1,y1,z1
   bool confidence = false;           // of the vertices, in the mesh
 
-  void Declare(OptionManager& options);
+  // `default_output` is the name of the mesh in the workspace.
+  void Declare(const std::string& default_output, OptionManager& options);
   // For the commands that compare photographs.
   void DeclareConfidence(OptionManager& options);
   // A file beside the mesh that a command writes: what it ends with, and what
@@ -47,9 +48,7 @@ struct WorkspaceArguments {
   // Fills in the defaults and checks that mesh, files beside it and report can
   // be written and replace none of each other and of `files`, which the command
   // reads; to be asked before any long work.
-  void Complete(const std::filesystem::path& default_output,
-                const std::vector<FileBeside>& beside,
-                FileRoles files);
+  void Complete(const std::vector<FileBeside>& beside, FileRoles files);
   // The output path with another ending, for files beside the mesh.
   std::filesystem::path Beside(const std::string& ending) const;
   // Those given to Complete that are not the mesh itself: path, what it is.
@@ -57,6 +56,7 @@ struct WorkspaceArguments {
       const;
 
  private:
+  std::string default_output_;
   std::vector<FileBeside> beside_;
 };
 

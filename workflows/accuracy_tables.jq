@@ -210,7 +210,7 @@ def hard_rows:
 def hard_section:
   "## Hard scenes",
   "",
-  "Surfaces on which photographs decide little, and folds. The visual hull alone (`visual_hull_mesher` without options), the mesh before refinement (`--OctahedralMeshing.refine 0`) and that of the defaults. Judged: how much of the truth's area enough cameras see for the distances to count. Drapery has folds of 4 to 20 pixels, 1, 2 and 4 times as deep as wide, of whose walls three cameras see little: there two cameras at 80 degrees or less suffice (`--min_views 2 --max_view_angle 80`); wide: the part of it where folds are wider than 8 pixels. The scenes metal-rocker to plaster-cheburashka are photographs that `octacut example_creator` makes of the true meshes of data sets, in another material.",
+  "Surfaces on which photographs decide little, and folds. The visual hull alone (`visual_hull_mesher` without options), the mesh before refinement (`--OctahedralMeshing.refine 0`) and that of the defaults. Judged: how much of the truth's area enough cameras see for the distances to count. Drapery has folds of 4 to 20 pixels, 1, 2 and 4 times as deep as wide, of whose walls three cameras see little: there two cameras at 80 degrees or less suffice (`--min_views 2 --max_view_angle 80`); wide: the part of it where folds are wider than 8 pixels. The scenes metal-rocker to plaster-cheburashka are photographs that `octacut example_creator` makes of the true meshes of data sets, in another material. Of the data sets, cheburashka is a polished bronze and homer glazed porcelain, both rendered; bird (dark, on white paper) and ethiopian (a polished metal head) are photographs.",
   "",
   table(hard_columns; hard_rows),
   "",

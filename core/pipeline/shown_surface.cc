@@ -41,7 +41,8 @@ ShownSurface MeasureShownSurface(const ViewSet& views,
                         .neighbors = neighbors,
                         .pixel = pixel,
                         .options = options,
-                        .scale = std::max(1.0, half_voxel / pixel)},
+                        .scale = std::max(1.0, half_voxel / pixel),
+                        .phase = "agreement of the views on the hull"},
                        context,
                        &mesh)
           .UpperDecile();

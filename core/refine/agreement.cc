@@ -72,8 +72,7 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
                    inputs.options,
                    context,
                    mesh);
-  Phase phase(
-      context, "refinement: agreement of the views", seen.surfaces.size());
+  Phase phase(context, inputs.phase, seen.surfaces.size());
   const OffsetSearch search{.range = 0,
                             .step = inputs.options.step,
                             .spacing = inputs.scale,

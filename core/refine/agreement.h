@@ -23,6 +23,7 @@ struct AgreementInputs {
   double pixel;                    // of the views, at the surface
   const RefineOptions& options;
   double scale = 1;  // pixels between the samples of a patch
+  const char* phase = "refinement: agreement of the views";
 };
 
 // At that scale; one element a point.

@@ -96,10 +96,11 @@ void MeshExporter::DeclareOptions(OptionManager& options) {
               &flat_base_,
               "If 1, cut the object off at the bottom and close it with a flat "
               "base.");
-  options.Add("base_depth",
-              &base_depth_,
-              "How far above the lowest point to cut, in millimetres. Default: "
-              "1 % of the height.");
+  options.Add(
+      "base_depth",
+      &base_depth_,
+      "How far above the lowest point to cut, in millimetres. With 0, it "
+      "is 1 % of the height.");
   options.Add("workspace_path",
               &workspace_path_,
               "Folder of the COLMAP project, for aruco_side and up stand.");

@@ -29,7 +29,7 @@ class MeshRefiner : public Command {
 };
 
 void MeshRefiner::DeclareOptions(OptionManager& options) {
-  workspace_.Declare(options);
+  workspace_.Declare("meshed-refined.ply", options);
   workspace_.DeclareConfidence(options);
   options.Add("mesh_path",
               &mesh_path_,
@@ -55,7 +55,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   }
   FileRoles files;
   files.Read(mesh_path_, "the mesh to refine");
-  workspace_.Complete("meshed-refined.ply", {}, files);
+  workspace_.Complete({}, files);
   IndexedMesh mesh = ReadClosedMesh(mesh_path_, context);
   // The windows of the images, which these decide, are to be the mesher's.
   workspace_.loading.region.mask_tolerance = masks_.mask_tolerance;

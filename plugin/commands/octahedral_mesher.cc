@@ -46,7 +46,7 @@ class OctahedralMesher : public Command {
 };
 
 void OctahedralMesher::DeclareOptions(OptionManager& options) {
-  workspace_.Declare(options);
+  workspace_.Declare("meshed-octahedral.ply", options);
   workspace_.DeclareConfidence(options);
   options
       .Add("save_levels",
@@ -141,7 +141,7 @@ void OctahedralMesher::CheckFiles() {
   if (texture_) {
     beside.push_back({".glb", "the textured mesh"});
   }
-  workspace_.Complete("meshed-octahedral.ply", beside, {});
+  workspace_.Complete(beside, {});
 }
 
 void OctahedralMesher::Run(const CommandEnvironment& environment) {

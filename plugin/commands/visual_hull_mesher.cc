@@ -21,7 +21,7 @@ class VisualHullMesher : public Command {
 };
 
 void VisualHullMesher::DeclareOptions(OptionManager& options) {
-  workspace_.Declare(options);
+  workspace_.Declare("meshed-visual-hull.ply", options);
   options.Add("OctahedralMeshing.hull_level",
               &options_.hull.hull_level,
               "Level of the visual hull, which has (2^level)^3 voxels.");
@@ -32,7 +32,7 @@ void VisualHullMesher::DeclareOptions(OptionManager& options) {
 void VisualHullMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   options_.Check();
-  workspace_.Complete("meshed-visual-hull.ply", {}, {});
+  workspace_.Complete({}, {});
   workspace_.loading.load_images = false;
   workspace_.loading.fill_bites = options_.fill_false_gaps;
   const LoadedScene loaded = LoadScene(workspace_.workspace_path,

@@ -258,7 +258,7 @@ class Writer {
 
   static std::string DescribeBlind(const BlindPart& blind) {
     const std::pair<double, const char*> parts[] = {
-        {ShareOfUnknown(blind), "faces no two views"},
+        {ShareOfUnknown(blind), "is faced by fewer than two views"},
         {blind.above, "faces upward in the images"},
         {blind.below, "faces downward in the images"},
         {blind.aside, "faces sideways"},

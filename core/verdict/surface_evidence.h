@@ -16,8 +16,8 @@ namespace octacut {
 
 // Lengths in pixels of the views at the point.
 struct PointEvidence {
-  Eigen::Vector3f position;  // unit coordinates
-  Eigen::Vector3f normal;    // outward
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  // unit coordinates
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();    // outward
   float area = 0;            // of the surface that it stands for, unit^2
   int num_views = 0;         // that see it, and differ in direction
   float baseline = 0;        // largest angle between two of them, radians

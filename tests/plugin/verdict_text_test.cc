@@ -175,7 +175,7 @@ TEST(VerdictText, SaysNotWhereUpIsIfImagesHaveNoCommonUp) {
   blind.nearest_view = 1;
   EXPECT_THAT(
       WarningsOf(verdict),
-      ElementsAre(AllOf(HasSubstr("fewer than two views face 15.0 %, and "
+      ElementsAre(AllOf(HasSubstr("15.0 % is faced by fewer than two views, "
                                   "5.0 % is hidden"),
                         HasSubstr("views of these parts"),
                         HasSubstr("nearest existing view is b.jpg"))));

@@ -1,9 +1,11 @@
 #include "core/evidence/depth_confidence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
@@ -67,26 +69,32 @@ constexpr int kBrickSteps = 2;
 constexpr size_t kBrickGrain = 16;
 
 // For each voxel of the hull, how many views have found a surface in it, and
-// how many in it or in one of the 26 voxels around it.
+// how many in it or in one of the 26 voxels around it, by the centres of
+// samples alone, which the shares of the whole scene were fixed with.
 struct SurfaceCounts {
   std::vector<uint16_t> within;
   std::vector<uint16_t> nearby;
 };
 
-// The voxels in which a view has found a surface. A sample is about as wide as
-// a voxel, so the centres of its quarters leave no gaps in a surface.
+// A sample is about as wide as a voxel, so the centres of its quarters leave no
+// gaps in a surface.
+constexpr std::array<float, 1> kCenter = {0};
+constexpr std::array<float, 2> kQuarters = {-0.25f, 0.25f};
+
+// The voxels in which a view has found a surface, by points of its samples at
+// these offsets in x and y.
 VoxelGrid FoundSurface(const ViewProjection& projection,
                        const SweptDepthMap& map,
+                       std::span<const float> offsets,
                        int level) {
   const float resolution = float(1 << level);
-  const float quarter = 0.25f / map.scale;
   const Eigen::Matrix3f rays = projection.linear.inverse();
   std::vector<MortonCode> codes;
   ForEachDepth(map, projection, [&](int x, int y, float depth, const auto&) {
-    for (const float v : {-quarter, quarter}) {
-      for (const float u : {-quarter, quarter}) {
+    for (const float v : offsets) {
+      for (const float u : offsets) {
         const Eigen::Vector3f ray =
-            rays * (map.Pixel(x, y) + Eigen::Vector3f(u, v, 0));
+            rays * (map.Pixel(x, y) + Eigen::Vector3f(u, v, 0) / map.scale);
         const Eigen::Vector3f point =
             (projection.center + depth * ray) * resolution;
         if ((point.array() >= 0).all() && (point.array() < resolution).all()) {
@@ -118,8 +126,10 @@ SurfaceCounts CountSurfaces(const ViewSet& views,
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     const Context alone(1);
     for (size_t i = begin; i < end; ++i) {
-      surfaces[i] = FoundSurface(views[i].projection, maps[i], hull.Level());
-      dilated[i] = Dilate(surfaces[i], 1, alone);
+      const ViewProjection& projection = views[i].projection;
+      surfaces[i] = FoundSurface(projection, maps[i], kQuarters, hull.Level());
+      dilated[i] = Dilate(
+          FoundSurface(projection, maps[i], kCenter, hull.Level()), 1, alone);
     }
   });
   SurfaceCounts counts{std::vector<uint16_t>(hull.Size()),

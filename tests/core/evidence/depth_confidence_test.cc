@@ -204,7 +204,7 @@ TEST(DepthConfidence, IsLessWhereContradictionsAreManyForSoFewDepths) {
     setting.PushBack(i, 9);
   }
   const ReliableDepths dense = setting.Confidence();
-  ThinOut(13, &setting);
+  ThinOut(11, &setting);
   const ReliableDepths few = setting.Confidence();
   EXPECT_LT(few.contradicted_share, 0.16);
   EXPECT_GT(few.contradicted_share, 1.2 * few.found_share);

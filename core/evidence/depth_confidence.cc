@@ -206,11 +206,12 @@ class SquareSums {
   std::vector<uint32_t> sums_;
 };
 
-// Which samples of a map have a depth, and which of those are contradicted and
-// outvoted by surfaces on the way to them. Nearly contradicted are also those
-// whose ray passes a surface within a voxel, as all rays into a cup pass its
-// rim: more of them lie in objects with hollows, but where few depths are found
-// only they show which contradict each other.
+// Which samples of a map have a depth, which of those are contradicted by
+// surfaces that their ray passes through, and which are outvoted by those that
+// it passes within a voxel. Nearly contradicted are also depths whose ray
+// passes a surface within a voxel, as rays into a cup pass its rim: right
+// depths in hollows are among them, but where few depths are found only they
+// show which contradict each other.
 struct JudgedMap {
   std::vector<uint8_t> is_depth;
   std::vector<uint8_t> is_contradicted;
@@ -243,7 +244,7 @@ JudgedMap JudgeDepths(const ViewProjection& projection,
                  judged.is_depth[k] = 1;
                  judged.is_contradicted[k] = IsContradicted(before.within, own);
                  judged.is_outvoted[k] =
-                     before.within >= kMinViews && before.within > own;
+                     before.nearby >= kMinViews && before.nearby > own;
                  ++judged.num_depths;
                  judged.num_nearly_contradicted +=
                      IsContradicted(before.nearby, own) ? 1 : 0;

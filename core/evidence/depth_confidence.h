@@ -20,8 +20,8 @@
 namespace octacut {
 
 struct ReliableDepths {
-  // Without the depths that are outvoted: in one voxel on the ray to them more
-  // views have found a surface than at the depth itself.
+  // Without the depths that are outvoted: in one voxel on the ray to them, or
+  // beside it, more views have found a surface than at the depth itself.
   std::vector<SweptDepthMap> maps;
   // confidence[i][k] says how far a depth at sample k of map i can be relied
   // upon: 1 where few of the depths around it in its view are contradicted, 0

@@ -106,7 +106,7 @@ TEST(Workflows, AfterMapperMeshesAndComparesAndCanBeRepeated) {
   fs::copy(reference, workspace / "dense" / "meshed-advancing-front.ply");
   fs::copy(reference, workspace / "dense" / "1" / "meshed-poisson.ply");
   const ProgramResult result = RunWorkflow(
-      "compare_dense.sh", Quoted(workspace) + " --page 0 --num_samples 10000");
+      "compare_dense.sh", Quoted(workspace) + " --num_samples 10000");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   for (const char* name : {"meshed-delaunay.ply",
                            "meshed-advancing-front.ply",

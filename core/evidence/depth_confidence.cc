@@ -27,8 +27,9 @@ constexpr float kContradictingShare = 0.25f;
 // upon together.
 constexpr float kRegionRadius = 8;
 // Shares of contradicted depths there: up to the first they are relied upon,
-// from the second on not at all. They are 0.7 of those of the scene, since
-// fewer depths have a surface before them than have one nearly before them.
+// from the second on not at all. They are 0.7 of 1/6 and 0.4, the shares of
+// nearly contradicted depths where a quarter and three fifths of all are wrong,
+// since fewer depths are contradicted than nearly contradicted.
 constexpr float kSureShareOfRegion = 0.7f / 6;
 constexpr float kDoubtfulShareOfRegion = 0.28f;
 // Shares of nearly contradicted depths of the whole scene: up to the first they
@@ -216,7 +217,6 @@ struct JudgedMap {
   std::vector<uint8_t> is_depth;
   std::vector<uint8_t> is_contradicted;
   std::vector<uint8_t> is_outvoted;
-  size_t num_depths = 0;
   size_t num_nearly_contradicted = 0;
 };
 
@@ -245,7 +245,6 @@ JudgedMap JudgeDepths(const ViewProjection& projection,
                  judged.is_contradicted[k] = IsContradicted(before.within, own);
                  judged.is_outvoted[k] =
                      before.nearby >= kMinViews && before.nearby > own;
-                 ++judged.num_depths;
                  judged.num_nearly_contradicted +=
                      IsContradicted(before.nearby, own) ? 1 : 0;
                });
@@ -324,9 +323,9 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
       num_samples[i] = CountObjectSamples(views[i].silhouette, maps[i]);
       result.confidence[i] =
           ConfidenceOfRegions(projection, hull, maps[i], judged);
-      num_depths[i] = judged.num_depths;
       num_contradicted[i] = judged.num_nearly_contradicted;
-      for (size_t k = 0; k < judged.is_outvoted.size(); ++k) {
+      for (size_t k = 0; k < judged.is_depth.size(); ++k) {
+        num_depths[i] += judged.is_depth[k];
         if (judged.is_outvoted[k]) {
           result.maps[i].depths[k] = 0;
         }

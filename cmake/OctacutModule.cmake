@@ -1,7 +1,7 @@
 # One library per folder, so that a wrong arrow between layers or steps does
 # not link. DEPENDS are public; a module sees only what it names here.
 #   octacut_module(core_grid SOURCES morton.cc ... DEPENDS core_base ...)
-# SOURCES may be empty: the module is then header-only. Up to eight of them are
+# SOURCES may be empty: the module is then header-only. Up to sixteen of them are
 # compiled at once (a unity build): most of the compiler's time goes into headers
 # and templates that they share. Names in their anonymous namespaces must differ
 # then; see octacut_compile_alone.
@@ -10,8 +10,7 @@ function(octacut_module name)
   set(target octacut_${name})
   if(MODULE_SOURCES)
     add_library(${target} STATIC ${MODULE_SOURCES})
-    set_target_properties(${target} PROPERTIES UNITY_BUILD
-                                               ${OCTACUT_UNITY_BUILD})
+    octacut_compile_together(${target})
     octacut_use_precompiled(${target} octacut_headers)
     set(visibility PUBLIC)
   else()
@@ -42,6 +41,11 @@ function(octacut_module name)
   set_property(GLOBAL APPEND PROPERTY OCTACUT_MODULES ${target})
 endfunction()
 
+function(octacut_compile_together target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${OCTACUT_UNITY_BUILD}
+                                             UNITY_BUILD_BATCH_SIZE 16)
+endfunction()
+
 # Sources of this folder that have names of others in their anonymous namespaces
 # are compiled one by one.
 function(octacut_compile_alone)
@@ -54,7 +58,7 @@ function(octacut_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS" ${ARGN})
   set(target test_${name})
   add_executable(${target} ${TEST_SOURCES})
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ${OCTACUT_UNITY_BUILD})
+  octacut_compile_together(${target})
   octacut_use_precompiled(${target} octacut_test_headers)
   foreach(dependency IN LISTS TEST_DEPENDS)
     if(dependency MATCHES "^(core|colmap)_")

@@ -5,7 +5,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <iterator>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -24,9 +23,8 @@ class OutputBuffer {
   template <typename... Arguments>
   void Print(fmt::format_string<Arguments...> format,
              Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(buffer_),
-                   format,
-                   std::forward<Arguments>(arguments)...);
+    // format_to would compile all of fmt's formatting once more for every file.
+    buffer_ += fmt::format(format, std::forward<Arguments>(arguments)...);
     FlushIfFull();
   }
 

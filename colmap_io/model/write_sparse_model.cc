@@ -52,11 +52,12 @@ void CheckNamesForBinary(const SparseModel& model) {
 
 // In text a name ends with its line and begins and ends with no blank.
 void CheckNamesForText(const SparseModel& model) {
-  constexpr std::string_view kBlanks(" \t\r\n\0", 5);
+  constexpr std::string_view kBlanksAndNul(" \t\r\n\0", 5);
   for (const SparseImage& image : model.images) {
-    if (image.name.find_first_of(kBlanks.substr(2)) != std::string::npos ||
-        kBlanks.find(image.name.front()) != std::string_view::npos ||
-        kBlanks.find(image.name.back()) != std::string_view::npos) {
+    if (image.name.find_first_of(kBlanksAndNul.substr(2)) !=
+            std::string::npos ||
+        kBlanksAndNul.find(image.name.front()) != std::string_view::npos ||
+        kBlanksAndNul.find(image.name.back()) != std::string_view::npos) {
       RefuseName(image, "text");
     }
   }

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <iterator>
+#include <string>
 
 #include "colmap_io/model/write_sparse_model.h"
 
@@ -15,8 +15,11 @@ class TextLine {
 
   template <typename T>
   void Put(const T& value) {
-    if (buffer_.size() > 0) buffer_.push_back(' ');
-    fmt::format_to(std::back_inserter(buffer_), "{}", value);
+    if (!buffer_.empty()) {
+      buffer_.push_back(' ');
+    }
+    // format_to would compile all of fmt's formatting once more.
+    buffer_ += fmt::format("{}", value);
   }
   void End() {
     buffer_.push_back('\n');
@@ -26,7 +29,7 @@ class TextLine {
 
  private:
   std::ostream& stream_;
-  fmt::memory_buffer buffer_;
+  std::string buffer_;
 };
 
 double Mean(size_t sum, size_t count) {

@@ -100,7 +100,8 @@ void AddTangents(const AtlasLayout& layout, TexturedMesh* textured) {
       const Eigen::Vector3f flat = sum - normal * normal.dot(sum);
       const Eigen::Vector3f tangent =
           flat.norm() > 1e-3f ? flat.normalized() : normal.unitOrthogonal();
-      textured->tangents[f][k] << tangent, sign;
+      textured->tangents[f][k].head<3>() = tangent;
+      textured->tangents[f][k].w() = sign;
     }
   }
 }

@@ -14,7 +14,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kFacesPerChunk = 1024;
+constexpr size_t kPaintedFacesPerChunk = 1024;
 // The chosen view counts at least this much, so that a texel that no other view
 // may show has a colour.
 constexpr float kLeastOwnWeight = 1e-3f;
@@ -157,12 +157,14 @@ class PagePainter {
 
   void PaintView(uint32_t view, const cv::Mat& image) {
     const std::vector<uint32_t>& faces = faces_of_view_[view];
-    ParallelFor(
-        context_, faces.size(), kFacesPerChunk, [&](size_t begin, size_t end) {
-          for (size_t i = begin; i < end; ++i) {
-            PaintFace(view, faces[i], image);
-          }
-        });
+    ParallelFor(context_,
+                faces.size(),
+                kPaintedFacesPerChunk,
+                [&](size_t begin, size_t end) {
+                  for (size_t i = begin; i < end; ++i) {
+                    PaintFace(view, faces[i], image);
+                  }
+                });
   }
 
   void PaintFace(uint32_t view, uint32_t face, const cv::Mat& image) {
@@ -215,8 +217,8 @@ class PagePainter {
                                    const Eigen::Vector2d& point) {
     const Eigen::Vector3d weights = CornerWeights(texels, point);
     // Slivers would go on far beyond their corners.
-    constexpr double kFar = 16;
-    return weights.allFinite() && weights.cwiseAbs().maxCoeff() < kFar
+    constexpr double kLargestWeight = 16;
+    return weights.allFinite() && weights.cwiseAbs().maxCoeff() < kLargestWeight
                ? weights
                : Eigen::Vector3d(1, 0, 0);
   }

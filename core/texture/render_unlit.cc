@@ -14,7 +14,7 @@ namespace octacut {
 namespace {
 
 constexpr size_t kRowsPerTask = 8;
-constexpr int kSamplesASide = 2;
+constexpr int kPixelSamplesASide = 2;
 
 Eigen::Vector3f HitWeights(const RayScene::Hit& hit) {
   return {1 - hit.barycentric.sum(), hit.barycentric.x(), hit.barycentric.y()};
@@ -35,11 +35,11 @@ UnlitPicture Render(
   const auto pixel = [&](int x, int y) {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     int count = 0;
-    for (int j = 0; j < kSamplesASide; ++j) {
-      for (int i = 0; i < kSamplesASide; ++i) {
+    for (int j = 0; j < kPixelSamplesASide; ++j) {
+      for (int i = 0; i < kPixelSamplesASide; ++i) {
         const Eigen::Vector3d direction =
-            to_world * camera.Unproject({x + (i + 0.5) / kSamplesASide,
-                                         y + (j + 0.5) / kSamplesASide});
+            to_world * camera.Unproject({x + (i + 0.5) / kPixelSamplesASide,
+                                         y + (j + 0.5) / kPixelSamplesASide});
         if (const auto hit = rays.FirstHit(center, direction)) {
           sum += color_at(*hit);
           ++count;
@@ -53,7 +53,7 @@ UnlitPicture Render(
       }
     }
     picture.covered.at<uint8_t>(y, x) =
-        count == kSamplesASide * kSamplesASide ? 255 : 0;
+        count == kPixelSamplesASide * kPixelSamplesASide ? 255 : 0;
   };
   ParallelFor(context,
               size_t(camera.height),

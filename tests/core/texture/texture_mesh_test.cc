@@ -20,7 +20,7 @@ using testing::Paint;
 using testing::PhotographsOf;
 using testing::SmallSphere;
 
-constexpr int kPhotographSize = 160;
+constexpr int kSquareSize = 160;
 
 // The texture's colour in the middle of a triangle.
 Eigen::Vector3f ColorAtCenter(const TexturedMesh& textured, size_t f) {
@@ -67,7 +67,7 @@ std::string ErrorOf(const IndexedMesh& mesh,
 
 TEST(TextureMesh, GivesBackThePaint) {
   const IndexedMesh sphere = SmallSphere(4);
-  const Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
+  const Photographs photographs = PhotographsOf(AllAround(), kSquareSize);
   for (const ViewBlending blending :
        {ViewBlending::kBest, ViewBlending::kMedian}) {
     TexturingOptions options;
@@ -88,7 +88,7 @@ TEST(TextureMesh, LevelsExposures) {
   }
   const TexturingResult result =
       TextureMesh(SmallSphere(4),
-                  PhotographsOf(AllAround(), kPhotographSize, gains),
+                  PhotographsOf(AllAround(), kSquareSize, gains),
                   {},
                   Context(1));
   EXPECT_GT(result.summary.seams.before, 5);
@@ -97,7 +97,7 @@ TEST(TextureMesh, LevelsExposures) {
 }
 
 TEST(TextureMesh, VotesAPasserByOut) {
-  Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
+  Photographs photographs = PhotographsOf(AllAround(), kSquareSize);
   // A white disc before the middle of the first photograph, which would be the
   // best view of what is behind it.
   photographs.load = [load = photographs.load](size_t i) {
@@ -105,7 +105,7 @@ TEST(TextureMesh, VotesAPasserByOut) {
     photograph.image = photograph.image.clone();
     if (i == 0) {
       cv::circle(photograph.image,
-                 {kPhotographSize / 2, kPhotographSize / 2},
+                 {kSquareSize / 2, kSquareSize / 2},
                  12,
                  cv::Scalar(255, 255, 255),
                  cv::FILLED);
@@ -127,7 +127,7 @@ TEST(TextureMesh, VotesAPasserByOut) {
 
 TEST(TextureMesh, PrefersSharpPhotographs) {
   const Photographs sharp =
-      PhotographsOf(AllAround(), kPhotographSize, {}, FinePaint);
+      PhotographsOf(AllAround(), kSquareSize, {}, FinePaint);
   Photographs blurred = sharp;
   blurred.load = [load = sharp.load](size_t i) {
     Photograph photograph = load(i);
@@ -155,12 +155,12 @@ TEST(TextureMesh, PrefersSharpPhotographs) {
 TEST(TextureMesh, TheMedianRemovesHighlights) {
   // A lamp at each camera: its highlight is in the middle of each photograph,
   // and elsewhere on the object in the next.
-  Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
+  Photographs photographs = PhotographsOf(AllAround(), kSquareSize);
   photographs.load = [load = photographs.load](size_t i) {
     Photograph photograph = load(i);
     photograph.image = photograph.image.clone();
     cv::circle(photograph.image,
-               {kPhotographSize / 2, kPhotographSize / 2},
+               {kSquareSize / 2, kSquareSize / 2},
                8,
                cv::Scalar(255, 255, 255),
                cv::FILLED);
@@ -178,7 +178,7 @@ TEST(TextureMesh, FillsWhatIsNotSeen) {
   // From above alone: the lower half is not seen.
   const TexturingResult result = TextureMesh(
       SmallSphere(4),
-      PhotographsOf({{0, 0, 1}, {0.5, 0, 1}, {0, 0.5, 1}}, kPhotographSize),
+      PhotographsOf({{0, 0, 1}, {0.5, 0, 1}, {0, 0.5, 1}}, kSquareSize),
       {},
       Context(1));
   EXPECT_GT(result.summary.unseen_area, 0.3);
@@ -193,7 +193,7 @@ TEST(TextureMesh, FillsWhatIsNotSeen) {
 
 TEST(TextureMesh, GivesTheSameBytesForAnyNumberOfThreads) {
   const IndexedMesh sphere = SmallSphere(4);
-  const Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
+  const Photographs photographs = PhotographsOf(AllAround(), kSquareSize);
   for (const ViewBlending blending :
        {ViewBlending::kBest, ViewBlending::kMedian}) {
     const auto run = [&](int num_threads) {
@@ -220,7 +220,7 @@ TEST(TextureMesh, GivesTheSameBytesForAnyNumberOfThreads) {
 
 TEST(TextureMesh, SpreadsOverPagesAndScalesTexels) {
   const IndexedMesh sphere = SmallSphere(4);
-  const Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
+  const Photographs photographs = PhotographsOf(AllAround(), kSquareSize);
   const TexturingResult whole =
       TextureMesh(sphere, photographs, {}, Context(1));
   TexturingOptions options;
@@ -240,7 +240,7 @@ TEST(TextureMesh, SpreadsOverPagesAndScalesTexels) {
 
 TEST(TextureMesh, RefusesWhatCannotBeTextured) {
   const IndexedMesh sphere = SmallSphere(3);
-  const Photographs photographs = PhotographsOf(AllAround(), kPhotographSize);
+  const Photographs photographs = PhotographsOf(AllAround(), kSquareSize);
   EXPECT_THAT(ErrorOf({}, photographs), HasSubstr("no triangles"));
   EXPECT_THAT(ErrorOf(sphere, {}), HasSubstr("no photographs"));
   IndexedMesh elsewhere = sphere;

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <Eigen/Core>
+#include <limits>
+#include <numeric>
 #include <optional>
+
+#include "core/views/outline_fit.h"
 
 namespace octacut {
 namespace {
@@ -31,13 +36,24 @@ constexpr size_t kMaxPoints = 3000;
 constexpr int kNumSteps = int(2 * kEdgeRange / kEdgeStep) + 1;
 constexpr int kHalfEdge = int(kEdgeWidth / 2 / kEdgeStep);
 constexpr int kClippedSteps = int(kClippedReach / kEdgeStep);
+// Samples of a line before its first step and behind its last one.
+constexpr int kMargin = kOutlineSearch + kOutlineWindow;
+constexpr int kNumSamples = kNumSteps + 2 * kMargin;
+
+// Lines of a view are enough that its blur is known.
+constexpr size_t kMaxBlurLines = 500;
+
+using Light = std::array<Eigen::Vector3f, kNumSamples>;
 
 struct Profile {
-  std::array<Eigen::Vector3f, kNumSteps + 2 * kHalfEdge> linear;
-  std::array<Eigen::Vector3f, kNumSteps + 2 * kHalfEdge> grey;
-  std::array<float, kNumSteps + 2 * kHalfEdge> coverage;  // of the mask
-  std::array<uint8_t, kNumSteps + 2 * kHalfEdge> clipped;
+  Light linear;
+  std::array<Eigen::Vector3f, kNumSamples> grey;
+  std::array<float, kNumSamples> coverage;  // of the mask
+  std::array<uint8_t, kNumSamples> clipped;
 };
+
+// By step: the difference of the light half an edge before and behind it.
+using Contrast = std::array<float, kNumSteps>;
 
 class BorderLines {
  public:
@@ -49,11 +65,25 @@ class BorderLines {
   }
 
   EdgeOffsets FindOffsets() const {
-    EdgeOffsets offsets;
+    std::vector<Line> lines;
     const std::vector<Eigen::Vector2f> points = Points();
     const size_t stride = points.size() / kMaxPoints + 1;
     for (size_t i = 0; i < points.size(); i += stride) {
-      AddOffset(points[i], &offsets);
+      AddLine(points[i], &lines);
+    }
+    const OutlineFit fit(FindBlur(lines));
+    EdgeOffsets offsets;
+    for (const Line& line : lines) {
+      if (line.strongest) {
+        offsets.strongest.push_back(OutlineOf(*line.strongest, line, fit)
+                                        .value_or(line.strongest->steepest) -
+                                    line.border);
+      }
+      if (line.nearest) {
+        if (const auto outline = OutlineOf(*line.nearest, line, fit)) {
+          offsets.nearest.push_back(*outline - line.border);
+        }
+      }
     }
     return offsets;
   }
@@ -65,7 +95,8 @@ class BorderLines {
 
   // Pixels of the object beside background, clear of the frame.
   std::vector<Eigen::Vector2f> Points() const {
-    const int margin = int(kEdgeRange + kEdgeWidth + kNormalReach) + 1;
+    const int margin =
+        int(kEdgeRange + float(kMargin) * kEdgeStep + kNormalReach) + 1;
     std::vector<Eigen::Vector2f> points;
     for (int y = margin; y < image_.height - margin; ++y) {
       for (int x = margin; x < image_.width - margin; ++x) {
@@ -77,7 +108,20 @@ class BorderLines {
     return points;
   }
 
-  void AddOffset(const Eigen::Vector2f& point, EdgeOffsets* offsets) const {
+  struct Edge {
+    int sample;
+    float steepest;     // pixels from the middle
+    bool stands_alone;  // no comparable edge is within the fit's window
+  };
+
+  struct Line {
+    Light light;
+    float border;  // of the mask, pixels from the middle
+    std::optional<Edge> strongest;
+    std::optional<Edge> nearest;
+  };
+
+  void AddLine(const Eigen::Vector2f& point, std::vector<Line>* lines) const {
     const Silhouette& silhouette = view_.silhouette;
     const auto at = [&](float du, float dv) {
       return silhouette.SignedDistance(point.x() + du, point.y() + dv);
@@ -89,24 +133,67 @@ class BorderLines {
     }
     const Eigen::Vector2f inward = slope.normalized();
     const Profile profile = SampleLine(point - at(0, 0) * inward, inward);
-    const std::optional<float> border = MaskBorder(profile);
-    if (!border) {
-      return;
+    if (const std::optional<float> border = MaskBorder(profile)) {
+      const Contrast contrast = EdgeContrast(profile);
+      const Line line{profile.linear,
+                      *border,
+                      ClearEdge(StrongestEdge(contrast), contrast, profile),
+                      ClearEdge(NearestEdge(contrast), contrast, profile)};
+      if (line.strongest || line.nearest) {
+        lines->push_back(line);
+      }
     }
-    const auto contrast = EdgeContrast(profile);
-    if (const auto edge = EdgeAt(StrongestEdge(contrast), contrast, profile)) {
-      offsets->strongest.push_back(*edge - *border);
+  }
+
+  // The blur with which outlines fit best. On many lines something else is
+  // near, so the better half of them decides.
+  static double FindBlur(const std::vector<Line>& lines) {
+    const size_t stride = lines.size() / kMaxBlurLines + 1;
+    double least = std::numeric_limits<double>::infinity();
+    double best = kOutlineBlurs.front();
+    for (const double blur : kOutlineBlurs) {
+      const OutlineFit fit(blur);
+      std::vector<float> shares;
+      for (size_t i = 0; i < lines.size(); i += stride) {
+        if (lines[i].strongest) {
+          const auto fitted =
+              fit.Find(lines[i].light, lines[i].strongest->sample);
+          shares.push_back(fitted ? fitted->residual_share : 1);
+        }
+      }
+      const auto middle = shares.begin() + std::ptrdiff_t(shares.size() / 2);
+      std::nth_element(shares.begin(), middle, shares.end());
+      std::sort(shares.begin(), middle);
+      const double sum = std::accumulate(shares.begin(), middle, 0.0);
+      if (sum < least) {
+        least = sum;
+        best = blur;
+      }
     }
-    if (const auto edge = EdgeAt(NearestEdge(contrast), contrast, profile)) {
-      offsets->nearest.push_back(*edge - *border);
+    return best;
+  }
+
+  // Pixels from the middle; none if the line has no outline at the edge. Beside
+  // another edge, where a surface does not just turn away, the outline is taken
+  // to be where the edge is steepest.
+  static std::optional<float> OutlineOf(const Edge& edge,
+                                        const Line& line,
+                                        const OutlineFit& fit) {
+    if (!edge.stands_alone) {
+      return edge.steepest;
     }
+    const auto fitted = fit.Find(line.light, edge.sample);
+    if (!fitted || !fitted->position) {
+      return std::nullopt;
+    }
+    return (*fitted->position - float(kMargin)) * kEdgeStep - kEdgeRange;
   }
 
   Profile SampleLine(const Eigen::Vector2f& border,
                      const Eigen::Vector2f& inward) const {
     Profile profile;
     for (int i = 0; i < int(profile.linear.size()); ++i) {
-      const float t = float(i - kHalfEdge) * kEdgeStep - kEdgeRange;
+      const float t = float(i - kMargin) * kEdgeStep - kEdgeRange;
       const Eigen::Vector2f p =
           border + t * inward - Eigen::Vector2f::Constant(0.5f);
       Sample(p,
@@ -150,7 +237,7 @@ class BorderLines {
   // refinement has it: distances to pixels' centres are off by a seventh of a
   // pixel where borders are oblique.
   static std::optional<float> MaskBorder(const Profile& profile) {
-    constexpr int kMiddle = kNumSteps / 2 + kHalfEdge;
+    constexpr int kMiddle = kNumSamples / 2;
     constexpr int kReach = int(kBorderReach / kEdgeStep);
     std::optional<float> border;
     for (int i = kMiddle - kReach; i < kMiddle + kReach; ++i) {
@@ -168,15 +255,18 @@ class BorderLines {
     return border;
   }
 
-  using Contrast = std::array<float, kNumSteps>;
-
   static Contrast EdgeContrast(const Profile& profile) {
     Contrast contrast;
     for (int i = 0; i < kNumSteps; ++i) {
-      contrast[i] =
-          (profile.linear[i + 2 * kHalfEdge] - profile.linear[i]).norm();
+      contrast[i] = (profile.linear[i + kMargin + kHalfEdge] -
+                     profile.linear[i + kMargin - kHalfEdge])
+                        .norm();
     }
     return contrast;
+  }
+
+  static bool IsEdge(int i, const Contrast& contrast) {
+    return contrast[i] >= contrast[i - 1] && contrast[i] > contrast[i + 1];
   }
 
   static int StrongestEdge(const Contrast& contrast) {
@@ -190,10 +280,8 @@ class BorderLines {
     const int strongest = StrongestEdge(contrast);
     int nearest = strongest;
     for (int i = 1; i + 1 < kNumSteps; ++i) {
-      const bool is_edge =
-          contrast[i] >= contrast[i - 1] && contrast[i] > contrast[i + 1] &&
-          contrast[i] >= kComparableContrast * contrast[strongest];
-      if (is_edge &&
+      if (IsEdge(i, contrast) &&
+          contrast[i] >= kComparableContrast * contrast[strongest] &&
           std::abs(i - kNumSteps / 2) < std::abs(nearest - kNumSteps / 2)) {
         nearest = i;
       }
@@ -201,24 +289,21 @@ class BorderLines {
     return nearest;
   }
 
-  // The distance of the edge at step `best` from the middle, pixels, unless it
-  // is too faint or beside clipped pixels.
-  static std::optional<float> EdgeAt(int best,
-                                     const Contrast& contrast,
-                                     const Profile& profile) {
+  // The edge at step `best`; none if it is at an end, too faint, or beside
+  // clipped pixels.
+  static std::optional<Edge> ClearEdge(int best,
+                                       const Contrast& contrast,
+                                       const Profile& profile) {
+    const int middle = best + kMargin;
     if (best == 0 || best + 1 == kNumSteps ||
-        (profile.grey[best + 2 * kHalfEdge] - profile.grey[best]).norm() <
-            kMinContrast) {
+        (profile.grey[middle + kHalfEdge] - profile.grey[middle - kHalfEdge])
+                .norm() < kMinContrast) {
       return std::nullopt;
     }
-    const int middle = best + kHalfEdge;
-    for (int i = std::max(middle - kClippedSteps, 0);
-         i <=
-         std::min<int>(middle + kClippedSteps, int(profile.clipped.size()) - 1);
-         ++i) {
-      if (profile.clipped[i]) {
-        return std::nullopt;
-      }
+    if (std::any_of(profile.clipped.begin() + middle - kClippedSteps,
+                    profile.clipped.begin() + middle + kClippedSteps + 1,
+                    [](uint8_t clipped) { return clipped != 0; })) {
+      return std::nullopt;
     }
     const float curvature =
         contrast[best - 1] - 2 * contrast[best] + contrast[best + 1];
@@ -226,7 +311,21 @@ class BorderLines {
         curvature < 0
             ? 0.5f * (contrast[best - 1] - contrast[best + 1]) / curvature
             : 0;
-    return (float(best) + shift) * kEdgeStep - kEdgeRange;
+    return Edge{middle,
+                (float(best) + shift) * kEdgeStep - kEdgeRange,
+                StandsAlone(best, contrast)};
+  }
+
+  static bool StandsAlone(int best, const Contrast& contrast) {
+    const int begin = std::max(best - kOutlineWindow - kHalfEdge, 1);
+    const int end = std::min(best + kOutlineWindow + kHalfEdge, kNumSteps - 2);
+    for (int i = begin; i <= end; ++i) {
+      if (i != best && IsEdge(i, contrast) &&
+          contrast[i] >= kComparableContrast * contrast[best]) {
+        return false;
+      }
+    }
+    return true;
   }
 
   const PreparedView& view_;

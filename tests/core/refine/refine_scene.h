@@ -90,6 +90,14 @@ inline RefineScene MakeSceneWithPosesOff(double pixels) {
   return {MakeTestScene(spec)};
 }
 
+// The same of polished metal, in photographs with noise.
+inline RefineScene MakeMetalScene() {
+  SceneSpec spec = RefineSceneSpec();
+  spec.material = MaterialKind::kMetal;
+  spec.degrade.pixel_noise = 1;
+  return {MakeTestScene(spec)};
+}
+
 // Bumps of up to `amplitude` some 0.16 units wide, as a mesh of voxels has
 // them after smoothing.
 inline auto Bumps(double amplitude) {

@@ -87,6 +87,15 @@ TEST(RefineSurface, AlignsPosesThatAreOff) {
   EXPECT_THAT(num_aligned, ElementsAre(0, 28, 28, 28));
 }
 
+TEST(RefineSurface, LeavesPosesAloneWherePhotographsAgreeByChance) {
+  const RefinedSurface refined = Refine(testing::MakeMetalScene());
+  ASSERT_FALSE(refined.summary.rounds.front().KnowsMost());
+  for (const RoundSummary& round : refined.summary.rounds) {
+    EXPECT_EQ(round.num_aligned, 0u);
+  }
+  EXPECT_EQ(refined.summary.view_motion.max, 0);
+}
+
 TEST(RefineSurface, FindsOutThatMasksAreTooLargeOrTooSmall) {
   const double exact =
       RefineScene::MeanError(Refine(testing::MakeRefineScene()).mesh);

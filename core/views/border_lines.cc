@@ -5,11 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <Eigen/Core>
-#include <limits>
 #include <numeric>
 #include <optional>
-
-#include "core/views/outline_fit.h"
 
 namespace octacut {
 namespace {
@@ -57,8 +54,8 @@ using Contrast = std::array<float, kNumSteps>;
 
 class BorderLines {
  public:
-  explicit BorderLines(const PreparedView& view)
-      : view_(view), image_(view.pyramid.Level(0)) {
+  BorderLines(const PreparedView& view, std::span<const OutlineFit> fits)
+      : view_(view), image_(view.pyramid.Level(0)), fits_(fits) {
     for (int i = 0; i < 256; ++i) {
       linear_[i] = float(255 * std::pow(i / 255.0, 2.2));
     }
@@ -71,7 +68,7 @@ class BorderLines {
     for (size_t i = 0; i < points.size(); i += stride) {
       AddLine(points[i], &lines);
     }
-    const OutlineFit fit(FindBlur(lines));
+    const OutlineFit& fit = FitOfBlur(lines);
     EdgeOffsets offsets;
     for (const Line& line : lines) {
       if (line.strongest) {
@@ -145,32 +142,34 @@ class BorderLines {
     }
   }
 
-  // The blur with which outlines fit best. On many lines something else is
-  // near, so the better half of them decides.
-  static double FindBlur(const std::vector<Line>& lines) {
+  // That of the blur with which outlines fit best. On many lines something else
+  // is near, so the better half of them decides.
+  const OutlineFit& FitOfBlur(const std::vector<Line>& lines) const {
+    std::vector<double> left;
+    for (const OutlineFit& fit : fits_) {
+      left.push_back(ResidualShare(fit, lines));
+    }
+    return fits_[size_t(std::min_element(left.begin(), left.end()) -
+                        left.begin())];
+  }
+
+  // Of the variance, what a blur leaves in the better half of the lines;
+  // summed.
+  static double ResidualShare(const OutlineFit& fit,
+                              const std::vector<Line>& lines) {
     const size_t stride = lines.size() / kMaxBlurLines + 1;
-    double least = std::numeric_limits<double>::infinity();
-    double best = kOutlineBlurs.front();
-    for (const double blur : kOutlineBlurs) {
-      const OutlineFit fit(blur);
-      std::vector<float> shares;
-      for (size_t i = 0; i < lines.size(); i += stride) {
-        if (lines[i].strongest) {
-          const auto fitted =
-              fit.Find(lines[i].light, lines[i].strongest->sample);
-          shares.push_back(fitted ? fitted->residual_share : 1);
-        }
-      }
-      const auto middle = shares.begin() + std::ptrdiff_t(shares.size() / 2);
-      std::nth_element(shares.begin(), middle, shares.end());
-      std::sort(shares.begin(), middle);
-      const double sum = std::accumulate(shares.begin(), middle, 0.0);
-      if (sum < least) {
-        least = sum;
-        best = blur;
+    std::vector<float> shares;
+    for (size_t i = 0; i < lines.size(); i += stride) {
+      if (lines[i].strongest) {
+        const auto fitted =
+            fit.Find(lines[i].light, lines[i].strongest->sample);
+        shares.push_back(fitted ? fitted->residual_share : 1);
       }
     }
-    return best;
+    std::sort(shares.begin(), shares.end());
+    return std::accumulate(shares.begin(),
+                           shares.begin() + std::ptrdiff_t(shares.size() / 2),
+                           0.0);
   }
 
   // Pixels from the middle; none if the line has no outline at the edge. Beside
@@ -330,13 +329,15 @@ class BorderLines {
 
   const PreparedView& view_;
   const PyramidLevel& image_;
+  std::span<const OutlineFit> fits_;
   std::array<float, 256> linear_;
 };
 
 }  // namespace
 
-EdgeOffsets FindEdgeOffsets(const PreparedView& view) {
-  return BorderLines(view).FindOffsets();
+EdgeOffsets FindEdgeOffsets(const PreparedView& view,
+                            std::span<const OutlineFit> fits) {
+  return BorderLines(view, fits).FindOffsets();
 }
 
 }  // namespace octacut

@@ -17,9 +17,10 @@
 #include <optional>
 #include <span>
 
-#include "core/views/border_lines.h"
-
 namespace octacut {
+
+// Pixels between the samples of a line.
+inline constexpr float kEdgeStep = 0.25f;
 
 // Standard deviations of what lens, pixels and interpolation blur: pixels.
 inline constexpr std::array<double, 10> kOutlineBlurs = {

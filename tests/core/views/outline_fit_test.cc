@@ -6,8 +6,6 @@
 #include <random>
 #include <vector>
 
-#include "core/views/border_lines.h"
-
 namespace octacut {
 namespace {
 

@@ -7,6 +7,7 @@
 
 #include "core/base/parallel.h"
 #include "core/views/border_lines.h"
+#include "core/views/edge_offsets.h"
 #include "core/views/offset_peak.h"
 
 namespace octacut {

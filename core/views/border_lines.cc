@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <Eigen/Core>
-#include <numeric>
 #include <optional>
 
 namespace octacut {
@@ -33,20 +32,12 @@ constexpr size_t kMaxPoints = 3000;
 constexpr int kNumSteps = int(2 * kEdgeRange / kEdgeStep) + 1;
 constexpr int kHalfEdge = int(kEdgeWidth / 2 / kEdgeStep);
 constexpr int kClippedSteps = int(kClippedReach / kEdgeStep);
-// Samples of a line before its first step and behind its last one.
-constexpr int kMargin = kOutlineSearch + kOutlineWindow;
-constexpr int kNumSamples = kNumSteps + 2 * kMargin;
-
-// Lines of a view are enough that its blur is known.
-constexpr size_t kMaxBlurLines = 500;
-
-using Light = std::array<Eigen::Vector3f, kNumSamples>;
 
 struct Profile {
-  Light linear;
-  std::array<Eigen::Vector3f, kNumSamples> grey;
-  std::array<float, kNumSamples> coverage;  // of the mask
-  std::array<uint8_t, kNumSamples> clipped;
+  std::array<Eigen::Vector3f, kLineSamples> linear;
+  std::array<Eigen::Vector3f, kLineSamples> grey;
+  std::array<float, kLineSamples> coverage;  // of the mask
+  std::array<uint8_t, kLineSamples> clipped;
 };
 
 // By step: the difference of the light half an edge before and behind it.
@@ -54,35 +45,21 @@ using Contrast = std::array<float, kNumSteps>;
 
 class BorderLines {
  public:
-  BorderLines(const PreparedView& view, std::span<const OutlineFit> fits)
-      : view_(view), image_(view.pyramid.Level(0)), fits_(fits) {
+  explicit BorderLines(const PreparedView& view)
+      : view_(view), image_(view.pyramid.Level(0)) {
     for (int i = 0; i < 256; ++i) {
       linear_[i] = float(255 * std::pow(i / 255.0, 2.2));
     }
   }
 
-  EdgeOffsets FindOffsets() const {
-    std::vector<Line> lines;
+  std::vector<BorderLine> Find() const {
+    std::vector<BorderLine> lines;
     const std::vector<Eigen::Vector2f> points = Points();
     const size_t stride = points.size() / kMaxPoints + 1;
     for (size_t i = 0; i < points.size(); i += stride) {
       AddLine(points[i], &lines);
     }
-    const OutlineFit& fit = FitOfBlur(lines);
-    EdgeOffsets offsets;
-    for (const Line& line : lines) {
-      if (line.strongest) {
-        offsets.strongest.push_back(OutlineOf(*line.strongest, line, fit)
-                                        .value_or(line.strongest->steepest) -
-                                    line.border);
-      }
-      if (line.nearest) {
-        if (const auto outline = OutlineOf(*line.nearest, line, fit)) {
-          offsets.nearest.push_back(*outline - line.border);
-        }
-      }
-    }
-    return offsets;
+    return lines;
   }
 
  private:
@@ -93,7 +70,7 @@ class BorderLines {
   // Pixels of the object beside background, clear of the frame.
   std::vector<Eigen::Vector2f> Points() const {
     const int margin =
-        int(kEdgeRange + float(kMargin) * kEdgeStep + kNormalReach) + 1;
+        int(kEdgeRange + float(kLineMargin) * kEdgeStep + kNormalReach) + 1;
     std::vector<Eigen::Vector2f> points;
     for (int y = margin; y < image_.height - margin; ++y) {
       for (int x = margin; x < image_.width - margin; ++x) {
@@ -105,20 +82,8 @@ class BorderLines {
     return points;
   }
 
-  struct Edge {
-    int sample;
-    float steepest;     // pixels from the middle
-    bool stands_alone;  // no comparable edge is within the fit's window
-  };
-
-  struct Line {
-    Light light;
-    float border;  // of the mask, pixels from the middle
-    std::optional<Edge> strongest;
-    std::optional<Edge> nearest;
-  };
-
-  void AddLine(const Eigen::Vector2f& point, std::vector<Line>* lines) const {
+  void AddLine(const Eigen::Vector2f& point,
+               std::vector<BorderLine>* lines) const {
     const Silhouette& silhouette = view_.silhouette;
     const auto at = [&](float du, float dv) {
       return silhouette.SignedDistance(point.x() + du, point.y() + dv);
@@ -132,67 +97,22 @@ class BorderLines {
     const Profile profile = SampleLine(point - at(0, 0) * inward, inward);
     if (const std::optional<float> border = MaskBorder(profile)) {
       const Contrast contrast = EdgeContrast(profile);
-      const Line line{profile.linear,
-                      *border,
-                      ClearEdge(StrongestEdge(contrast), contrast, profile),
-                      ClearEdge(NearestEdge(contrast), contrast, profile)};
+      const BorderLine line{
+          profile.linear,
+          *border,
+          ClearEdge(StrongestEdge(contrast), contrast, profile),
+          ClearEdge(NearestEdge(contrast), contrast, profile)};
       if (line.strongest || line.nearest) {
         lines->push_back(line);
       }
     }
   }
 
-  // That of the blur with which outlines fit best. On many lines something else
-  // is near, so the better half of them decides.
-  const OutlineFit& FitOfBlur(const std::vector<Line>& lines) const {
-    std::vector<double> left;
-    for (const OutlineFit& fit : fits_) {
-      left.push_back(ResidualShare(fit, lines));
-    }
-    return fits_[size_t(std::min_element(left.begin(), left.end()) -
-                        left.begin())];
-  }
-
-  // Of the variance, what a blur leaves in the better half of the lines;
-  // summed.
-  static double ResidualShare(const OutlineFit& fit,
-                              const std::vector<Line>& lines) {
-    const size_t stride = lines.size() / kMaxBlurLines + 1;
-    std::vector<float> shares;
-    for (size_t i = 0; i < lines.size(); i += stride) {
-      if (lines[i].strongest) {
-        const auto fitted =
-            fit.Find(lines[i].light, lines[i].strongest->sample);
-        shares.push_back(fitted ? fitted->residual_share : 1);
-      }
-    }
-    std::sort(shares.begin(), shares.end());
-    return std::accumulate(shares.begin(),
-                           shares.begin() + std::ptrdiff_t(shares.size() / 2),
-                           0.0);
-  }
-
-  // Pixels from the middle; none if the line has no outline at the edge. Beside
-  // another edge, where a surface does not just turn away, the outline is taken
-  // to be where the edge is steepest.
-  static std::optional<float> OutlineOf(const Edge& edge,
-                                        const Line& line,
-                                        const OutlineFit& fit) {
-    if (!edge.stands_alone) {
-      return edge.steepest;
-    }
-    const auto fitted = fit.Find(line.light, edge.sample);
-    if (!fitted || !fitted->position) {
-      return std::nullopt;
-    }
-    return (*fitted->position - float(kMargin)) * kEdgeStep - kEdgeRange;
-  }
-
   Profile SampleLine(const Eigen::Vector2f& border,
                      const Eigen::Vector2f& inward) const {
     Profile profile;
     for (int i = 0; i < int(profile.linear.size()); ++i) {
-      const float t = float(i - kMargin) * kEdgeStep - kEdgeRange;
+      const float t = PixelsFromMiddle(float(i));
       const Eigen::Vector2f p =
           border + t * inward - Eigen::Vector2f::Constant(0.5f);
       Sample(p,
@@ -236,7 +156,7 @@ class BorderLines {
   // refinement has it: distances to pixels' centres are off by a seventh of a
   // pixel where borders are oblique.
   static std::optional<float> MaskBorder(const Profile& profile) {
-    constexpr int kMiddle = kNumSamples / 2;
+    constexpr int kMiddle = kLineSamples / 2;
     constexpr int kReach = int(kBorderReach / kEdgeStep);
     std::optional<float> border;
     for (int i = kMiddle - kReach; i < kMiddle + kReach; ++i) {
@@ -257,8 +177,8 @@ class BorderLines {
   static Contrast EdgeContrast(const Profile& profile) {
     Contrast contrast;
     for (int i = 0; i < kNumSteps; ++i) {
-      contrast[i] = (profile.linear[i + kMargin + kHalfEdge] -
-                     profile.linear[i + kMargin - kHalfEdge])
+      contrast[i] = (profile.linear[i + kLineMargin + kHalfEdge] -
+                     profile.linear[i + kLineMargin - kHalfEdge])
                         .norm();
     }
     return contrast;
@@ -290,10 +210,10 @@ class BorderLines {
 
   // The edge at step `best`; none if it is at an end, too faint, or beside
   // clipped pixels.
-  static std::optional<Edge> ClearEdge(int best,
-                                       const Contrast& contrast,
-                                       const Profile& profile) {
-    const int middle = best + kMargin;
+  static std::optional<BorderEdge> ClearEdge(int best,
+                                             const Contrast& contrast,
+                                             const Profile& profile) {
+    const int middle = best + kLineMargin;
     if (best == 0 || best + 1 == kNumSteps ||
         (profile.grey[middle + kHalfEdge] - profile.grey[middle - kHalfEdge])
                 .norm() < kMinContrast) {
@@ -310,9 +230,9 @@ class BorderLines {
         curvature < 0
             ? 0.5f * (contrast[best - 1] - contrast[best + 1]) / curvature
             : 0;
-    return Edge{middle,
-                (float(best) + shift) * kEdgeStep - kEdgeRange,
-                StandsAlone(best, contrast)};
+    return BorderEdge{middle,
+                      PixelsFromMiddle(float(middle) + shift),
+                      StandsAlone(best, contrast)};
   }
 
   static bool StandsAlone(int best, const Contrast& contrast) {
@@ -329,15 +249,13 @@ class BorderLines {
 
   const PreparedView& view_;
   const PyramidLevel& image_;
-  std::span<const OutlineFit> fits_;
   std::array<float, 256> linear_;
 };
 
 }  // namespace
 
-EdgeOffsets FindEdgeOffsets(const PreparedView& view,
-                            std::span<const OutlineFit> fits) {
-  return BorderLines(view, fits).FindOffsets();
+std::vector<BorderLine> FindBorderLines(const PreparedView& view) {
+  return BorderLines(view).Find();
 }
 
 }  // namespace octacut

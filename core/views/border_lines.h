@@ -1,7 +1,9 @@
-// Edges of the photographs along lines across the borders of the masks.
+// Edges of a photograph on lines across the border of its mask.
 #pragma once
 
-#include <span>
+#include <array>
+#include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/views/outline_fit.h"
@@ -12,17 +14,34 @@ namespace octacut {
 // Pixels from the border within which edges are looked for: masks that are
 // farther off are wrong, not shifted.
 inline constexpr float kEdgeRange = 6;
+// Samples of a line before and behind that range, for the fit of outlines.
+inline constexpr int kLineMargin = kOutlineSearch + kOutlineWindow;
+inline constexpr int kLineSamples =
+    int(2 * kEdgeRange / kEdgeStep) + 1 + 2 * kLineMargin;
 
-// Pixels by which borders lie outside edges, point by point: outside the
-// strongest edge, and outside the nearest one that is comparable to it.
-struct EdgeOffsets {
-  std::vector<float> strongest;
-  std::vector<float> nearest;
+struct BorderEdge {
+  int sample;
+  float steepest;     // pixels from the middle, positive inside
+  bool stands_alone;  // no comparable edge is within the window of an outline
 };
 
+// From outside to inside.
+struct BorderLine {
+  std::array<Eigen::Vector3f, kLineSamples> light;  // linear
+  float border;  // of the mask, pixels from the middle
+  // None where it is at an end, too faint, or beside clipped pixels.
+  std::optional<BorderEdge> strongest;
+  // The nearest one to the middle that is comparable to the strongest.
+  std::optional<BorderEdge> nearest;
+};
+
+// Pixels from the middle of a sample, which need not be a whole number.
+inline float PixelsFromMiddle(float sample) {
+  return (sample - float(kLineMargin)) * kEdgeStep - kEdgeRange;
+}
+
 // At the points of the mask's border that are clear of the frame, as far as
-// there are edges. `view` has an image. `fits`: of all blurs that it may have.
-EdgeOffsets FindEdgeOffsets(const PreparedView& view,
-                            std::span<const OutlineFit> fits);
+// there are edges. `view` has an image.
+std::vector<BorderLine> FindBorderLines(const PreparedView& view);
 
 }  // namespace octacut

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "tests/core/views/random_views.h"
+#include "tests/core/views/test_scene.h"
 
 namespace octacut {
 namespace {
@@ -107,6 +108,17 @@ TEST(MeasureBorderEdges, PrefersTheOutlineToAStrongerEdgeOfAReflection) {
       MeasureBorderEdges({MakeViewWithReflection(0.4, 3)}, Context(1));
   ASSERT_TRUE(edges);
   EXPECT_NEAR(edges->shift, 0.4, 0.1);
+}
+
+// The steepest edges of this torus lie 0.6 pixels inside its outline.
+TEST(MeasureBorderEdges, FindsTheOutlineOfGlaze) {
+  SceneSpec spec = testing::TestSpec("torus", 640, 480, 3);
+  spec.material = MaterialKind::kPorcelain;
+  spec.degrade.pixel_noise = 1;
+  const auto edges =
+      MeasureBorderEdges(testing::MakeTestScene(spec).views, Context(2));
+  ASSERT_TRUE(edges);
+  EXPECT_NEAR(edges->shift, 0, 0.1);
 }
 
 TEST(MeasureBorderEdges, SeesNoPeakInNoise) {

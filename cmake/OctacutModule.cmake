@@ -54,8 +54,10 @@ endfunction()
 
 # A test executable that mirrors one folder; every test is registered alone.
 #   octacut_test(core_grid SOURCES morton_test.cc ... DEPENDS core_grid ...)
+# COST 1 has its tests started before those of other folders: long ones would
+# leave a core idle at the end.
 function(octacut_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(TEST "" "COST" "SOURCES;DEPENDS" ${ARGN})
   set(target test_${name})
   add_executable(${target} ${TEST_SOURCES})
   octacut_compile_together(${target})
@@ -70,6 +72,10 @@ function(octacut_test name)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(${target} PRIVATE ${OCTACUT_WARNINGS}
                                            ${OCTACUT_TEST_OPTIONS})
+  set(properties TIMEOUT 600 ${OCTACUT_TEST_PROPERTIES})
+  if(TEST_COST)
+    list(APPEND properties COST ${TEST_COST})
+  endif()
   gtest_discover_tests(${target} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
-                       PROPERTIES TIMEOUT 600 ${OCTACUT_TEST_PROPERTIES})
+                       PROPERTIES ${properties})
 endfunction()

@@ -12,6 +12,9 @@ namespace {
 
 // Lines of a view are enough that its blur is known.
 constexpr size_t kMaxBlurLines = 500;
+// With more blur, pixels, the window of a fit is too narrow to tell a step from
+// a square root (docs/experiments/mask_borders.md).
+constexpr double kLeastUnknownBlur = 1.2;
 
 // Of the variance, what a blur leaves in the better half of the lines; summed.
 double ResidualShare(const OutlineFit& fit,
@@ -41,15 +44,24 @@ const OutlineFit& FitOfBlur(const std::vector<BorderLine>& lines,
                      left.begin())];
 }
 
-// Pixels from the middle; none if the line has no outline at the edge. Beside
-// another edge, where a surface does not just turn away, the outline is taken
-// to be where the edge is steepest.
+// Whether most edges that stand alone have an outline.
+bool FitsMost(const OutlineFit& fit, const std::vector<BorderLine>& lines) {
+  size_t count = 0;
+  size_t num_found = 0;
+  for (const BorderLine& line : lines) {
+    if (line.strongest && line.strongest->stands_alone) {
+      const auto fitted = fit.Find(line.light, line.strongest->sample);
+      ++count;
+      num_found += fitted && fitted->position ? 1 : 0;
+    }
+  }
+  return 2 * num_found > count;
+}
+
+// Pixels from the middle; none if the line has no outline at the edge.
 std::optional<float> OutlineAt(const BorderEdge& edge,
                                const BorderLine& line,
                                const OutlineFit& fit) {
-  if (!edge.stands_alone) {
-    return edge.steepest;
-  }
   const auto fitted = fit.Find(line.light, edge.sample);
   if (!fitted || !fitted->position) {
     return std::nullopt;
@@ -63,18 +75,27 @@ EdgeOffsets FindEdgeOffsets(const PreparedView& view,
                             std::span<const OutlineFit> fits) {
   const std::vector<BorderLine> lines = FindBorderLines(view);
   const OutlineFit& fit = FitOfBlur(lines, fits);
+  const bool is_blur_known =
+      fit.Blur() < kLeastUnknownBlur && FitsMost(fit, lines);
+  // Where it is not known, or where a surface has other edges beside its
+  // outline and does not just turn away, the steepest point is taken.
+  const auto outline = [&](const BorderEdge& edge, const BorderLine& line) {
+    return is_blur_known && edge.stands_alone
+               ? OutlineAt(edge, line, fit)
+               : std::optional<float>(edge.steepest);
+  };
   EdgeOffsets offsets;
   for (const BorderLine& line : lines) {
     if (line.strongest) {
       // Lines without an outline count, too: it is a share of all lines that
       // has to agree.
-      offsets.strongest.push_back(OutlineAt(*line.strongest, line, fit)
-                                      .value_or(line.strongest->steepest) -
-                                  line.border);
+      offsets.strongest.push_back(
+          outline(*line.strongest, line).value_or(line.strongest->steepest) -
+          line.border);
     }
     if (line.nearest) {
-      if (const auto outline = OutlineAt(*line.nearest, line, fit)) {
-        offsets.nearest.push_back(*outline - line.border);
+      if (const auto position = outline(*line.nearest, line)) {
+        offsets.nearest.push_back(*position - line.border);
       }
     }
   }

@@ -32,7 +32,7 @@ float ParabolaMinimum(float before, float middle, float after) {
 
 }  // namespace
 
-OutlineFit::OutlineFit(double blur) {
+OutlineFit::OutlineFit(double blur) : blur_(blur) {
   using Columns = Eigen::Matrix<double, kSamples, 3>;
   Columns columns;
   for (int i = 0; i < kSamples; ++i) {

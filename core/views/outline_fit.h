@@ -43,6 +43,8 @@ class OutlineFit {
   // `blur` in pixels.
   explicit OutlineFit(double blur);
 
+  double Blur() const { return blur_; }
+
   // `samples` of linear light, kEdgeStep pixels apart, from outside to inside.
   // The outline is where a step and a square root, both blurred, fit the
   // samples around best, at most a pixel and a quarter from `near`. None where
@@ -53,6 +55,7 @@ class OutlineFit {
  private:
   static constexpr int kSamples = 2 * kOutlineWindow + 1;
 
+  double blur_;
   // Orthonormal columns that span the constant, the step and the square root.
   Eigen::Matrix<float, kSamples, 3> basis_;
 };

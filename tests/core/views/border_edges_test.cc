@@ -33,6 +33,13 @@ uint8_t Grey(double linear) {
   return uint8_t(std::lround(255 * std::pow(linear, 1 / 2.2)));
 }
 
+PreparedView ViewOf(const cv::Mat& image, const cv::Mat& mask) {
+  PreparedView view;
+  view.silhouette = Silhouette(mask);
+  view.pyramid = ImagePyramid(image, mask);
+  return view;
+}
+
 // A disc of linear light `object` before `background`, and a mask whose disc is
 // larger by `shift` pixels; `noise` grey levels at most.
 PreparedView MakeView(double shift,
@@ -55,10 +62,44 @@ PreparedView MakeView(double shift,
           uint8_t(std::lround(255 * Coverage(x, y, kRadius + shift)));
     }
   }
-  PreparedView view;
-  view.silhouette = Silhouette(mask);
-  view.pyramid = ImagePyramid(image, mask);
-  return view;
+  return ViewOf(image, mask);
+}
+
+// The same of a photograph that is blurred by `kernel`, in linear light.
+PreparedView MakeBlurredView(double shift, const cv::Mat& kernel) {
+  Random random(7);
+  cv::Mat light(kSize, kSize, CV_64FC1);
+  cv::Mat mask(kSize, kSize, CV_8UC1);
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      light.at<double>(y, x) = 0.2 + 0.5 * Coverage(x, y, kRadius);
+      mask.at<uint8_t>(y, x) =
+          uint8_t(std::lround(255 * Coverage(x, y, kRadius + shift)));
+    }
+  }
+  cv::filter2D(light, light, -1, kernel / cv::sum(kernel)[0]);
+  cv::Mat image(kSize, kSize, CV_8UC3);
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      for (int c = 0; c < 3; ++c) {
+        image.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uint8_t>(
+            Grey(light.at<double>(y, x)) + random.Integer(-1, 1));
+      }
+    }
+  }
+  return ViewOf(image, mask);
+}
+
+cv::Mat Gaussian(double deviation) {
+  const cv::Mat line = cv::getGaussianKernel(21, deviation);
+  return line * line.t();
+}
+
+// Out of focus.
+cv::Mat Disc(int radius) {
+  cv::Mat kernel = cv::Mat::zeros(2 * radius + 1, 2 * radius + 1, CV_64FC1);
+  cv::circle(kernel, {radius, radius}, radius, 1, cv::FILLED);
+  return kernel;
 }
 
 TEST(MeasureBorderEdges, FindsTheShiftOfMasks) {
@@ -71,6 +112,22 @@ TEST(MeasureBorderEdges, FindsTheShiftOfMasks) {
       EXPECT_GT(edges->share, 0.9);
       EXPECT_LT(edges->deviation, 0.2);
     }
+  }
+}
+
+TEST(MeasureBorderEdges, FindsTheShiftInBlurredPhotographs) {
+  for (const cv::Mat& kernel : {Gaussian(0.6),
+                                Gaussian(0.9),
+                                Gaussian(1.3),
+                                Gaussian(1.8),
+                                Gaussian(2.5),
+                                Disc(1),
+                                Disc(2),
+                                Disc(3)}) {
+    const auto edges =
+        MeasureBorderEdges({MakeBlurredView(0.7, kernel)}, Context(1));
+    ASSERT_TRUE(edges);
+    EXPECT_NEAR(edges->shift, 0.7, 0.1) << kernel.rows;
   }
 }
 

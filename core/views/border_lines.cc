@@ -224,12 +224,8 @@ class BorderLines {
                     [](uint8_t clipped) { return clipped != 0; })) {
       return std::nullopt;
     }
-    const float curvature =
-        contrast[best - 1] - 2 * contrast[best] + contrast[best + 1];
-    const float shift =
-        curvature < 0
-            ? 0.5f * (contrast[best - 1] - contrast[best + 1]) / curvature
-            : 0;
+    const float shift = ParabolaExtremum(
+        contrast[best - 1], contrast[best], contrast[best + 1]);
     return BorderEdge{middle,
                       PixelsFromMiddle(float(middle) + shift),
                       StandsAlone(best, contrast)};

@@ -23,13 +23,6 @@ double Blurred(const Function& function, double t, double deviation) {
   return sum / weights;
 }
 
-// Where a parabola through three equidistant values is least, in steps from the
-// middle one.
-float ParabolaMinimum(float before, float middle, float after) {
-  const float curvature = before - 2 * middle + after;
-  return curvature > 0 ? 0.5f * (before - after) / curvature : 0;
-}
-
 }  // namespace
 
 OutlineFit::OutlineFit(double blur) : blur_(blur) {
@@ -72,7 +65,7 @@ std::optional<FittedOutline> OutlineFit::Find(
   if (best > 0 && best + 1 < residuals.size()) {
     fitted.position =
         float(near - kOutlineSearch + int(best)) +
-        ParabolaMinimum(
+        ParabolaExtremum(
             residuals[best - 1], residuals[best], residuals[best + 1]);
   }
   return fitted;

@@ -30,7 +30,8 @@ std::vector<Eigen::Vector3f> Samples(const Line& line,
     const double t = kEdgeStep * (i - kMiddle) - at;
     double light = 0;
     double weights = 0;
-    for (double x = -3; x <= 3; x += 0.05) {
+    for (int k = -60; k <= 60; ++k) {
+      const double x = 0.05 * k;
       const double weight = std::exp(-0.5 * x * x);
       const double s = t + blur * x;
       light += s > 0 ? weight * (line.step + line.root * std::sqrt(s)) : 0;
@@ -50,7 +51,8 @@ double MeanError(const Line& line, double blur) {
   const OutlineFit fit(blur);
   double sum = 0;
   int count = 0;
-  for (double at = -0.5; at <= 0.5; at += 0.05) {
+  for (int k = -10; k <= 10; ++k) {
+    const double at = 0.05 * k;
     const auto found = fit.Find(Samples(line, at, blur, &generator), kMiddle);
     EXPECT_TRUE(found);
     if (found && found->position) {

@@ -44,20 +44,6 @@ const OutlineFit& FitOfBlur(const std::vector<BorderLine>& lines,
                      left.begin())];
 }
 
-// Whether most edges that stand alone have an outline.
-bool FitsMost(const OutlineFit& fit, const std::vector<BorderLine>& lines) {
-  size_t count = 0;
-  size_t num_found = 0;
-  for (const BorderLine& line : lines) {
-    if (line.strongest && line.strongest->stands_alone) {
-      const auto fitted = fit.Find(line.light, line.strongest->sample);
-      ++count;
-      num_found += fitted && fitted->position ? 1 : 0;
-    }
-  }
-  return 2 * num_found > count;
-}
-
 // Pixels from the middle; none if the line has no outline at the edge.
 std::optional<float> OutlineAt(const BorderEdge& edge,
                                const BorderLine& line,
@@ -67,6 +53,19 @@ std::optional<float> OutlineAt(const BorderEdge& edge,
     return std::nullopt;
   }
   return PixelsFromMiddle(*fitted->position);
+}
+
+// Whether most edges that stand alone have an outline.
+bool FitsMost(const OutlineFit& fit, const std::vector<BorderLine>& lines) {
+  size_t count = 0;
+  size_t num_found = 0;
+  for (const BorderLine& line : lines) {
+    if (line.strongest && line.strongest->stands_alone) {
+      ++count;
+      num_found += OutlineAt(*line.strongest, line, fit) ? 1 : 0;
+    }
+  }
+  return 2 * num_found > count;
 }
 
 }  // namespace
@@ -86,15 +85,19 @@ EdgeOffsets FindEdgeOffsets(const PreparedView& view,
   };
   EdgeOffsets offsets;
   for (const BorderLine& line : lines) {
+    std::optional<float> at_strongest;
     if (line.strongest) {
+      at_strongest = outline(*line.strongest, line);
       // Lines without an outline count, too: it is a share of all lines that
       // has to agree.
       offsets.strongest.push_back(
-          outline(*line.strongest, line).value_or(line.strongest->steepest) -
-          line.border);
+          at_strongest.value_or(line.strongest->steepest) - line.border);
     }
     if (line.nearest) {
-      if (const auto position = outline(*line.nearest, line)) {
+      const bool is_strongest =
+          line.strongest && line.strongest->sample == line.nearest->sample;
+      if (const auto position =
+              is_strongest ? at_strongest : outline(*line.nearest, line)) {
         offsets.nearest.push_back(*position - line.border);
       }
     }

@@ -26,12 +26,13 @@ constexpr float kContradictingShare = 0.25f;
 // Half the side of the part of a view, hull voxels, whose depths are relied
 // upon together.
 constexpr float kRegionRadius = 8;
-// Shares of contradicted depths there: up to the first they are relied upon,
-// from the second on not at all. They are 0.7 of 1/6 and 0.4, the shares of
-// nearly contradicted depths where a quarter and three fifths of all are wrong,
-// since fewer depths are contradicted than nearly contradicted.
-constexpr float kSureShareOfRegion = 0.7f / 6;
-constexpr float kDoubtfulShareOfRegion = 0.28f;
+// Shares of nearly contradicted depths there: up to the first they are relied
+// upon, from the second on, where three fifths of all are wrong, not at all.
+constexpr float kSureShareOfRegion = 1.0f / 6;
+constexpr float kDoubtfulShareOfRegion = 0.4f;
+// Shares of contradicted depths in units of these: fewer depths are
+// contradicted than nearly contradicted.
+constexpr float kContradictedByNearly = 0.7f;
 // Shares of nearly contradicted depths of the whole scene: up to the first they
 // are relied upon; from the second on they must be dense to be relied upon. Few
 // views have few depths, but those do not contradict each other.
@@ -216,8 +217,8 @@ class SquareSums {
 struct JudgedMap {
   std::vector<uint8_t> is_depth;
   std::vector<uint8_t> is_contradicted;
+  std::vector<uint8_t> is_nearly_contradicted;
   std::vector<uint8_t> is_outvoted;
-  size_t num_nearly_contradicted = 0;
 };
 
 bool IsContradicted(int before, int own) {
@@ -232,6 +233,7 @@ JudgedMap JudgeDepths(const ViewProjection& projection,
   const size_t size = map.depths.size();
   JudgedMap judged{std::vector<uint8_t>(size),
                    std::vector<uint8_t>(size),
+                   std::vector<uint8_t>(size),
                    std::vector<uint8_t>(size)};
   ForEachDepth(map,
                projection,
@@ -243,10 +245,10 @@ JudgedMap JudgeDepths(const ViewProjection& projection,
                      MostBefore(hull, counts, projection.center, ray, depth);
                  judged.is_depth[k] = 1;
                  judged.is_contradicted[k] = IsContradicted(before.within, own);
+                 judged.is_nearly_contradicted[k] =
+                     IsContradicted(before.nearby, own);
                  judged.is_outvoted[k] =
                      before.nearby >= kMinViews && before.nearby > own;
-                 judged.num_nearly_contradicted +=
-                     IsContradicted(before.nearby, own) ? 1 : 0;
                });
   return judged;
 }
@@ -281,26 +283,45 @@ float ConfidenceOfScene(double contradicted_share,
                   shown * std::max(dense, consistent * can_be_few));
 }
 
+// How far the depths around each sample can be relied upon, 0 .. 1. The less
+// those of the scene can be, the more do nearly contradicted ones count: in
+// parts of a plain object that follow wrong depths, these agree.
 std::vector<float> ConfidenceOfRegions(const ViewProjection& projection,
                                        const VoxelGrid& hull,
                                        const SweptDepthMap& map,
-                                       const JudgedMap& judged) {
-  const SquareSums depths(map.width, map.height, judged.is_depth);
-  const SquareSums contradicted(map.width, map.height, judged.is_contradicted);
+                                       const JudgedMap& judged,
+                                       float scene_confidence) {
+  const int width = map.width;
+  const int height = map.height;
+  const SquareSums depths(width, height, judged.is_depth);
+  const SquareSums contradicted(width, height, judged.is_contradicted);
+  const SquareSums nearly(width, height, judged.is_nearly_contradicted);
   const float samples_per_voxel =
       map.scale * projection.CenterFootprint(1.0f / float(hull.Resolution()));
   const int radius = int(std::lround(kRegionRadius * samples_per_voxel));
   std::vector<float> confidence(map.depths.size());
-  for (int y = 0; y < map.height; ++y) {
-    for (int x = 0; x < map.width; ++x) {
-      const float num_depths = depths.Around(x, y, radius);
-      const float share =
-          contradicted.Around(x, y, radius) / (num_depths + kPriorDepths);
-      confidence[size_t(y) * map.width + x] =
-          Ramp(share, kDoubtfulShareOfRegion, kSureShareOfRegion);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const float num_depths = depths.Around(x, y, radius) + kPriorDepths;
+      const auto of_share = [&](float share) {
+        return Ramp(share, kDoubtfulShareOfRegion, kSureShareOfRegion);
+      };
+      confidence[size_t(y) * width + x] =
+          std::lerp(of_share(nearly.Around(x, y, radius) / num_depths),
+                    of_share(contradicted.Around(x, y, radius) /
+                             (kContradictedByNearly * num_depths)),
+                    scene_confidence);
     }
   }
   return confidence;
+}
+
+double ShareOf(const std::vector<size_t>& some,
+               const std::vector<size_t>& all) {
+  const auto sum = [](const std::vector<size_t>& numbers) {
+    return std::accumulate(numbers.begin(), numbers.end(), size_t{0});
+  };
+  return double(sum(some)) / double(std::max<size_t>(sum(all), 1));
 }
 
 }  // namespace
@@ -313,41 +334,39 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
                                        const Context& context) {
   const SurfaceCounts counts = CountSurfaces(views, hull, maps, context);
   ReliableDepths result{maps, std::vector<std::vector<float>>(maps.size())};
+  std::vector<JudgedMap> judged(maps.size());
   std::vector<size_t> num_depths(maps.size());
   std::vector<size_t> num_contradicted(maps.size());
   std::vector<size_t> num_samples(maps.size());
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const ViewProjection& projection = views[i].projection;
-      const JudgedMap judged = JudgeDepths(projection, hull, counts, maps[i]);
+      judged[i] = JudgeDepths(views[i].projection, hull, counts, maps[i]);
       num_samples[i] = CountObjectSamples(views[i].silhouette, maps[i]);
-      result.confidence[i] =
-          ConfidenceOfRegions(projection, hull, maps[i], judged);
-      num_contradicted[i] = judged.num_nearly_contradicted;
-      for (size_t k = 0; k < judged.is_depth.size(); ++k) {
-        num_depths[i] += judged.is_depth[k];
-        if (judged.is_outvoted[k]) {
+      for (size_t k = 0; k < judged[i].is_depth.size(); ++k) {
+        num_depths[i] += judged[i].is_depth[k];
+        num_contradicted[i] += judged[i].is_nearly_contradicted[k];
+        if (judged[i].is_outvoted[k]) {
           result.maps[i].depths[k] = 0;
         }
       }
     }
   });
-  const auto share = [](const std::vector<size_t>& of,
-                        const std::vector<size_t>& all) {
-    const auto sum = [](const std::vector<size_t>& numbers) {
-      return std::accumulate(numbers.begin(), numbers.end(), size_t{0});
-    };
-    return double(sum(of)) / double(std::max<size_t>(sum(all), 1));
-  };
-  result.contradicted_share = share(num_contradicted, num_depths);
-  result.found_share = share(num_depths, num_samples);
+  result.contradicted_share = ShareOf(num_contradicted, num_depths);
+  result.found_share = ShareOf(num_depths, num_samples);
   result.scene_confidence = ConfidenceOfScene(
       result.contradicted_share, result.found_share, surrounded_share, shown);
-  for (std::vector<float>& of_view : result.confidence) {
-    for (float& value : of_view) {
-      value *= result.scene_confidence;
+  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      result.confidence[i] = ConfidenceOfRegions(views[i].projection,
+                                                 hull,
+                                                 maps[i],
+                                                 judged[i],
+                                                 result.scene_confidence);
+      for (float& value : result.confidence[i]) {
+        value *= result.scene_confidence;
+      }
     }
-  }
+  });
   return result;
 }
 

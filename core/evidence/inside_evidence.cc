@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/check_option.h"
 #include "core/evidence/confirmed_depths.h"
@@ -254,12 +255,39 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
     evidence.values = EvidenceOf(views, hull, depths, options, context);
   }
   evidence.depth_confidence = ConfidenceInSpace(views, hull, depths, context);
+  evidence.decision_confidence = evidence.depth_confidence;
   evidence.summary.num_plausible = CountDepths(depths.maps) - num_kept;
   evidence.summary.num_free_voxels = size_t(std::count_if(
       evidence.values.begin(), evidence.values.end(), [](float value) {
         return value < 0;
       }));
+  evidence.depths = std::move(depths);
   return evidence;
+}
+
+void ReviseEvidence(const ViewSet& views,
+                    const VoxelGrid& hull,
+                    const ReliableDepths& surface,
+                    const InsideEvidenceOptions& options,
+                    const Context& context,
+                    InsideEvidence* evidence) {
+  ReliableDepths& depths = evidence->depths;
+  for (size_t i = 0; i < depths.confidence.size(); ++i) {
+    for (size_t k = 0; k < depths.confidence[i].size(); ++k) {
+      if (surface.maps[i].depths[k] > 0) {
+        depths.confidence[i][k] = surface.confidence[i][k];
+      }
+    }
+  }
+  evidence->values = EvidenceOf(views, hull, depths, options, context);
+  const VoxelGrid& voxels = evidence->depth_confidence.voxels;
+  VoxelValues revised = ConfidenceInSpace(views, voxels, depths, context);
+  const VoxelValues of_surface =
+      ConfidenceInSpace(views, voxels, surface, context);
+  for (size_t i = 0; i < revised.values.size(); ++i) {
+    revised.values[i] *= of_surface.values[i];
+  }
+  evidence->decision_confidence = std::move(revised);
 }
 
 }  // namespace octacut

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/context.h"
+#include "core/evidence/depth_confidence.h"
 #include "core/evidence/depth_sweep.h"
 #include "core/grid/voxel_grid.h"
 #include "core/grid/voxel_values.h"
@@ -63,7 +64,11 @@ struct InsideEvidenceSummary {
 
 struct InsideEvidence {
   std::vector<float> values;     // one a hull voxel; > 0 speaks for inside
+  ReliableDepths depths;         // what `values` come from
   VoxelValues depth_confidence;  // as ConfidenceInSpace has it, of the hull
+  // The same, less where a surface that the photographs have decided is not to
+  // be relied upon: ReviseEvidence. How far they may decide the next one.
+  VoxelValues decision_confidence;
   std::vector<float>
       mask_confidence;  // one a view, as EstimateMaskConfidence has it
   InsideEvidenceSummary summary;
@@ -75,5 +80,17 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                                       const InsideEvidenceOptions& options,
                                       float shown,
                                       const Context& context);
+
+// Takes from `evidence` as far as a surface that was found with it is not to be
+// relied upon. `surface` has the depths of its doubtful parts in all views, at
+// the samples of evidence->depths, and how far they can be relied upon: what
+// these samples have found is relied upon as much. `hull` has the voxels of
+// evidence->values.
+void ReviseEvidence(const ViewSet& views,
+                    const VoxelGrid& hull,
+                    const ReliableDepths& surface,
+                    const InsideEvidenceOptions& options,
+                    const Context& context,
+                    InsideEvidence* evidence);
 
 }  // namespace octacut

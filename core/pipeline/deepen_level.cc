@@ -56,7 +56,7 @@ SolvedLevel CutByPhotographs(const LevelInputs& inputs,
   steps->ExtendTerms(
       steps->EstimateVisibility(crust.voxels, first), crust, &terms);
   Decision decision = DecideByPhotographs(
-      crust, terms.phi, inputs.evidence.depth_confidence, inputs.context);
+      crust, terms.phi, inputs.evidence.decision_confidence, inputs.context);
   CutTerms energy{DecidedWeights(decision, terms.phi, inputs.options),
                   terms.evidence};
   HoldUndecidedSurface(

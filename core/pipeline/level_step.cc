@@ -82,8 +82,8 @@ SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
   VoxelTerms terms;
   steps.ExtendTerms(
       steps.EstimateVisibility(crust.voxels, first.labels), crust, &terms);
-  Decision decision =
-      DecideByPhotographs(crust, terms.phi, evidence.depth_confidence, context);
+  Decision decision = DecideByPhotographs(
+      crust, terms.phi, evidence.decision_confidence, context);
   CutTerms energy{DecidedWeights(decision, terms.phi, options),
                   std::move(inside)};
   OctahedralCutState state;
@@ -109,7 +109,7 @@ SolvedLevel SolveFinerLevel(const LevelInputs& inputs,
   for (int round = 0;; ++round) {
     steps.ExtendTerms(visibility, crust, &terms);
     Decision decision = DecideByPhotographs(
-        crust, terms.phi, inputs.evidence.depth_confidence, context);
+        crust, terms.phi, inputs.evidence.decision_confidence, context);
     CutTerms energy{DecidedWeights(decision, terms.phi, options),
                     terms.evidence};
     FavorHullBorder(decision, terms.hull_depth, &energy.weights);

@@ -13,6 +13,7 @@
 #include "core/pipeline/deepen_level.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/hull_border.h"
+#include "core/pipeline/judge_dents.h"
 #include "core/pipeline/level_step.h"
 #include "core/pipeline/prepare_scene.h"
 #include "core/pipeline/shown_surface.h"
@@ -99,6 +100,34 @@ Hull CarveHull(const ViewSet& views,
   });
 }
 
+// Takes back from the evidence what has led a first cut into the hull without
+// that views agree about it.
+void DoubtDents(const ViewSet& views,
+                const VoxelGrid& hull,
+                const LabeledVoxels& hull_surface,
+                const ReconstructionOptions& options,
+                const Context& context,
+                InsideEvidence* evidence) {
+  if (evidence->depths.scene_confidence == 0) {
+    return;  // nothing has led it there
+  }
+  LevelSummary first;
+  const LabeledVoxels cut =
+      SolveInitialLevel({views, *evidence, options, context}, hull, &first)
+          .surface;
+  ReviseEvidence(views,
+                 hull,
+                 JudgeDents(views,
+                            hull_surface,
+                            cut,
+                            evidence->depths.maps,
+                            options.refinement,
+                            context),
+                 options.evidence,
+                 context,
+                 evidence);
+}
+
 // Trims the hull by the masks that can be relied upon, too.
 InsideEvidence EstimateEvidence(const ViewSet& views,
                                 const LabeledVoxels& hull_surface,
@@ -113,6 +142,7 @@ InsideEvidence EstimateEvidence(const ViewSet& views,
     InsideEvidence found = EstimateInsideEvidence(
         views, *hull, options.evidence, shown.share, context);
     *hull = TrimHull(views, *hull, context, &found);
+    DoubtDents(views, *hull, hull_surface, options, context, &found);
     return found;
   });
   summary->hull.num_voxels = hull->Size();

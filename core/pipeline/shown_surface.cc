@@ -1,11 +1,7 @@
 #include "core/pipeline/shown_surface.h"
 
-#include <algorithm>
-
 #include "core/base/ramp.h"
-#include "core/mesh/vertex_corners.h"
-#include "core/pipeline/finish_mesh.h"
-#include "core/refine/agreement.h"
+#include "core/pipeline/surface_agreement.h"
 
 namespace octacut {
 namespace {
@@ -22,30 +18,19 @@ ShownSurface MeasureShownSurface(const ViewSet& views,
                                  const LabeledVoxels& hull,
                                  const RefineOptions& options,
                                  const Context& context) {
-  IndexedMesh mesh = PositionedMesh(
-      hull, {.min_corner = Eigen::Vector3d::Zero(), .edge = 1}, context);
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    center += position / double(mesh.positions.size());
-  }
+  constexpr double kHalfVoxel = 0.5;
+  const MeasuredSurface measured =
+      MeasureSurface(views,
+                     hull,
+                     kHalfVoxel,
+                     "agreement of the views on the hull",
+                     options,
+                     context);
   ShownSurface shown;
-  const double pixel = PixelSize(views, center.cast<float>());
-  if (!(pixel > 0)) {
+  if (measured.mesh.positions.empty()) {
     return shown;
   }
-  const double half_voxel = 0.5 / double(hull.voxels.Resolution());
-  const VertexCorners neighbors =
-      FindVertexNeighbors(mesh.positions.size(), mesh.triangles);
-  shown.agreement =
-      MeasureAgreement({.views = views,
-                        .neighbors = neighbors,
-                        .pixel = pixel,
-                        .options = options,
-                        .scale = std::max(1.0, half_voxel / pixel),
-                        .phase = "agreement of the views on the hull"},
-                       context,
-                       &mesh)
-          .UpperDecile();
+  shown.agreement = measured.agreement.UpperDecile();
   shown.share = Ramp(float(shown.agreement), kMirror, kMatt);
   return shown;
 }

@@ -43,7 +43,7 @@ constexpr float kEnoughConfidence = 0.5f;
 
 Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
-                             const VoxelValues& depth_confidence,
+                             const VoxelValues& confidence,
                              const Context& context) {
   LocalAgreement agreement = EstimateLocalAgreement(crust.voxels, phi, context);
   Decision decision{std::move(agreement.near_voxel),
@@ -53,14 +53,14 @@ Decision DecideByPhotographs(const Crust& crust,
   // than those in which the depths were looked for: on those, the shading of a
   // plain surface agrees at any depth.
   const bool is_coarse =
-      crust.voxels.Level() < depth_confidence.voxels.Level() + kFinerLevels;
+      crust.voxels.Level() < confidence.voxels.Level() + kFinerLevels;
   ParallelForVoxels(
       context, crust.voxels, [&](VoxelGrid::Index index, MortonCode code) {
         float& around = decision.around[index];
-        const float confidence =
-            depth_confidence.At(code, crust.voxels.Level(), around);
-        around = is_coarse ? std::min(confidence / kEnoughConfidence, 1.0f)
-                           : std::max(around, confidence);
+        const float of_depths =
+            confidence.At(code, crust.voxels.Level(), around);
+        around = is_coarse ? std::min(of_depths / kEnoughConfidence, 1.0f)
+                           : std::max(around, of_depths);
         decision.here[index] *= around;
       });
   return decision;

@@ -27,10 +27,10 @@ struct Decision {
   std::vector<float> around;
 };
 
-// `depth_confidence` is that of InsideEvidence.
+// `confidence` is the decision_confidence of InsideEvidence.
 Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
-                             const VoxelValues& depth_confidence,
+                             const VoxelValues& confidence,
                              const Context& context);
 
 // The share of the cut voxels that the photographs decide.

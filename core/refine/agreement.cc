@@ -104,9 +104,9 @@ double SurfaceAgreement::Mean() const {
   return sum / std::max(count, 1.0);
 }
 
-double SurfaceAgreement::UpperDecile() const {
+std::vector<float> SurfaceAgreement::MeansAround() const {
   PointRings rings(points.neighbors, scores.size());
-  std::vector<double> means;
+  std::vector<float> means(scores.size(), kUnseen);
   for (size_t i = 0; i < scores.size(); ++i) {
     double sum = 0;
     double count = 0;
@@ -114,10 +114,22 @@ double SurfaceAgreement::UpperDecile() const {
       sum += is_seen[other] ? scores[other] : 0;
       count += is_seen[other];
     });
-    if (is_seen[i]) {
-      means.push_back(sum / count);
+    if (count > 0) {
+      means[i] = float(sum / count);
     }
   }
+  return means;
+}
+
+double SurfaceAgreement::UpperDecile() const {
+  std::vector<float> means = MeansAround();
+  size_t count = 0;
+  for (size_t i = 0; i < means.size(); ++i) {
+    if (is_seen[i]) {
+      means[count++] = means[i];
+    }
+  }
+  means.resize(count);
   if (means.empty()) {
     return 0;
   }

@@ -32,10 +32,15 @@ struct SurfaceAgreement {
   std::vector<uint8_t> is_seen;  // by at least two views
   std::vector<float> scores;     // -1 .. 1, where they see it
 
+  // Those of points that no point near them is seen at.
+  static constexpr float kUnseen = -2;
+
   // 0 where nothing is seen.
   double Mean() const;
-  // Of the means over the points around each point: what a tenth of them
-  // exceeds. 0 where nothing is seen.
+  // Means over what is seen of the points around each point, or kUnseen.
+  std::vector<float> MeansAround() const;
+  // Of the means around the points that are seen: what a tenth of them exceeds.
+  // 0 where nothing is seen.
   double UpperDecile() const;
 };
 

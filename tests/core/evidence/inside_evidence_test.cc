@@ -126,6 +126,45 @@ TEST(InsideEvidence, CountsWhatItSays) {
   }
 }
 
+// A surface in front of a cup's cavity, of which views say how far it can be
+// relied upon: what the depths of these samples say goes with it.
+TEST(ReviseEvidence, TakesWhatDoubtfulPartsOfASurfaceHaveSaid) {
+  const TestScene test = MakeTestScene("cup", 120, 90, 16);
+  const VoxelGrid hull = HullOf(test, 5);
+  const InsideEvidenceOptions options;
+  const InsideEvidence before =
+      EstimateInsideEvidence(test.views, hull, options, 1, Context(2));
+  ASSERT_GT(before.summary.num_free_voxels, 100u);
+  const auto revised = [&](float confidence) {
+    ReliableDepths surface{before.depths.maps, before.depths.confidence};
+    for (std::vector<float>& of_view : surface.confidence) {
+      std::fill(of_view.begin(), of_view.end(), confidence);
+    }
+    InsideEvidence after = before;
+    ReviseEvidence(test.views, hull, surface, options, Context(2), &after);
+    return after;
+  };
+  const auto num_free = [](const InsideEvidence& evidence) {
+    return std::count_if(evidence.values.begin(),
+                         evidence.values.end(),
+                         [](float value) { return value < 0; });
+  };
+  const auto mean = [](const VoxelValues& confidence) {
+    double sum = 0;
+    for (const float value : confidence.values) {
+      sum += value;
+    }
+    return sum / double(confidence.values.size());
+  };
+  const InsideEvidence without = revised(0);
+  EXPECT_EQ(num_free(without), 0);
+  EXPECT_LT(mean(without.decision_confidence), 0.2);
+  EXPECT_EQ(without.depth_confidence.values, before.depth_confidence.values);
+  const InsideEvidence with = revised(1);
+  EXPECT_GE(num_free(with), num_free(before));
+  EXPECT_GE(mean(with.decision_confidence), mean(before.depth_confidence));
+}
+
 // Where no view says anything the hull is kept.
 TEST(InsideEvidence, IsTheBallooningWhereNothingIsSeen) {
   SceneSpec spec = testing::TestSpec("sphere", 120, 90, 4);  // far apart

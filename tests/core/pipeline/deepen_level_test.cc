@@ -42,6 +42,7 @@ class DeepenLevelTest : public ::testing::Test {
     evidence_.values.assign(hull.Size(), 0.1f);
     evidence_.mask_confidence.assign(test_.views.size(), 1.0f);
     evidence_.depth_confidence = {hull, std::vector<float>(hull.Size(), 1.0f)};
+    evidence_.decision_confidence = evidence_.depth_confidence;
     hierarchy_.Add(SolveInitialLevel(inputs_, hull, &summary_).surface);
     solved_ = SolveFinerLevel(inputs_, hierarchy_, &summary_);
   }

@@ -1,0 +1,126 @@
+#include "core/pipeline/judge_dents.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/parallel.h"
+#include "core/base/ramp.h"
+#include "core/pipeline/surface_agreement.h"
+#include "core/raycast/ray_scene.h"
+
+namespace octacut {
+namespace {
+
+// Pixels of the images that are compared, in voxels: the hull and a cut a voxel
+// beneath it differ by several of them.
+constexpr double kQuarterVoxel = 0.25;
+// Voxels behind the hull from which on a cut is inside of it: what labels of
+// voxels are known to.
+constexpr double kInside = 0.5;
+// By how much more the views agree about the cut than about the hull: up to the
+// first it cannot be relied upon, from the second on it can. Means over the
+// points around one scatter by about as much.
+constexpr float kLess = -0.05f;
+constexpr float kMore = 0.05f;
+
+// A surface, and how well the views agree around its points.
+class JudgedSurface {
+ public:
+  JudgedSurface(const ViewSet& views,
+                const LabeledVoxels& surface,
+                const char* phase,
+                const RefineOptions& options,
+                const Context& context)
+      : measured_(MeasureSurface(
+            views, surface, kQuarterVoxel, phase, options, context)),
+        means_(measured_.agreement.MeansAround()) {
+    if (!means_.empty()) {
+      rays_.emplace(measured_.mesh);
+    }
+  }
+
+  std::optional<RayScene::Hit> FirstHit(const Eigen::Vector3f& origin,
+                                        const Eigen::Vector3f& ray) const {
+    return rays_ ? rays_->FirstHit(origin.cast<double>(), ray.cast<double>())
+                 : std::nullopt;
+  }
+
+  // None where it is not seen.
+  std::optional<float> AgreementAt(const RayScene::Hit& hit) const {
+    const uint32_t vertex = measured_.mesh.triangles[hit.triangle][0];
+    const float mean = means_[measured_.agreement.points.point_of[vertex]];
+    return mean == SurfaceAgreement::kUnseen ? std::nullopt
+                                             : std::optional(mean);
+  }
+
+ private:
+  MeasuredSurface measured_;
+  std::vector<float> means_;
+  std::optional<RayScene> rays_;
+};
+
+// The samples of one view.
+void JudgeView(const PreparedView& view,
+               const JudgedSurface& hull,
+               const JudgedSurface& cut,
+               double voxel,
+               SweptDepthMap* map,
+               std::vector<float>* confidence) {
+  const ViewProjection& projection = view.projection;
+  const Eigen::Matrix3f rays = projection.linear.inverse();
+  std::fill(map->depths.begin(), map->depths.end(), 0.0f);
+  confidence->assign(map->depths.size(), 1);
+  for (int y = 0; y < map->height; ++y) {
+    for (int x = 0; x < map->width; ++x) {
+      const Eigen::Vector3f pixel = map->Pixel(x, y);
+      if (view.silhouette.SignedDistance(pixel.x(), pixel.y()) <= 0) {
+        continue;
+      }
+      const Eigen::Vector3f ray = rays * pixel;
+      const auto before = hull.FirstHit(projection.center, ray);
+      const auto behind = cut.FirstHit(projection.center, ray);
+      if (!before || !behind ||
+          (behind->distance - before->distance) * double(ray.norm()) <
+              kInside * voxel) {
+        continue;
+      }
+      if (const auto of_hull = hull.AgreementAt(*before)) {
+        const size_t k = size_t(y) * map->width + x;
+        map->depths[k] = float(behind->distance);
+        (*confidence)[k] =
+            Ramp(cut.AgreementAt(*behind).value_or(0) - *of_hull, kLess, kMore);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+ReliableDepths JudgeDents(const ViewSet& views,
+                          const LabeledVoxels& hull,
+                          const LabeledVoxels& cut,
+                          const std::vector<SweptDepthMap>& maps,
+                          const RefineOptions& options,
+                          const Context& context) {
+  const JudgedSurface outer(
+      views, hull, "agreement of the views on the hull", options, context);
+  const JudgedSurface inner(
+      views, cut, "agreement of the views on the cut", options, context);
+  const double voxel = 1.0 / double(cut.voxels.Resolution());
+  ReliableDepths judged{maps, std::vector<std::vector<float>>(maps.size())};
+  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      JudgeView(views[i],
+                outer,
+                inner,
+                voxel,
+                &judged.maps[i],
+                &judged.confidence[i]);
+    }
+  });
+  return judged;
+}
+
+}  // namespace octacut

@@ -1,0 +1,44 @@
+#include "core/pipeline/surface_agreement.h"
+
+#include <algorithm>
+#include <Eigen/Core>
+
+#include "core/mesh/vertex_corners.h"
+#include "core/pipeline/finish_mesh.h"
+
+namespace octacut {
+
+MeasuredSurface MeasureSurface(const ViewSet& views,
+                               const LabeledVoxels& surface,
+                               double sample_width,
+                               const char* phase,
+                               const RefineOptions& options,
+                               const Context& context) {
+  MeasuredSurface measured{
+      PositionedMesh(
+          surface, {.min_corner = Eigen::Vector3d::Zero(), .edge = 1}, context),
+      {}};
+  IndexedMesh& mesh = measured.mesh;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    center += position / double(mesh.positions.size());
+  }
+  const double pixel = PixelSize(views, center.cast<float>());
+  if (!(pixel > 0)) {
+    return {};
+  }
+  const double width = sample_width / double(surface.voxels.Resolution());
+  const VertexCorners neighbors =
+      FindVertexNeighbors(mesh.positions.size(), mesh.triangles);
+  measured.agreement = MeasureAgreement({.views = views,
+                                         .neighbors = neighbors,
+                                         .pixel = pixel,
+                                         .options = options,
+                                         .scale = std::max(1.0, width / pixel),
+                                         .phase = phase},
+                                        context,
+                                        &mesh);
+  return measured;
+}
+
+}  // namespace octacut

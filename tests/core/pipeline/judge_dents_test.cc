@@ -1,0 +1,131 @@
+#include "core/pipeline/judge_dents.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "tests/core/extract/label_crust.h"
+#include "tests/core/views/test_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::TestScene;
+
+constexpr int kDentLevel = 6;
+constexpr double kDentDepth = 4;  // voxels
+constexpr double kDentRadius = 9;
+
+// A photographed sphere, beside what a wrong hull or a wrong cut has of it.
+struct DentSetting {
+  TestScene test;
+
+  explicit DentSetting(MaterialKind material) {
+    SceneSpec spec = testing::TestSpec("sphere", 240, 180, 20);
+    spec.material = material;
+    test = testing::MakeTestScene(spec);
+  }
+
+  // Voxels; `shape` gets the distance to the sphere and to a ball that reaches
+  // so deep into it, or out of it where that is negative.
+  LabeledVoxels Label(
+      double depth, const std::function<double(double, double)>& shape) const {
+    const double voxel = test.VoxelSize(kDentLevel);
+    // Towards a corner of the cube, where there is room.
+    const Eigen::Vector3d ball = Eigen::Vector3d::Ones().normalized() *
+                                 (0.8 + (kDentRadius - depth) * voxel);
+    LabelledCrust labelled =
+        LabelShape(kDentLevel, [&](const Eigen::Vector3d& unit) {
+          const Eigen::Vector3d x = testing::ToWorld(test.region.cube, unit);
+          return shape(x.norm() - 0.8,
+                       (x - ball).norm() - kDentRadius * voxel) /
+                 test.region.cube.edge;
+        });
+    return {std::move(labelled.crust), std::move(labelled.labels)};
+  }
+
+  LabeledVoxels Sphere() const {
+    return Label(0, [](double sphere, double) { return sphere; });
+  }
+
+  ReliableDepths Judge(const LabeledVoxels& hull,
+                       const LabeledVoxels& cut,
+                       int num_threads = 2) const {
+    std::vector<SweptDepthMap> maps(test.views.size());
+    for (size_t i = 0; i < maps.size(); ++i) {
+      maps[i].scale = 0.5f;
+      maps[i].width = test.views[i].projection.width / 2;
+      maps[i].height = test.views[i].projection.height / 2;
+      maps[i].depths.resize(size_t(maps[i].width) * maps[i].height);
+    }
+    return JudgeDents(
+        test.views, hull, cut, maps, RefineOptions(), Context(num_threads));
+  }
+};
+
+struct Judgement {
+  size_t num_samples = 0;
+  double mean_confidence = 0;
+};
+
+Judgement MeanOf(const ReliableDepths& judged) {
+  Judgement mean;
+  for (size_t i = 0; i < judged.maps.size(); ++i) {
+    for (size_t k = 0; k < judged.maps[i].depths.size(); ++k) {
+      if (judged.maps[i].depths[k] > 0) {
+        ++mean.num_samples;
+        mean.mean_confidence += judged.confidence[i][k];
+      }
+    }
+  }
+  mean.mean_confidence /= double(std::max<size_t>(mean.num_samples, 1));
+  return mean;
+}
+
+TEST(JudgeDents, RejectsPitsWhereTheHullIsRight) {
+  for (const MaterialKind material :
+       {MaterialKind::kDiffuse, MaterialKind::kPlaster}) {
+    const DentSetting setting(material);
+    const LabeledVoxels pitted = setting.Label(
+        kDentDepth,
+        [](double sphere, double ball) { return std::max(sphere, -ball); });
+    const Judgement pit = MeanOf(setting.Judge(setting.Sphere(), pitted));
+    EXPECT_GT(pit.num_samples, 300u) << int(material);
+    EXPECT_LT(pit.mean_confidence, 0.3) << int(material);
+  }
+}
+
+TEST(JudgeDents, AcceptsWhatTheHullHasTooMuch) {
+  const DentSetting setting(MaterialKind::kDiffuse);
+  const LabeledVoxels bulged = setting.Label(
+      2 * kDentRadius - kDentDepth,
+      [](double sphere, double ball) { return std::min(sphere, ball); });
+  const Judgement bulge = MeanOf(setting.Judge(bulged, setting.Sphere()));
+  EXPECT_GT(bulge.num_samples, 300u);
+  EXPECT_GT(bulge.mean_confidence, 0.8);
+}
+
+TEST(JudgeDents, FindsNoneWhereTheCutIsTheHull) {
+  const DentSetting setting(MaterialKind::kDiffuse);
+  EXPECT_EQ(
+      MeanOf(setting.Judge(setting.Sphere(), setting.Sphere())).num_samples,
+      0u);
+}
+
+TEST(JudgeDents, IsTheSameForAnyNumberOfThreads) {
+  const DentSetting setting(MaterialKind::kPlaster);
+  const LabeledVoxels pitted = setting.Label(
+      kDentDepth,
+      [](double sphere, double ball) { return std::max(sphere, -ball); });
+  const ReliableDepths one = setting.Judge(setting.Sphere(), pitted, 1);
+  const ReliableDepths three = setting.Judge(setting.Sphere(), pitted, 3);
+  for (size_t i = 0; i < one.maps.size(); ++i) {
+    EXPECT_EQ(one.maps[i].depths, three.maps[i].depths) << i;
+    EXPECT_EQ(one.confidence[i], three.confidence[i]) << i;
+  }
+}
+
+}  // namespace
+}  // namespace octacut

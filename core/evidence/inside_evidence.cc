@@ -162,6 +162,11 @@ void WarnOfNoDepths(const std::vector<std::vector<int>>& neighbors,
                   options.sweep.max_angle));
 }
 
+size_t CountFree(const std::vector<float>& values) {
+  return size_t(std::count_if(
+      values.begin(), values.end(), [](float value) { return value < 0; }));
+}
+
 // From this share of contradicted depths on, half of all depths are wrong.
 constexpr double kManyContradictions = 0.3;
 
@@ -257,10 +262,7 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
   evidence.depth_confidence = ConfidenceInSpace(views, hull, depths, context);
   evidence.decision_confidence = evidence.depth_confidence;
   evidence.summary.num_plausible = CountDepths(depths.maps) - num_kept;
-  evidence.summary.num_free_voxels = size_t(std::count_if(
-      evidence.values.begin(), evidence.values.end(), [](float value) {
-        return value < 0;
-      }));
+  evidence.summary.num_free_voxels = CountFree(evidence.values);
   evidence.depths = std::move(depths);
   return evidence;
 }
@@ -280,6 +282,7 @@ void ReviseEvidence(const ViewSet& views,
     }
   }
   evidence->values = EvidenceOf(views, hull, depths, options, context);
+  evidence->summary.num_free_voxels = CountFree(evidence->values);
   const VoxelGrid& voxels = evidence->depth_confidence.voxels;
   VoxelValues revised = ConfidenceInSpace(views, voxels, depths, context);
   const VoxelValues of_surface =

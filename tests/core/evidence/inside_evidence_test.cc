@@ -158,6 +158,7 @@ TEST(ReviseEvidence, TakesWhatDoubtfulPartsOfASurfaceHaveSaid) {
   };
   const InsideEvidence without = revised(0);
   EXPECT_EQ(num_free(without), 0);
+  EXPECT_EQ(without.summary.num_free_voxels, 0u);
   EXPECT_LT(mean(without.decision_confidence), 0.2);
   EXPECT_EQ(without.depth_confidence.values, before.depth_confidence.values);
   const InsideEvidence with = revised(1);

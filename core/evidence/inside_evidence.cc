@@ -274,10 +274,14 @@ void ReviseEvidence(const ViewSet& views,
                     const Context& context,
                     InsideEvidence* evidence) {
   ReliableDepths& depths = evidence->depths;
+  // What contradictions in the region say still counts, what was concluded of
+  // the scene as a whole does not: the surface itself has been judged.
+  const float scene = std::max(depths.scene_confidence, 1e-6f);
   for (size_t i = 0; i < depths.confidence.size(); ++i) {
     for (size_t k = 0; k < depths.confidence[i].size(); ++k) {
       if (surface.maps[i].depths[k] > 0) {
-        depths.confidence[i][k] = surface.confidence[i][k];
+        const float of_region = std::min(depths.confidence[i][k] / scene, 1.0f);
+        depths.confidence[i][k] = surface.confidence[i][k] * of_region;
       }
     }
   }

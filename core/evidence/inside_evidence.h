@@ -84,8 +84,8 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
 // Takes from `evidence` as far as a surface that was found with it is not to be
 // relied upon. `surface` has the depths of its doubtful parts in all views, at
 // the samples of evidence->depths, and how far they can be relied upon: what
-// these samples have found is relied upon as much. `hull` has the voxels of
-// evidence->values.
+// these samples have found is relied upon as much, as far as its region in the
+// view can be. `hull` has the voxels of evidence->values.
 void ReviseEvidence(const ViewSet& views,
                     const VoxelGrid& hull,
                     const ReliableDepths& surface,

@@ -30,7 +30,7 @@ constexpr float kRegionRadius = 8;
 // upon, from the second on, where three fifths of all are wrong, not at all.
 constexpr float kSureShareOfRegion = 1.0f / 6;
 constexpr float kDoubtfulShareOfRegion = 0.4f;
-// Shares of contradicted depths in units of these: fewer depths are
+// By this both limits are multiplied for contradicted depths: fewer depths are
 // contradicted than nearly contradicted.
 constexpr float kContradictedByNearly = 0.7f;
 // Shares of nearly contradicted depths of the whole scene: up to the first they
@@ -283,9 +283,10 @@ float ConfidenceOfScene(double contradicted_share,
                   shown * std::max(dense, consistent * can_be_few));
 }
 
-// How far the depths around each sample can be relied upon, 0 .. 1. The less
-// those of the scene can be, the more do nearly contradicted ones count: in
-// parts of a plain object that follow wrong depths, these agree.
+// How far the depths around each sample can be relied upon, 0 .. 1. The lower
+// the confidence of the scene, the more nearly contradicted depths count
+// instead of contradicted ones: on plain objects, whole regions have wrong
+// depths that agree with each other.
 std::vector<float> ConfidenceOfRegions(const ViewProjection& projection,
                                        const VoxelGrid& hull,
                                        const SweptDepthMap& map,

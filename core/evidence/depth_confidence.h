@@ -24,10 +24,11 @@ struct ReliableDepths {
   // beside it, more views have found a surface than at the depth itself.
   std::vector<SweptDepthMap> maps;
   // confidence[i][k] says how far a depth at sample k of map i can be relied
-  // upon: 1 where few of the depths around it in its view are contradicted, 0
-  // where many are; 0 all over where few samples of the object have a depth and
-  // either a quarter of all depths is contradicted or views that could see more
-  // have found next to nothing.
+  // upon: 1 where few of the depths around it in its view are contradicted (or,
+  // in scenes that are in doubt, nearly contradicted), 0 where many are; 0 all
+  // over where few samples of the object have a depth and either a quarter of
+  // all depths is contradicted or views that could see more have found next to
+  // nothing.
   std::vector<std::vector<float>> confidence;
   // 0 .. 1; by this the confidence of the parts of all views is multiplied.
   float scene_confidence = 1;

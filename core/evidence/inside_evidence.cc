@@ -274,8 +274,8 @@ void ReviseEvidence(const ViewSet& views,
                     const Context& context,
                     InsideEvidence* evidence) {
   ReliableDepths& depths = evidence->depths;
-  // What contradictions in the region say still counts, what was concluded of
-  // the scene as a whole does not: the surface itself has been judged.
+  // The confidence of the region still counts; that of the scene is replaced by
+  // the judgement of the surface itself.
   const float scene = std::max(depths.scene_confidence, 1e-6f);
   for (size_t i = 0; i < depths.confidence.size(); ++i) {
     for (size_t k = 0; k < depths.confidence[i].size(); ++k) {

@@ -63,11 +63,13 @@ struct InsideEvidenceSummary {
 };
 
 struct InsideEvidence {
-  std::vector<float> values;     // one a hull voxel; > 0 speaks for inside
-  ReliableDepths depths;         // what `values` come from
-  VoxelValues depth_confidence;  // as ConfidenceInSpace has it, of the hull
-  // The same, less where a surface that the photographs have decided is not to
-  // be relied upon: ReviseEvidence. How far they may decide the next one.
+  std::vector<float> values;  // one a hull voxel; > 0 speaks for inside
+  ReliableDepths depths;      // what `values` come from
+  // As ConfidenceInSpace has it, of the hull before it is trimmed.
+  VoxelValues depth_confidence;
+  // How far photo-consistency may decide near each voxel: depth_confidence,
+  // less where ReviseEvidence has found a surface that is not to be relied
+  // upon.
   VoxelValues decision_confidence;
   std::vector<float>
       mask_confidence;  // one a view, as EstimateMaskConfidence has it
@@ -81,11 +83,12 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                                       float shown,
                                       const Context& context);
 
-// Takes from `evidence` as far as a surface that was found with it is not to be
-// relied upon. `surface` has the depths of its doubtful parts in all views, at
-// the samples of evidence->depths, and how far they can be relied upon: what
-// these samples have found is relied upon as much, as far as its region in the
-// view can be. `hull` has the voxels of evidence->values.
+// Replaces the confidence of depths at the samples where `surface`, which was
+// found with them, has a depth: by the confidence of the surface times that of
+// the region in the view, without that of the whole scene. `values`,
+// `decision_confidence` and the number of free voxels are computed anew.
+// `surface` has maps as evidence->depths has, and `hull` the voxels of
+// evidence->values. To be called once.
 void ReviseEvidence(const ViewSet& views,
                     const VoxelGrid& hull,
                     const ReliableDepths& surface,

@@ -1,9 +1,9 @@
 #include "core/pipeline/judge_dents.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <Eigen/LU>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
@@ -13,15 +13,15 @@
 namespace octacut {
 namespace {
 
-// Pixels of the images that are compared, in voxels: the hull and a cut a voxel
-// beneath it differ by several of them.
+// Width of the pixels at which views are compared, in voxels. Wider ones do not
+// tell narrow folds.
 constexpr double kQuarterVoxel = 0.25;
-// Voxels behind the hull from which on a cut is inside of it: what labels of
-// voxels are known to.
+// A cut at least this many voxels behind the hull, along the line of sight, is
+// judged: labels are no more precise.
 constexpr double kInside = 0.5;
-// By how much more the views agree about the cut than about the hull: up to the
-// first it cannot be relied upon, from the second on it can. Means over the
-// points around one scatter by about as much.
+// Agreement about the cut less that about the hull: up to the first, a cut has
+// no confidence, from the second on it has full confidence. Smaller differences
+// are noise (docs/experiments/dents.md).
 constexpr float kLess = -0.05f;
 constexpr float kMore = 0.05f;
 
@@ -105,11 +105,12 @@ ReliableDepths JudgeDents(const ViewSet& views,
                           const RefineOptions& options,
                           const Context& context) {
   const JudgedSurface outer(
-      views, hull, "agreement of the views on the hull", options, context);
+      views, hull, "dents: agreement on the hull", options, context);
   const JudgedSurface inner(
-      views, cut, "agreement of the views on the cut", options, context);
+      views, cut, "dents: agreement on the cut", options, context);
   const double voxel = 1.0 / double(cut.voxels.Resolution());
   ReliableDepths judged{maps, std::vector<std::vector<float>>(maps.size())};
+  judged.scene_confidence = 1;
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       JudgeView(views[i],

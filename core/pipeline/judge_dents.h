@@ -3,23 +3,30 @@
 //
 // Depths of the object lead a cut into its hollows. Noise, highlights and
 // reflections, which agree by chance, lead it astray, so that plain and glazed
-// objects get pits. Which of them it was the photographs tell when they are
-// asked about both surfaces: where the cut is right, views agree about it, and
-// less about what the hull has in front of it (docs/experiments/dents.md).
+// objects get pits. Measuring both surfaces in the photographs tells the two
+// apart: where the cut is right, the views agree better about it than about the
+// hull in front of it (docs/experiments/dents.md).
 #pragma once
+
+#include <vector>
 
 #include "core/base/context.h"
 #include "core/evidence/depth_confidence.h"
+#include "core/evidence/depth_sweep.h"
 #include "core/grid/labeled_voxels.h"
 #include "core/refine/refine_options.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
 
-// The depths in all views of what `cut` has inside of `hull`, labellings of one
-// level, and how far they can be relied upon (0 .. 1): by how much more the
-// views agree about the cut than about the hull on the same line of sight. At
-// the samples of `maps`.
+// Finds the samples of `maps` whose line of sight meets `cut` at least half a
+// voxel behind `hull`, labellings of one level. Returns maps of the same size:
+// at these samples the depth of the cut (along the optical axis, unit
+// coordinates), and a confidence of 0 .. 1 that grows with how much better the
+// views agree about the cut than about the hull; elsewhere depth 0. Samples
+// where no two views see the hull are left out; where none see the cut, their
+// agreement about it is 0. Depths in `maps` are not read. `scene_confidence` is
+// 1: without judged samples, a cut is sure.
 ReliableDepths JudgeDents(const ViewSet& views,
                           const LabeledVoxels& hull,
                           const LabeledVoxels& cut,

@@ -100,8 +100,8 @@ Hull CarveHull(const ViewSet& views,
   });
 }
 
-// Takes back from the evidence what has led a first cut into the hull without
-// that views agree about it.
+// Solves l0 on trial, and lowers the confidence in evidence that has led the
+// cut into the hull where the views do not agree better about it.
 void DoubtDents(const ViewSet& views,
                 const VoxelGrid& hull,
                 const LabeledVoxels& hull_surface,
@@ -109,23 +109,25 @@ void DoubtDents(const ViewSet& views,
                 const Context& context,
                 InsideEvidence* evidence) {
   if (evidence->depths.scene_confidence == 0) {
-    return;  // nothing has led it there
+    return;  // without confidence in depths, the cut stays at the hull
   }
-  LevelSummary first;
-  const LabeledVoxels cut =
-      SolveInitialLevel({views, *evidence, options, context}, hull, &first)
+  LevelSummary trial_summary;
+  const LabeledVoxels trial =
+      SolveInitialLevel(
+          {views, *evidence, options, context}, hull, &trial_summary)
           .surface;
   ReviseEvidence(views,
                  hull,
                  JudgeDents(views,
                             hull_surface,
-                            cut,
+                            trial,
                             evidence->depths.maps,
                             options.refinement,
                             context),
                  options.evidence,
                  context,
                  evidence);
+  evidence->depths = {};  // nothing reads them any more
 }
 
 // Trims the hull by the masks that can be relied upon, too.

@@ -19,6 +19,9 @@ MeasuredSurface MeasureSurface(const ViewSet& views,
           surface, {.min_corner = Eigen::Vector3d::Zero(), .edge = 1}, context),
       {}};
   IndexedMesh& mesh = measured.mesh;
+  if (mesh.triangles.empty()) {
+    return {};
+  }
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& position : mesh.positions) {
     center += position / double(mesh.positions.size());

@@ -15,8 +15,9 @@ struct MeasuredSurface {
   SurfaceAgreement agreement;
 };
 
-// In images whose pixels are so wide, in voxels of `surface`, or as given where
-// their own are wider. Empty where no view sees the surface's centre.
+// Compares the views at samples that are `sample_width` voxels of `surface`
+// wide, or one pixel where pixels are wider. Empty where `surface` is or where
+// no view has its centre in front of the camera. `phase` names the progress.
 MeasuredSurface MeasureSurface(const ViewSet& views,
                                const LabeledVoxels& surface,
                                double sample_width,

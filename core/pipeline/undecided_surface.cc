@@ -57,10 +57,9 @@ Decision DecideByPhotographs(const Crust& crust,
   ParallelForVoxels(
       context, crust.voxels, [&](VoxelGrid::Index index, MortonCode code) {
         float& around = decision.around[index];
-        const float of_depths =
-            confidence.At(code, crust.voxels.Level(), around);
-        around = is_coarse ? std::min(of_depths / kEnoughConfidence, 1.0f)
-                           : std::max(around, of_depths);
+        const float given = confidence.At(code, crust.voxels.Level(), around);
+        around = is_coarse ? std::min(given / kEnoughConfidence, 1.0f)
+                           : std::max(around, given);
         decision.here[index] *= around;
       });
   return decision;

@@ -23,7 +23,7 @@ namespace octacut {
 struct Decision {
   // By their agreement near the voxel, as far as that is reliable.
   std::vector<float> here;
-  // By their agreement around it, or the confidence in depths.
+  // By their agreement around it, or the confidence in depths and dents.
   std::vector<float> around;
 };
 

@@ -122,14 +122,13 @@ std::vector<float> SurfaceAgreement::MeansAround() const {
 }
 
 double SurfaceAgreement::UpperDecile() const {
-  std::vector<float> means = MeansAround();
-  size_t count = 0;
-  for (size_t i = 0; i < means.size(); ++i) {
+  const std::vector<float> all = MeansAround();
+  std::vector<float> means;
+  for (size_t i = 0; i < all.size(); ++i) {
     if (is_seen[i]) {
-      means[count++] = means[i];
+      means.push_back(all[i]);
     }
   }
-  means.resize(count);
   if (means.empty()) {
     return 0;
   }

@@ -32,12 +32,13 @@ struct SurfaceAgreement {
   std::vector<uint8_t> is_seen;  // by at least two views
   std::vector<float> scores;     // -1 .. 1, where they see it
 
-  // Those of points that no point near them is seen at.
+  // The mean around a point where nothing is seen.
   static constexpr float kUnseen = -2;
 
   // 0 where nothing is seen.
   double Mean() const;
-  // Means over what is seen of the points around each point, or kUnseen.
+  // For each point, the mean score of the seen points at most three steps away,
+  // itself included; kUnseen if there are none.
   std::vector<float> MeansAround() const;
   // Of the means around the points that are seen: what a tenth of them exceeds.
   // 0 where nothing is seen.

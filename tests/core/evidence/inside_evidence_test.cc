@@ -126,8 +126,7 @@ TEST(InsideEvidence, CountsWhatItSays) {
   }
 }
 
-// A surface in front of a cup's cavity, of which views say how far it can be
-// relied upon: what the depths of these samples say goes with it.
+// All depths that were found in a cup are judged, as wrong and as right.
 TEST(ReviseEvidence, TakesWhatDoubtfulPartsOfASurfaceHaveSaid) {
   const TestScene test = MakeTestScene("cup", 120, 90, 16);
   const VoxelGrid hull = HullOf(test, 5);

@@ -18,7 +18,7 @@ constexpr int kDentLevel = 6;
 constexpr double kDentDepth = 4;  // voxels
 constexpr double kDentRadius = 9;
 
-// A photographed sphere, beside what a wrong hull or a wrong cut has of it.
+// A photographed sphere, and labellings of it with a dent or a bulge.
 struct DentSetting {
   TestScene test;
 
@@ -28,8 +28,8 @@ struct DentSetting {
     test = testing::MakeTestScene(spec);
   }
 
-  // Voxels; `shape` gets the distance to the sphere and to a ball that reaches
-  // so deep into it, or out of it where that is negative.
+  // `shape` gets the signed distances to the sphere and to a ball that reaches
+  // `depth` voxels into it.
   LabeledVoxels Label(
       double depth, const std::function<double(double, double)>& shape) const {
     const double voxel = test.VoxelSize(kDentLevel);
@@ -112,6 +112,13 @@ TEST(JudgeDents, FindsNoneWhereTheCutIsTheHull) {
   EXPECT_EQ(
       MeanOf(setting.Judge(setting.Sphere(), setting.Sphere())).num_samples,
       0u);
+}
+
+TEST(JudgeDents, FindsNoneInAnEmptyCut) {
+  const DentSetting setting(MaterialKind::kDiffuse);
+  LabeledVoxels empty = setting.Sphere();
+  std::fill(empty.labels.begin(), empty.labels.end(), FaceLabels{0});
+  EXPECT_EQ(MeanOf(setting.Judge(setting.Sphere(), empty)).num_samples, 0u);
 }
 
 TEST(JudgeDents, IsTheSameForAnyNumberOfThreads) {

@@ -127,7 +127,6 @@ void DoubtDents(const ViewSet& views,
                  options.evidence,
                  context,
                  evidence);
-  evidence->depths = {};  // nothing reads them any more
 }
 
 // Trims the hull by the masks that can be relied upon, too.
@@ -145,6 +144,7 @@ InsideEvidence EstimateEvidence(const ViewSet& views,
         views, *hull, options.evidence, shown.share, context);
     *hull = TrimHull(views, *hull, context, &found);
     DoubtDents(views, *hull, hull_surface, options, context, &found);
+    found.depths = {};  // nothing reads them any more
     return found;
   });
   summary->hull.num_voxels = hull->Size();

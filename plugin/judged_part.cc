@@ -29,8 +29,9 @@ void DeclareJudgedPartOptions(OptionManager& options,
       "input_views_path",
       &judged->input_views_path,
       "Folder of a sparse model of the same photographs in the frame of the "
-      "compared meshes. If given, these are first moved by what brings its "
-      "cameras to those of views_path. Default: none.");
+      "compared meshes. If given, the meshes are first moved by the similarity "
+      "transform that aligns its cameras with those of views_path. Default: "
+      "none.");
   DeclareSeenOptions(options, &judged->seen);
   options.Add("bounding_box",
               &judged->bounding_box,

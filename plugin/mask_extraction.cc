@@ -262,8 +262,8 @@ void DeclareMaskExtractionOptions(OptionManager& options,
       "prior (docs/masks.md). Default: none.");
   options.Add("on_stand",
               &extraction->on_stand,
-              "If 1, find the plane on which the object stands in the sparse "
-              "points, and exclude all that is on or below it.");
+              "If 1, estimate from the sparse points the plane on which the "
+              "object stands, and exclude all that is on or below it.");
 }
 
 MaskExtraction ExtractMasks(const Workspace& workspace,

@@ -18,7 +18,7 @@ void DeclareMainOptions(OptionManager& options,
   options.Add("OctahedralMeshing.hull_level",
               &meshing->hull.hull_level,
               "Resolution of the visual hull: (2^level)^3 voxels. Use 8 for "
-              "parts thinner than 1/40 of the object.");
+              "parts thinner than 1/40 of the object's length.");
   options.Add(
       "OctahedralMeshing.refine",
       &meshing->refine,
@@ -43,7 +43,8 @@ void DeclareMainOptions(OptionManager& options,
       "OctahedralMeshing.min_handle",
       &meshing->min_handle,
       "Remove bridges up to this circumference and fill tunnels up to twice "
-      "this circumference, in voxels (pixels, if larger); 0 keeps all.");
+      "this circumference (four times for both where no silhouette shows "
+      "them), in voxels (pixels, if larger); 0 keeps all.");
 }
 
 void DeclareExpertOptions(OptionManager& options,
@@ -73,13 +74,14 @@ void DeclareExpertOptions(OptionManager& options,
   options
       .Add("OctahedralMeshing.max_grow_rounds",
            &meshing->max_grow_rounds,
-           "Maximum number of times a crust is enlarged because the cut "
-           "touches its border, 0 to 16.")
+           "Maximum number of times the crust (the band of voxels that is "
+           "searched) is enlarged because the cut touches its border, 0 to 16.")
       .ForExperts();
   options
       .Add("OctahedralMeshing.lean_cut",
            &meshing->cut.lean,
-           "If 1, cut with 14-bit weights, which needs a third less memory.")
+           "If 1, solve the graph cut with 14-bit edge weights, which needs a "
+           "third less memory.")
       .ForExperts();
 }
 

@@ -67,7 +67,8 @@ void DeclareLoadingOptions(OptionManager& options,
   options.Add("skip_missing_masks",
               &loading->skip_missing_masks,
               "If 1, leave out images whose mask is missing, all background or "
-              "all object instead of stopping.");
+              "all object instead of stopping. Images that masks.json lists as "
+              "unsure are always left out.");
 }
 
 void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance) {
@@ -81,7 +82,7 @@ void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps) {
   options
       .Add("OctahedralMeshing.fill_false_gaps",
            fill_false_gaps,
-           "If 1, fill holes and bays of a mask where the other views or "
+           "If 1, fill holes and notches of a mask where the other views or "
            "sparse points show the object.")
       .ForExperts();
 }

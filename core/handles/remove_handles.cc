@@ -109,11 +109,10 @@ bool IsHidden(const IndexedMesh& mesh,
               const HalfEdges& half_edges,
               const HandleLoop& loop,
               const RemoveHandlesOptions& options) {
-  return options.is_hidden &&
-         std::all_of(
-             loop.half_edges.begin(), loop.half_edges.end(), [&](uint32_t h) {
-               return options.is_hidden(mesh.positions[half_edges.Origin(h)]);
-             });
+  return std::all_of(
+      loop.half_edges.begin(), loop.half_edges.end(), [&](uint32_t h) {
+        return options.is_hidden(mesh.positions[half_edges.Origin(h)]);
+      });
 }
 
 // Whether a loop is short enough to be cut: tunnels and hidden loops may be
@@ -122,11 +121,10 @@ bool IsShort(const IndexedMesh& mesh,
              const HalfEdges& half_edges,
              const HandleLoop& loop,
              const RemoveHandlesOptions& options) {
-  const double max_length =
-      options.max_length *
-      (IsAroundTunnel(mesh, half_edges, loop) ? kTunnelLength : 1);
-  return loop.length <= max_length ||
-         (loop.length <= options.hidden_factor * max_length &&
+  const double factor =
+      IsAroundTunnel(mesh, half_edges, loop) ? kTunnelLength : 1;
+  return loop.length <= factor * options.max_length ||
+         (loop.length <= options.max_hidden_length &&
           IsHidden(mesh, half_edges, loop, options));
 }
 
@@ -165,13 +163,12 @@ size_t RemoveSome(const RemoveHandlesOptions& options,
                   std::set<Vertices>* refused,
                   IndexedMesh* mesh) {
   const HalfEdges half_edges(mesh->positions.size(), mesh->triangles, context);
-  const double factor = options.is_hidden ? options.hidden_factor : 1;
-  std::vector<HandleLoop> loops =
-      FindHandleLoops(*mesh,
-                      half_edges,
-                      SurfaceHomology(half_edges, context),
-                      factor * kTunnelLength * options.max_length,
-                      context);
+  std::vector<HandleLoop> loops = FindHandleLoops(
+      *mesh,
+      half_edges,
+      SurfaceHomology(half_edges, context),
+      std::max(kTunnelLength * options.max_length, options.max_hidden_length),
+      context);
   std::erase_if(loops, [&](const HandleLoop& loop) {
     return !IsShort(*mesh, half_edges, loop, options);
   });

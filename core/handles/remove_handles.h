@@ -21,9 +21,9 @@ struct RemoveHandlesOptions {
   double max_length = 0;
   // New triangles are no thinner (thin_triangles.h).
   double min_height = 0;
-  // Factor on both lengths, at least 1, for loops all of whose vertices
-  // `is_hidden`.
-  double hidden_factor = 1;
+  // Of the loops around bridges and tunnels all of whose vertices `is_hidden`.
+  // More than 0 only with `is_hidden`.
+  double max_hidden_length = 0;
   std::function<bool(const Eigen::Vector3d&)> is_hidden = nullptr;
 };
 

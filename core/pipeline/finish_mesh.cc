@@ -26,9 +26,9 @@ constexpr uint8_t kUnseenGrey = 128;
 // Points this deep in the visual hull show in no silhouette. In voxels, or
 // pixels where these are larger.
 constexpr float kDeepInHull = 4;
-// Factor on the lengths of loops around handles that no silhouette shows
-// (docs/experiments/handles.md).
-constexpr double kHiddenHandle = 2;
+// The longest loop around a handle that no silhouette shows, in units of
+// `min_handle` (docs/experiments/handles.md).
+constexpr double kHiddenHandle = 4;
 
 // Deep in the silhouettes of all views that have the point in their frames.
 // `point` and `voxel` are in unit coordinates.
@@ -119,11 +119,12 @@ FinishedMesh FinalMesh(const ViewSet& views,
   // Below a pixel the images cannot tell a handle from none.
   const double pixel =
       cube.edge * PixelSize(views, Eigen::Vector3f::Constant(0.5f));
+  const double max_length = options.min_handle * std::max(voxel_size, pixel);
   RemovedHandles cleaned = RemoveHandles(
       std::move(kept.mesh),
-      {.max_length = options.min_handle * std::max(voxel_size, pixel),
+      {.max_length = max_length,
        .min_height = placing.min_height * voxel_size,
-       .hidden_factor = kHiddenHandle,
+       .max_hidden_length = kHiddenHandle * max_length,
        .is_hidden =
            [&](const Eigen::Vector3d& point) {
              return IsHiddenFromSilhouettes(

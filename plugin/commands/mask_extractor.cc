@@ -38,13 +38,14 @@ void MaskExtractor::DeclareOptions(OptionManager& options) {
               &workspace_path_,
               "Folder of the COLMAP project (with images and sparse) or a "
               "dense folder. Required unless mode is turntable.");
-  options.AddEnum("mode",
-                  &mode_,
-                  {{"sparse_model", MaskMode::kSparseModel},
-                   {"turntable", MaskMode::kTurntable}},
-                  "sparse_model: segment the object, after the mapper. "
-                  "turntable: segment what moves before a fixed camera; needs "
-                  "no model, but image_path and output_path.");
+  options.AddEnum(
+      "mode",
+      &mode_,
+      {{"sparse_model", MaskMode::kSparseModel},
+       {"turntable", MaskMode::kTurntable}},
+      "sparse_model: segment the object with the cameras of a sparse "
+      "model. turntable: segment what moves in front of a fixed "
+      "camera; needs no model, but image_path and output_path.");
   options.Add("image_path",
               &workspace_.image_path,
               "Folder of the photographs. Default: images in the workspace.");

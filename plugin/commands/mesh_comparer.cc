@@ -89,11 +89,13 @@ class MeshComparer : public Command {
 void MeshComparer::DeclareOptions(OptionManager& options) {
   options.AddRequiredRepeatable("input_path",
                                 &input_paths_,
-                                "Mesh to compare (.ply, .obj, .off or .stl), "
-                                "or several separated by commas.");
+                                "Mesh or point cloud to compare (.ply, .obj, "
+                                ".off or .stl), or several separated by "
+                                "commas.");
   options.AddRequired("reference_path",
                       &reference_path_,
-                      "Reference mesh, which counts as correct.");
+                      "Reference mesh or point cloud (for eth3d, the scans' "
+                      ".mlp project).");
   options.Add(
       "output_path", &output_path_, "JSON report to write. Default: none.");
   options.Add("html_path",

@@ -122,24 +122,27 @@ TEST(RemoveHandles, FillsTunnelsTwiceAsWideAsTheBridgesItCuts) {
 }
 
 TEST(RemoveHandles, LoopsMayBeLongerWhereAllOfThemIsHidden) {
-  const auto num_removed =
-      [&](const IndexedMesh& mesh, double max_length, const auto& is_hidden) {
-        return RemoveHandles(mesh,
-                             {.max_length = max_length * kVoxel,
-                              .min_height = kMinHeight * kVoxel,
-                              .hidden_factor = 2,
-                              .is_hidden = is_hidden},
-                             Context(2))
-            .summary.num_removed;
-      };
+  const auto num_removed = [&](const IndexedMesh& mesh,
+                               double max_hidden_length,
+                               const auto& is_hidden) {
+    return RemoveHandles(mesh,
+                         {.max_length = 5 * kVoxel,
+                          .min_height = kMinHeight * kVoxel,
+                          .max_hidden_length = max_hidden_length * kVoxel,
+                          .is_hidden = is_hidden},
+                         Context(2))
+        .summary.num_removed;
+  };
   const auto everywhere = [](const Eigen::Vector3d&) { return true; };
   const auto upper_half = [](const Eigen::Vector3d& p) { return p.z() > 0.5; };
-  EXPECT_EQ(num_removed(WideBars(), 10, everywhere), 1u);
-  EXPECT_EQ(num_removed(WideBars(), 6, everywhere), 0u);
-  EXPECT_EQ(num_removed(WideBars(), 10, upper_half), 0u);
   const auto nowhere = [](const Eigen::Vector3d&) { return false; };
-  EXPECT_EQ(num_removed(PlateWithHole(), 5, everywhere), 1u);
-  EXPECT_EQ(num_removed(PlateWithHole(), 5, nowhere), 0u);
+  for (const IndexedMesh& mesh : {WideBars(), PlateWithHole()}) {
+    EXPECT_EQ(num_removed(mesh, 20, everywhere), 1u);
+    EXPECT_EQ(num_removed(mesh, 12, everywhere), 0u);
+    EXPECT_EQ(num_removed(mesh, 20, nowhere), 0u);
+  }
+  // Loops around the bar reach below.
+  EXPECT_EQ(num_removed(WideBars(), 20, upper_half), 0u);
 }
 
 TEST(RemoveHandles, LeavesThickHandles) {

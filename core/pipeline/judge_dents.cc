@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <Eigen/LU>
 #include <optional>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
@@ -24,6 +25,12 @@ constexpr double kInside = 0.5;
 // are noise (docs/experiments/dents.md).
 constexpr float kLess = -0.05f;
 constexpr float kMore = 0.05f;
+// A depth this many voxels behind the cut is of another surface, which may be
+// right where the cut is wrong. Only where the views agree this well about the
+// hull is the hull likely to be the object's surface: they agree less about the
+// lids of hollows.
+constexpr double kBehind = 1;
+constexpr float kAgreed = 0.4f;
 
 // A surface, and how well the views agree around its points.
 class JudgedSurface {
@@ -61,7 +68,7 @@ class JudgedSurface {
   std::optional<RayScene> rays_;
 };
 
-// The samples of one view.
+// The samples of one view. Its depths become those of the cut.
 void JudgeView(const PreparedView& view,
                const JudgedSurface& hull,
                const JudgedSurface& cut,
@@ -70,8 +77,9 @@ void JudgeView(const PreparedView& view,
                std::vector<float>* confidence) {
   const ViewProjection& projection = view.projection;
   const Eigen::Matrix3f rays = projection.linear.inverse();
-  std::fill(map->depths.begin(), map->depths.end(), 0.0f);
-  confidence->assign(map->depths.size(), 1);
+  const std::vector<float> depths =
+      std::exchange(map->depths, std::vector<float>(map->depths.size(), 0.0f));
+  confidence->assign(depths.size(), 1);
   for (int y = 0; y < map->height; ++y) {
     for (int x = 0; x < map->width; ++x) {
       const Eigen::Vector3f pixel = map->Pixel(x, y);
@@ -81,17 +89,21 @@ void JudgeView(const PreparedView& view,
       const Eigen::Vector3f ray = rays * pixel;
       const auto before = hull.FirstHit(projection.center, ray);
       const auto behind = cut.FirstHit(projection.center, ray);
+      const double unit = double(ray.norm()) / voxel;
       if (!before || !behind ||
-          (behind->distance - before->distance) * double(ray.norm()) <
-              kInside * voxel) {
+          (behind->distance - before->distance) * unit < kInside) {
         continue;
       }
-      if (const auto of_hull = hull.AgreementAt(*before)) {
-        const size_t k = size_t(y) * map->width + x;
-        map->depths[k] = float(behind->distance);
-        (*confidence)[k] =
-            Ramp(cut.AgreementAt(*behind).value_or(0) - *of_hull, kLess, kMore);
+      const size_t k = size_t(y) * map->width + x;
+      const auto of_hull = hull.AgreementAt(*before);
+      if (!of_hull ||
+          (*of_hull < kAgreed &&
+           (double(depths[k]) - behind->distance) * unit > kBehind)) {
+        continue;
       }
+      map->depths[k] = float(behind->distance);
+      (*confidence)[k] =
+          Ramp(cut.AgreementAt(*behind).value_or(0) - *of_hull, kLess, kMore);
     }
   }
 }
@@ -110,7 +122,6 @@ ReliableDepths JudgeDents(const ViewSet& views,
       views, cut, "dents: agreement on the cut", options, context);
   const double voxel = 1.0 / double(cut.voxels.Resolution());
   ReliableDepths judged{maps, std::vector<std::vector<float>>(maps.size())};
-  judged.scene_confidence = 1;
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       JudgeView(views[i],

@@ -19,14 +19,15 @@
 
 namespace octacut {
 
-// Finds the samples of `maps` whose line of sight meets `cut` at least half a
-// voxel behind `hull`, labellings of one level. Returns maps of the same size:
-// at these samples the depth of the cut (along the optical axis, unit
-// coordinates), and a confidence of 0 .. 1 that grows with how much better the
-// views agree about the cut than about the hull; elsewhere depth 0. Samples
-// where no two views see the hull are left out; where none see the cut, their
-// agreement about it is 0. Depths in `maps` are not read. `scene_confidence` is
-// 1: without judged samples, a cut is sure.
+// Finds the samples of `maps` within the silhouettes whose line of sight meets
+// `cut` at least half a voxel behind `hull`, labellings of one level. Returns
+// maps of the same size: at these samples the depth of the cut (along the
+// optical axis, unit coordinates), and a confidence of 0 .. 1 that grows with
+// how much better the views agree about the cut than about the hull; elsewhere
+// depth 0. Where no two views see the cut, their agreement about it is 0. Left
+// out are samples where no two views see the hull, and those whose own depth
+// lies far behind the cut, unless the views agree well about the hull.
+// `scene_confidence` is 1: without judged samples, a cut is sure.
 ReliableDepths JudgeDents(const ViewSet& views,
                           const LabeledVoxels& hull,
                           const LabeledVoxels& cut,

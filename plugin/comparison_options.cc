@@ -58,7 +58,7 @@ void DeclareAlignmentOptions(OptionManager& options,
   options.AddConstant("Alignment.max_iterations",
                       compare->alignment.max_iterations);
   options.AddRemoved("Alignment.kept_fraction",
-                     "has gone: a robust loss leaves out what does not fit");
+                     "a robust loss leaves out what does not fit");
   options
       .Add("Alignment.global_search",
            &compare->alignment.global_search,

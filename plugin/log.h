@@ -16,7 +16,7 @@ enum class LogTarget { kStderr, kStdout, kFile, kStderrAndFile };
 
 struct LogOptions {
   LogTarget target = LogTarget::kStderr;
-  // COLMAP 3.8's way to say that the target is stderr.
+  // COLMAP 3.8's way to ask for stderr in addition to a file.
   bool to_stderr = false;
   // Folder of the log file, made if missing; empty: the system's folder for
   // temporary files. A path that ends in ".log" is the file itself.

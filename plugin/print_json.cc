@@ -27,16 +27,4 @@ Json OverhangsToJson(const Overhangs& overhangs) {
           {"base_area", overhangs.base_area}};
 }
 
-Json MatrixToJson(const Similarity3d& transform) {
-  Json rows = Json::array();
-  for (int row = 0; row < 3; ++row) {
-    const Eigen::RowVector3d scaled =
-        transform.scale * transform.rotation.row(row);
-    rows.push_back(
-        {scaled.x(), scaled.y(), scaled.z(), transform.translation[row]});
-  }
-  rows.push_back({0.0, 0.0, 0.0, 1.0});
-  return rows;
-}
-
 }  // namespace octacut

@@ -4,7 +4,6 @@
 #include <array>
 #include <Eigen/Core>
 
-#include "core/mesh/similarity.h"
 #include "core/print/overhangs.h"
 #include "core/print/wall_thickness.h"
 #include "plugin/option_value.h"
@@ -22,8 +21,5 @@ Json WallThicknessToJson(const WallThickness& walls);
 
 // {"area", "share", "base_area"}
 Json OverhangsToJson(const Overhangs& overhangs);
-
-// The rows of the 4 x 4 matrix of a similarity.
-Json MatrixToJson(const Similarity3d& transform);
 
 }  // namespace octacut

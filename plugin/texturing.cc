@@ -173,8 +173,7 @@ Json ScoreMeshes(const TexturedMesh& textured,
           {"meshes", meshes}};
 }
 
-// The photograph whose middle shows most of the mesh's surface is as good as
-// any; the first one of most triangles shows the mesh from a good side.
+// In the view that textures most triangles, the first of several.
 void WritePicture(const fs::path& path,
                   const TexturingResult& result,
                   const Photographs& photographs,

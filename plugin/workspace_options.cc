@@ -160,7 +160,7 @@ void WorkspaceArguments::Complete(const std::vector<FileBeside>& beside,
               "confidence",
               confidence,
               "requires an output_path with the extension .ply");
-  // The report is written last; that it cannot be must not be news then.
+  // The report is written last, so whether it can be is checked now.
   files.Write("output_path", output_path, "the mesh");
   beside_ = beside;
   for (const auto& [path, what] : FilesBesideMesh()) {

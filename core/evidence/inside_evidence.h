@@ -42,10 +42,9 @@ struct InsideEvidenceOptions {
   // Where a labelling leaves the ray of an object's pixel empty: what that
   // pixel's word is worth to all hull voxels of its ray together. It doubles
   // with every round until nearly all are covered, `cover_rounds` times at
-  // most. 0: silhouettes are not asked on any level. Since it doubles, where
-  // it begins only changes the number of rounds.
+  // most. Since it doubles, where it begins only changes the number of rounds.
   double cover_weight = 1;
-  int cover_rounds = 5;  // 0 .. 8
+  int cover_rounds = 5;  // 0 .. 8; 0: silhouettes are not asked on any level
   void Check() const;
 };
 
@@ -67,12 +66,11 @@ struct InsideEvidence {
   ReliableDepths depths;      // what `values` come from
   // As ConfidenceInSpace has it, of the hull before it is trimmed.
   VoxelValues depth_confidence;
-  // How far photo-consistency may decide near each voxel: depth_confidence,
-  // less where ReviseEvidence has found a surface that is not to be relied
-  // upon.
+  // How far photo-consistency may decide near each voxel: depth_confidence, or
+  // what ReviseEvidence has made of it, which may be less or more.
   VoxelValues decision_confidence;
-  std::vector<float>
-      mask_confidence;  // one a view, as EstimateMaskConfidence has it
+  // One a view, as EstimateMaskConfidence has it.
+  std::vector<float> mask_confidence;
   InsideEvidenceSummary summary;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/parallel.h"
+#include "core/base/ramp.h"
 
 namespace octacut {
 namespace {
@@ -79,8 +80,7 @@ std::vector<float> EstimateMaskConfidence(
       const BorderPoints count = CountBorderPoints(views, maps, i);
       const float share = float(count.outside) /
                           (float(count.inside + count.outside) + kPriorPoints);
-      confidence[i] = std::clamp(
-          (kDoubtfulShare - share) / (kDoubtfulShare - kSureShare), 0.0f, 1.0f);
+      confidence[i] = Ramp(share, kDoubtfulShare, kSureShare);
     }
   });
   return confidence;

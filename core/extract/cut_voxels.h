@@ -1,5 +1,5 @@
 // The cut voxels of a labelled crust, numbered 0 .. n - 1 in Morton order,
-// and what of them lies around a brick. For core/mesh alone.
+// and what of them lies around a brick. For core/extract alone.
 #pragma once
 
 #include <array>

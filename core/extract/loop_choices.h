@@ -1,4 +1,5 @@
-// The triangulation of every polygon by its shape alone. For core/mesh alone.
+// The triangulation of every polygon by its shape alone. For core/extract
+// alone.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Where an umbrella's vertex belongs. For core/mesh alone.
+// Where an umbrella's vertex belongs. For core/extract alone.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // Finds what the polygons would draw a second time or across each other, so
 // that every edge of the mesh belongs to two triangles and none intersect. For
-// core/mesh alone.
+// core/extract alone.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Triangulations of the polygon of a cut voxel. For core/mesh alone.
+// Triangulations of the polygon of a cut voxel. For core/extract alone.
 #pragma once
 
 #include <array>

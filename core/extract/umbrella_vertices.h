@@ -1,5 +1,5 @@
 // One vertex for each umbrella of polygons around a grid corner. For
-// core/mesh alone.
+// core/extract alone.
 #pragma once
 
 #include <bit>

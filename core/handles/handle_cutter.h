@@ -1,4 +1,4 @@
-// Cuts a closed mesh along loops and closes both sides. For core/mesh alone.
+// Cuts a closed mesh along loops and closes both sides. For core/handles alone.
 #pragma once
 
 #include <cstddef>

@@ -84,7 +84,6 @@ KeptComponents KeepLargestComponents(IndexedMesh mesh, double min_fraction) {
               (min_fraction < 1 || c == size_t(largest - volumes.begin()));
     result.summary.num_removed += !keep[c];
   }
-  const size_t num_triangles = mesh.triangles.size();
   if (result.summary.num_removed > 0) {
     std::vector<uint8_t> keep_vertex(mesh.positions.size());
     std::vector<uint8_t> is_removed(mesh.positions.size());
@@ -98,7 +97,6 @@ KeptComponents KeepLargestComponents(IndexedMesh mesh, double min_fraction) {
     Compact(is_removed, result.removed);
     Compact(keep_vertex, mesh);
   }
-  result.summary.num_removed_triangles = num_triangles - mesh.triangles.size();
   result.mesh = std::move(mesh);
   return result;
 }

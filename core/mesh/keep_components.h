@@ -10,7 +10,6 @@ namespace octacut {
 struct KeepComponentsSummary {
   size_t num_components = 0;
   size_t num_removed = 0;
-  size_t num_removed_triangles = 0;
 };
 
 struct KeptComponents {

@@ -35,11 +35,10 @@ CoverCandidates FindCandidates(const Crust& crust,
       candidates.scores.push_back(0.5f + 0.5f * e / (1 + std::abs(e)));
     }
   }
-  constexpr FaceTies kOutside = (1u << kNumFaces) - 1;
   for (size_t i = 0; i < candidates.scores.size(); ++i) {
     const float depth = preference.hull_depth[i];
     float& score = candidates.scores[i];
-    score = depth < 0 || (crust.ties[i] & kOutside) != 0
+    score = depth < 0 || (crust.ties[i] & kAllFaces) != 0
                 ? -1
                 : (1 - kDepthShare) * score +
                       kDepthShare * std::min(depth / kDeep, 1.0f);

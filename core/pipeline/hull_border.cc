@@ -128,7 +128,7 @@ class BorderChance {
 };
 
 // Of the voxel that holds a point of the surface, or else 1: where there is
-// none, the point stays.
+// none, the point moves least.
 float DecidedAt(const DecidedVoxels& decided, const Eigen::Vector3f& point) {
   const VoxelGrid& voxels = decided.voxels;
   const Eigen::Vector3i voxel =

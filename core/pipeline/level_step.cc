@@ -1,11 +1,9 @@
 #include "core/pipeline/level_step.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 #include <vector>
 
-#include "core/crust/medial_voxels.h"
 #include "core/cut/fixed_point.h"
 
 namespace octacut {
@@ -46,17 +44,6 @@ OctahedralCut CutByEvidence(const LevelInputs& inputs,
   }
 }
 
-// Takes the first cut of l0 for what is known of inside and outside.
-void AdoptFirstCut(const std::vector<FaceLabels>& labels,
-                   const Context& context,
-                   Crust* crust) {
-  for (size_t i = 0; i < crust->prior.size(); ++i) {
-    crust->prior[i] = float(std::popcount(labels[i])) / kNumFaces;
-  }
-  crust->num_medial_voxels =
-      TieMedialVoxels(crust->voxels, crust->prior, context, &crust->ties);
-}
-
 }  // namespace
 
 SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
@@ -78,7 +65,7 @@ SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
   }
   const OctahedralCut first =
       CutByEvidence(inputs, crust, silhouettes.hull_depth, &steps, &inside);
-  steps.OnCrust([&] { AdoptFirstCut(first.labels, context, &crust); });
+  steps.OnCrust([&] { AdoptCut(first.labels, context, &crust); });
   VoxelTerms terms;
   steps.ExtendTerms(
       steps.EstimateVisibility(crust.voxels, first.labels), crust, &terms);

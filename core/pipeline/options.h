@@ -50,8 +50,8 @@ struct ReconstructionOptions {
   double min_component = 0.1;
   // Handles around which a loop no longer than so many voxels goes, or pixels
   // of the views where those are larger, are removed: bridges cut, and tunnels
-  // filled of up to twice that. Both limits are twice as large where no
-  // silhouette shows the handle. 0 (none) .. 64.
+  // filled of up to twice that. Where no silhouette shows the handle, both
+  // limits are four times `min_handle`. 0 (none) .. 64.
   double min_handle = 5;
   int target_level = 9;  // at least hull.hull_level, at most 12
   // Times that a crust is grown where its cut touches its border, each

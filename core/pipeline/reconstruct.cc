@@ -100,8 +100,8 @@ Hull CarveHull(const ViewSet& views,
   });
 }
 
-// Solves l0 on trial, and lowers the confidence in evidence that has led the
-// cut into the hull where the views do not agree better about it.
+// Solves l0 on trial. Where that cut lies inside of the hull, the confidence in
+// the evidence becomes what the views say of the cut itself.
 void DoubtDents(const ViewSet& views,
                 const VoxelGrid& hull,
                 const LabeledVoxels& hull_surface,

@@ -18,7 +18,8 @@ namespace octacut {
 // `choices`, the samples of a patch a pixel apart. What all views would do
 // alike (a turn, a shift, a growth of the whole scene) is taken out, so that
 // they stay where they are in the mean. Views that show too little of what
-// agrees stay, but for that. Returns how many others there are.
+// agrees are moved by that alone. Returns the number of views that were
+// aligned.
 size_t AlignViews(const std::vector<LocalSurface>& surfaces,
                   const std::vector<ChosenViews>& choices,
                   const PatchOptions& patch_options,

@@ -71,8 +71,8 @@ double FindBorderShift(const std::vector<ContourTarget>& contours,
   return plan.border_shift;
 }
 
-// Beside what the masks are too small by. In coarse rounds contours are only
-// known to coarse pixels, so that distances mean the less.
+// In addition to the pixels by which masks are too small. In coarse rounds
+// contours are only known to coarse pixels, so that distances mean the less.
 double HullTolerance(const std::vector<ContourTarget>& contours, double scale) {
   const std::optional<double> distance = MedianDistance(contours);
   return distance ? std::clamp(kToleratedDistance / scale * *distance,

@@ -17,7 +17,8 @@ struct ImageShift {
   uint16_t view = 0;
   // Correlation with the mean image.
   float agreement = 0;
-  // Squared norm of what differs from the mean image, of whose own 1.
+  // Squared norm of the difference from the mean image, where that of the
+  // view's own image is 1.
   float residual = 0;
   Eigen::Matrix2f products = Eigen::Matrix2f::Zero();
   Eigen::Vector2f right = Eigen::Vector2f::Zero();
@@ -78,7 +79,7 @@ class SurfacePatch {
   // Takes out the mean and part of the gradient, in which light and shade are
   // strong; weights chroma, and samples by the roots of their weights.
   void Normalize(std::array<Float4, kMaxSamples>* image) const;
-  // Squared norm.
+  // Samples a view into colors_ and normalises it; returns its squared norm.
   float SampleView(const Projected& projected, float offset);
   // Normal equations of a view whose normalised image is `image`, of squared
   // norm `square`, and differs from the mean one by `residual`.

@@ -38,8 +38,8 @@ struct Candidate {
   float distance;
 };
 
-// Views before which the point faces up, is in the frame and on the object;
-// those of most weight first.
+// Views that the point faces, and in which it lies in the frame and on the
+// object; those of most weight first.
 void FindCandidates(const ViewSet& views,
                     const LocalSurface& surface,
                     float min_cosine,

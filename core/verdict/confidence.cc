@@ -90,8 +90,7 @@ float OwnError(const PointEvidence& point, float region) {
 
 }  // namespace
 
-std::vector<float> ExpectedErrors(const SurfaceEvidence& evidence,
-                                  double pixel) {
+std::vector<float> ExpectedErrors(const SurfaceEvidence& evidence) {
   const Values region = RegionSupport(evidence);
   Values errors;
   for (size_t i = 0; i < evidence.values.size(); ++i) {
@@ -105,7 +104,7 @@ std::vector<float> ExpectedErrors(const SurfaceEvidence& evidence,
         const float distance =
             (evidence.values[i].position - evidence.values[next].position)
                 .norm() /
-            float(pixel);
+            float(evidence.pixel);
         spread[i] = std::min(spread[i], errors[next] + kGrowth * distance);
       }
     }
@@ -116,9 +115,8 @@ std::vector<float> ExpectedErrors(const SurfaceEvidence& evidence,
 
 std::vector<float> VertexConfidence(const IndexedMesh& mesh,
                                     const SurfaceEvidence& evidence,
-                                    double pixel,
                                     const Context& context) {
-  const Values errors = ExpectedErrors(evidence, pixel);
+  const Values errors = ExpectedErrors(evidence);
   const SurfacePoints& points = evidence.points;
   Values confidence(mesh.positions.size());
   const auto at = [&](size_t vertex) {
@@ -127,7 +125,8 @@ std::vector<float> VertexConfidence(const IndexedMesh& mesh,
     float weights = 0;
     const auto add = [&](uint32_t point) {
       const float distance =
-          (evidence.values[point].position - position).norm() / float(pixel);
+          (evidence.values[point].position - position).norm() /
+          float(evidence.pixel);
       const float weight = 1 / (1 + distance * distance);
       sum += weight * errors[point];
       weights += weight;

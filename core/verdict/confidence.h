@@ -13,15 +13,13 @@ namespace octacut {
 // Pixels by which each point may lie elsewhere, roughly: the least of what
 // photographs and silhouettes leave open there, and of what is known of points
 // nearby, which tell less the farther they are away.
-std::vector<float> ExpectedErrors(const SurfaceEvidence& evidence,
-                                  double pixel);
+std::vector<float> ExpectedErrors(const SurfaceEvidence& evidence);
 
 // 1 / (1 + expected error), one a vertex, 0 .. 1: a half where the surface is
 // known to a pixel. Linear between points. `mesh`, in unit coordinates, is that
-// of the evidence; `pixel` is in them.
+// of the evidence.
 std::vector<float> VertexConfidence(const IndexedMesh& mesh,
                                     const SurfaceEvidence& evidence,
-                                    double pixel,
                                     const Context& context);
 
 }  // namespace octacut

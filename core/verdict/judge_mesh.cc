@@ -87,8 +87,7 @@ MeshVerdict JudgeMesh(const IndexedMesh& mesh,
         &unit);
     verdict.surface = SumUpSupport(evidence.values, scene.given, scene.views);
     if (options.confidence) {
-      verdict.confidence =
-          VertexConfidence(unit, evidence, evidence.pixel, context);
+      verdict.confidence = VertexConfidence(unit, evidence, context);
     }
     rays = std::move(evidence.rays);
   } else {

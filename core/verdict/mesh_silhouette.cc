@@ -15,7 +15,7 @@ constexpr float kNearBorder = 6;
 
 }  // namespace
 
-cv::Mat RenderSilhouette(const RayScene& rays, const PreparedView& view) {
+cv::Mat RenderHits(const RayScene& rays, const PreparedView& view) {
   const ViewProjection& projection = view.projection;
   const Eigen::Matrix3d unproject = projection.linear.cast<double>().inverse();
   const Eigen::Vector3d center = projection.center.cast<double>();

@@ -12,6 +12,6 @@ namespace octacut {
 // coordinates), 0 elsewhere; CV_8UC1 of the view's size. Far from the border of
 // the view's own silhouette one ray stands for 2 x 2 pixels, so that only holes
 // of a single pixel can be overlooked, and only there.
-cv::Mat RenderSilhouette(const RayScene& rays, const PreparedView& view);
+cv::Mat RenderHits(const RayScene& rays, const PreparedView& view);
 
 }  // namespace octacut

@@ -20,8 +20,8 @@ std::vector<size_t> CountPixelsOfRemoved(const IndexedMesh& removed,
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (cv::countNonZero(missed[i]) > 0) {
-        counts[i] = size_t(
-            cv::countNonZero(RenderSilhouette(rays, views[i]) & missed[i]));
+        counts[i] =
+            size_t(cv::countNonZero(RenderHits(rays, views[i]) & missed[i]));
       }
     }
   });

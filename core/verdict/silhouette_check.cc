@@ -135,7 +135,7 @@ SilhouetteCheck CheckSilhouettes(
   }
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const cv::Mat mesh = RenderSilhouette(rays, views[i]);
+      const cv::Mat mesh = RenderHits(rays, views[i]);
       const auto checked = [&](const Silhouette& silhouette, cv::Mat* missed) {
         CheckedView view;
         view.counts = CountPixels(

@@ -57,7 +57,7 @@ struct MaskCheck {
   std::vector<size_t> denied_of_others;
 };
 
-// The counts of one view. `mesh` is that of RenderSilhouette; `missed`
+// The counts of one view. `mesh` is that of RenderHits; `missed`
 // (CV_8UC1) becomes 255 where pixels are missed. Missed pixels that are
 // connected with the frame's edge and are black in the image (CV_8UC3, or
 // empty: then all are) do not belong to the object: no pixel of the photograph

@@ -27,6 +27,7 @@
 #include "plugin/mesh_json.h"
 #include "plugin/print_json.h"
 #include "plugin/report.h"
+#include "plugin/transform_file.h"
 
 namespace octacut {
 namespace {
@@ -298,7 +299,7 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
   Json report = MakeReport(environment);
   report["mesh_path"] = output_path_.string();
   report["unit"] = "millimetre";
-  report["file_from_mesh"] = MatrixToJson(plate_from_mesh);
+  report["file_from_mesh"] = TransformToJson(plate_from_mesh);
   report.update(json);
   report["audit"] = AuditToJson(audit);
   report["self_intersections"] = SelfIntersectionsToJson(intersections);

@@ -17,7 +17,7 @@ std::vector<float> Confidence(const RefineScene& scene,
                               const Context& context = Context(2)) {
   const SurfaceEvidence evidence = MeasureSurfaceEvidence(
       scene.test.views, SurfaceEvidenceOptions(), context, &mesh);
-  return VertexConfidence(mesh, evidence, evidence.pixel, context);
+  return VertexConfidence(mesh, evidence, context);
 }
 
 // The mean confidence of the vertices whose direction has a z in the given
@@ -104,7 +104,7 @@ TEST(ExpectedErrors, GrowWithWhatIsLeftOpen) {
   PointEvidence unseen = hollow;
   unseen.num_views = 1;
   const auto error = [](const PointEvidence& point) {
-    return ExpectedErrors(ThreePoints({point, point, point}), 0.01)[1];
+    return ExpectedErrors(ThreePoints({point, point, point}))[1];
   };
   EXPECT_LT(error(exact), 0.2f);
   EXPECT_LT(error(exact), error(contours));
@@ -113,7 +113,7 @@ TEST(ExpectedErrors, GrowWithWhatIsLeftOpen) {
   EXPECT_LT(error(hollow), error(seen));
   EXPECT_LT(error(hollow), error(unseen));
   // What lies beside an exact point is known better.
-  EXPECT_LT(ExpectedErrors(ThreePoints({exact, exact, seen}), 0.01)[2],
+  EXPECT_LT(ExpectedErrors(ThreePoints({exact, exact, seen}))[2],
             error(seen) / 2);
 }
 

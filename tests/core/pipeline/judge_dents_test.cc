@@ -50,15 +50,30 @@ struct DentSetting {
     return Label(0, [](double sphere, double) { return sphere; });
   }
 
+  LabeledVoxels Pitted() const {
+    return Label(kDentDepth, [](double sphere, double ball) {
+      return std::max(sphere, -ball);
+    });
+  }
+
+  // The sphere with matter before it, so many voxels high.
+  LabeledVoxels Bulged(double height) const {
+    return Label(2 * kDentRadius - height, [](double sphere, double ball) {
+      return std::min(sphere, ball);
+    });
+  }
+
+  // `depth`: what all samples of all views have found, 0 for nothing.
   ReliableDepths Judge(const LabeledVoxels& hull,
                        const LabeledVoxels& cut,
-                       int num_threads = 2) const {
+                       int num_threads = 2,
+                       float depth = 0) const {
     std::vector<SweptDepthMap> maps(test.views.size());
     for (size_t i = 0; i < maps.size(); ++i) {
       maps[i].scale = 0.5f;
       maps[i].width = test.views[i].projection.width / 2;
       maps[i].height = test.views[i].projection.height / 2;
-      maps[i].depths.resize(size_t(maps[i].width) * maps[i].height);
+      maps[i].depths.assign(size_t(maps[i].width) * maps[i].height, depth);
     }
     return JudgeDents(
         test.views, hull, cut, maps, RefineOptions(), Context(num_threads));
@@ -88,10 +103,8 @@ TEST(JudgeDents, RejectsPitsWhereTheHullIsRight) {
   for (const MaterialKind material :
        {MaterialKind::kDiffuse, MaterialKind::kPlaster}) {
     const DentSetting setting(material);
-    const LabeledVoxels pitted = setting.Label(
-        kDentDepth,
-        [](double sphere, double ball) { return std::max(sphere, -ball); });
-    const Judgement pit = MeanOf(setting.Judge(setting.Sphere(), pitted));
+    const Judgement pit =
+        MeanOf(setting.Judge(setting.Sphere(), setting.Pitted()));
     EXPECT_GT(pit.num_samples, 300u) << int(material);
     EXPECT_LT(pit.mean_confidence, 0.3) << int(material);
   }
@@ -99,12 +112,27 @@ TEST(JudgeDents, RejectsPitsWhereTheHullIsRight) {
 
 TEST(JudgeDents, AcceptsWhatTheHullHasTooMuch) {
   const DentSetting setting(MaterialKind::kDiffuse);
-  const LabeledVoxels bulged = setting.Label(
-      2 * kDentRadius - kDentDepth,
-      [](double sphere, double ball) { return std::min(sphere, ball); });
-  const Judgement bulge = MeanOf(setting.Judge(bulged, setting.Sphere()));
+  const Judgement bulge =
+      MeanOf(setting.Judge(setting.Bulged(kDentDepth), setting.Sphere()));
   EXPECT_GT(bulge.num_samples, 300u);
   EXPECT_GT(bulge.mean_confidence, 0.8);
+}
+
+// Depths far behind the cut: of a pit they are doubted, since the hull is
+// right; where hull and cut are both wrong, they may be right.
+TEST(JudgeDents, LeavesDepthsBehindTheCutUnlessTheHullIsRight) {
+  constexpr float kFarBehind = 100;
+  const DentSetting setting(MaterialKind::kDiffuse);
+  const LabeledVoxels sphere = setting.Sphere();
+  const LabeledVoxels pitted = setting.Pitted();
+  EXPECT_EQ(MeanOf(setting.Judge(sphere, pitted, 2, kFarBehind)).num_samples,
+            MeanOf(setting.Judge(sphere, pitted)).num_samples);
+  const LabeledVoxels bulged = setting.Bulged(2 * kDentDepth);
+  const LabeledVoxels less = setting.Bulged(kDentDepth);
+  const size_t num_judged = MeanOf(setting.Judge(bulged, less)).num_samples;
+  EXPECT_GT(num_judged, 300u);
+  EXPECT_LT(MeanOf(setting.Judge(bulged, less, 2, kFarBehind)).num_samples,
+            num_judged / 4);
 }
 
 TEST(JudgeDents, FindsNoneWhereTheCutIsTheHull) {
@@ -123,9 +151,7 @@ TEST(JudgeDents, FindsNoneInAnEmptyCut) {
 
 TEST(JudgeDents, IsTheSameForAnyNumberOfThreads) {
   const DentSetting setting(MaterialKind::kPlaster);
-  const LabeledVoxels pitted = setting.Label(
-      kDentDepth,
-      [](double sphere, double ball) { return std::max(sphere, -ball); });
+  const LabeledVoxels pitted = setting.Pitted();
   const ReliableDepths one = setting.Judge(setting.Sphere(), pitted, 1);
   const ReliableDepths three = setting.Judge(setting.Sphere(), pitted, 3);
   for (size_t i = 0; i < one.maps.size(); ++i) {

@@ -23,7 +23,7 @@ LabeledVoxels BallsWithBars() {
       LabelShape(kMeshLevel, [&](const Eigen::Vector3d& p) {
         return std::min({(p - Eigen::Vector3d(0.28, 0.5, 0.5)).norm() - 0.17,
                          (p - Eigen::Vector3d(0.72, 0.5, 0.5)).norm() - 0.17,
-                         bar(p, 0.6) - 3 * kVoxel,
+                         bar(p, 0.6) - 4 * kVoxel,
                          bar(p, 0.4) - 1.1 * kVoxel});
       });
   return {crust.crust, crust.labels};

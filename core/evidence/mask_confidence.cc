@@ -1,7 +1,5 @@
 #include "core/evidence/mask_confidence.h"
 
-#include <algorithm>
-
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
 

@@ -37,8 +37,9 @@ CoverCandidates FindCandidates(const Crust& crust,
   }
   for (size_t i = 0; i < candidates.scores.size(); ++i) {
     const float depth = preference.hull_depth[i];
+    const bool is_outside = (crust.ties[i] & kAllFaces) != 0;
     float& score = candidates.scores[i];
-    score = depth < 0 || (crust.ties[i] & kAllFaces) != 0
+    score = depth < 0 || is_outside
                 ? -1
                 : (1 - kDepthShare) * score +
                       kDepthShare * std::min(depth / kDeep, 1.0f);

@@ -1,6 +1,5 @@
 #include "core/pipeline/judge_dents.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <Eigen/LU>
 #include <optional>

@@ -263,7 +263,8 @@ void DeclareMaskExtractionOptions(OptionManager& options,
   options.Add("on_stand",
               &extraction->on_stand,
               "If 1, estimate from the sparse points the plane on which the "
-              "object stands, and exclude all that is on or below it.");
+              "object stands, and treat that plane and everything below it as "
+              "background.");
 }
 
 MaskExtraction ExtractMasks(const Workspace& workspace,

@@ -30,8 +30,8 @@ void DeclareMainOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.ballooning",
       &meshing->evidence.ballooning,
-      "Weight with which voxels are labelled as inside the object where "
-      "the photographs do not determine the depth. Lower values open "
+      "Weight of the bias towards the inside of the object for voxels whose "
+      "depth the photographs do not determine. Lower values open "
       "deeper concavities, higher values keep untextured parts.");
   DeclareChromaWeight(options, &meshing->consistency.chroma_weight);
   options.Add("OctahedralMeshing.min_component",
@@ -42,9 +42,9 @@ void DeclareMainOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.min_handle",
       &meshing->min_handle,
-      "Remove bridges up to this circumference and fill tunnels up to twice "
-      "this circumference (four times for both where no silhouette shows "
-      "them), in voxels (pixels, if larger); 0 keeps all.");
+      "In voxels (or pixels, if these are larger): remove bridges up to this "
+      "circumference and fill tunnels up to twice it. Where no silhouette "
+      "shows them, the limit is four times this value for both. 0 keeps all.");
 }
 
 void DeclareExpertOptions(OptionManager& options,

@@ -1,6 +1,6 @@
 // Values of options as text and as JSON: bool, integers, floating point,
 // strings, paths; std::array and std::vector of numbers as comma-separated
-// lists; std::optional of any of them, where an empty text means none.
+// lists.
 //
 // Parsing throws OptionError with the constraint that the text does not meet
 // ("must be an integer"), without the option's name, which the caller adds.
@@ -16,7 +16,6 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -76,15 +75,6 @@ void ParseOptionValue(std::string_view text, std::vector<T>* value) {
   }
 }
 
-template <typename T>
-void ParseOptionValue(std::string_view text, std::optional<T>* value) {
-  if (text.empty()) {
-    value->reset();
-  } else {
-    ParseOptionValue(text, &value->emplace());
-  }
-}
-
 // The text that ParseOptionValue reads back.
 std::string FormatOptionValue(bool value);
 std::string FormatOptionValue(const std::string& value);
@@ -106,20 +96,11 @@ std::string FormatOptionValue(const std::vector<T>& value) {
 }
 
 template <typename T>
-std::string FormatOptionValue(const std::optional<T>& value) {
-  return value ? FormatOptionValue(*value) : "";
-}
-
-template <typename T>
 Json OptionValueToJson(const T& value) {
   return value;
 }
 inline Json OptionValueToJson(const std::filesystem::path& value) {
   return value.string();
-}
-template <typename T>
-Json OptionValueToJson(const std::optional<T>& value) {
-  return value ? OptionValueToJson(*value) : Json();
 }
 
 }  // namespace octacut

@@ -71,8 +71,8 @@ std::string DescribeCounts(const PixelCounts& counts) {
   return fmt::format(
       "the mesh covers {:.2f} % of the object pixels in the masks. It leaves "
       "{:.2f} % uncovered at the masks' borders, where the masks are "
-      "uncertain, and {:.2f} % farther inside. It extends beyond the masks by "
-      "{:.2f} %.",
+      "uncertain, and {:.2f} % farther inside. It covers background pixels "
+      "that amount to {:.2f} % of the object pixels.",
       Percent(counts.covered, counts.object),
       Percent(counts.unsure, counts.object),
       Percent(counts.missed, counts.object),
@@ -209,7 +209,7 @@ class Writer {
         fmt::format("Surface: {:.1f} % is determined by photographs, {:.1f} % "
                     "by silhouettes and {:.1f} % by neither. At least two "
                     "views see {:.1f} % of it; there, their mean agreement "
-                    "is {:.2f} (1 is perfect, noise and highlights lower it).",
+                    "is {:.2f} (1 is perfect; noise and highlights lower it).",
                     100 * surface.photographs,
                     100 * surface.silhouettes,
                     100 * surface.nothing,

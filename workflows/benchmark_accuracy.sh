@@ -328,12 +328,16 @@ is_missing() {
   return 1
 }
 
+is_thin() {
+  [[ " ${thin_scenes[*]} " == *" $1 "* ]]
+}
+
 # level_of SCENE: where its runs end.
 level_of() {
   local options=()
   if line_of "$1" "${all_data_sets[@]}"; then
     echo "$((data_level + options[4]))"
-  elif printf '%s\n' "${thin_scenes[@]}" | grep -qx "$1"; then
+  elif is_thin "$1"; then
     echo "$((level > 8 ? level : 8))"
   else
     echo "$level"
@@ -343,7 +347,7 @@ level_of() {
 # hull_level_of SCENE LEVEL: where a run that ends at LEVEL begins.
 hull_level_of() {
   local first=7
-  if printf '%s\n' "${thin_scenes[@]}" | grep -qx "$1"; then first=8; fi
+  if is_thin "$1"; then first=8; fi
   echo "$(($2 < first ? $2 : first))"
 }
 
@@ -476,6 +480,11 @@ record() {
 # run PART SCENE DEGRADATION SET: does it where it is wanted, records it.
 run() {
   local part=$1 scene=$2 degradation=$3 set=$4
+  local which=$set wanted=1
+  [[ $degradation == clean ]] || which=$degradation
+  is_among "$part" "$only" && is_among "$scene" "$scenes" &&
+    is_among "$which" "$sets" || wanted=0
+  ((!list || wanted)) || return 0
   local name="$scene $degradation $set" workspace judge at
   at=$(level_of "$scene")
   local dataset=- model=sparse/0 truth=gt/reference.ply align=0 options
@@ -489,13 +498,8 @@ run() {
     [[ $degradation != poses-* ]] || align=1
   fi
   local folder=$work/level_$at/$scene/$degradation/$set
-  local which=$set
-  [[ $degradation == clean ]] || which=$degradation
-  local wanted=1
-  is_among "$part" "$only" && is_among "$scene" "$scenes" &&
-    is_among "$which" "$sets" || wanted=0
   if ((list)); then
-    ((!wanted)) || echo "$part: $name at level $at"
+    echo "$part: $name at level $at"
     return 0
   fi
   error=

@@ -35,7 +35,7 @@ struct JudgedView {
 // they are at most a tenth of `judged`. Masks of the object and of something
 // that touches it do little harm, since the others take that away; where there
 // are many of them they are used, with a warning. Throws InputError that lists
-// all when more than a tenth contradict the others gravely.
+// all when more than a tenth are seriously wrong.
 BadViewSummary DecideOnBadViews(const Contradictions& contradictions,
                                 const std::vector<JudgedView>& judged,
                                 const Context& context);

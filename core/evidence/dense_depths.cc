@@ -13,13 +13,8 @@
 namespace octacut {
 namespace {
 
-Eigen::AlignedBox3f ToUnit(const Eigen::AlignedBox3d& box,
-                           const BoundingCube& cube) {
-  const auto to_unit = [&](const Eigen::Vector3d& x) {
-    return Eigen::Vector3f(((x - cube.min_corner) / cube.edge).cast<float>());
-  };
-  return {to_unit(box.min()), to_unit(box.max())};
-}
+constexpr double kMaskTolerance = 2;  // as in MaskOptions
+constexpr int kMinAgreeingViews = 2;  // as in InsideEvidenceOptions
 
 // Linear between four samples that show the same surface; 0 elsewhere.
 float InterpolatedDepth(const SweptDepthMap& map,
@@ -70,7 +65,6 @@ cv::Mat DepthsOfView(const View& view,
 void DenseDepthsOptions::Check() const {
   CheckOption(
       level >= 4 && level <= 10, "sweep_level", level, "must be in 4 .. 10");
-  sweep.Check();
 }
 
 std::vector<cv::Mat> SweepDenseDepths(const Scene& scene,
@@ -79,17 +73,16 @@ std::vector<cv::Mat> SweepDenseDepths(const Scene& scene,
                                       const DenseDepthsOptions& options,
                                       const Context& context) {
   options.Check();
-  const ViewSet views =
-      PrepareViews(scene, cube, context, options.mask_tolerance);
+  const ViewSet views = PrepareViews(scene, cube, context, kMaskTolerance);
   const VoxelGrid hull =
-      ComputeVisualHull(views, ToUnit(box, cube), {options.level}, context)
+      ComputeVisualHull(views, cube.ToUnit(box), {options.level}, context)
           .voxels;
   const float voxel = 1.0f / float(hull.Resolution());
   std::vector<std::vector<int>> neighbors;
   std::vector<SweptDepthMap> maps =
-      SweepDepths(views, hull, options.sweep, context, &neighbors);
+      SweepDepths(views, hull, DepthSweepOptions(), context, &neighbors);
   const auto counts = CountAgreeing(views, maps, neighbors, voxel, context);
-  maps = KeepAgreeing(std::move(maps), counts, options.min_agreeing_views);
+  maps = KeepAgreeing(std::move(maps), counts, kMinAgreeingViews);
   // Outvoted depths go; the confidence in the others is not asked.
   maps = EstimateDepthConfidence(views, hull, maps, 0, 1, context).maps;
   // Samples half a voxel apart on a surface that turns away by 70 degrees.

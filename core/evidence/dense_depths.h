@@ -18,18 +18,15 @@ struct DenseDepthsOptions {
   // them. A finer level has smaller windows: of the temple, level 8 finds a
   // quarter fewer depths than level 7, in six times the time.
   int level = 7;
-  double mask_tolerance = 2;   // as in MaskOptions
-  int min_agreeing_views = 2;  // as in InsideEvidenceOptions
-  DepthSweepOptions sweep;
 
   void Check() const;  // throws OptionError
 };
 
 // For each view the depth along its optical axis in world units, CV_32FC1 of
-// its size; 0 where none was found, where fewer than min_agreeing_views others
-// confirm it, where more views have found a surface before it, and off the
-// object. `box` (world) clips the hull. The same values for any number of
-// threads. Throws InputError when the hull is empty.
+// its size; 0 where none was found, where fewer than two others confirm it,
+// where more views have found a surface before it, and off the object. `box`
+// (world) clips the hull. The same values for any number of threads. Throws
+// InputError when the hull is empty.
 std::vector<cv::Mat> SweepDenseDepths(const Scene& scene,
                                       const BoundingCube& cube,
                                       const Eigen::AlignedBox3d& box,

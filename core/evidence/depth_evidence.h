@@ -1,4 +1,4 @@
-// What confirmed depths say of voxels, of any level. For core/evidence alone.
+// What depths say of voxels, of any level. For core/evidence alone.
 #pragma once
 
 #include <cstddef>
@@ -21,18 +21,14 @@ std::vector<float> EvidenceOf(const ViewSet& views,
                               const InsideEvidenceOptions& options,
                               const Context& context);
 
-// The plausible ones of the depths of `paired`, where `values` is the evidence
-// of better confirmed ones.
-std::vector<SweptDepthMap> FindPlausible(
+// The same with the plausible ones of `paired`, the depths that at least one
+// other view confirms, added to `depths` where those have none.
+std::vector<float> EvidenceWithPlausible(
     const ViewSet& views,
     const VoxelGrid& voxels,
     const std::vector<SweptDepthMap>& paired,
-    const std::vector<float>& values,
     const InsideEvidenceOptions& options,
-    const Context& context);
-
-// Adds to `maps` those depths of `others` that they lack.
-void AddMissing(const std::vector<SweptDepthMap>& others,
-                std::vector<SweptDepthMap>* maps);
+    const Context& context,
+    ReliableDepths* depths);
 
 }  // namespace octacut

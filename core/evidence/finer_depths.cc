@@ -123,31 +123,21 @@ VoxelGrid VoxelsBeyond(const ViewSet& views,
 // Confidence in a depth is no more than the first sweep has in those around it.
 void LimitConfidence(const ViewSet& views,
                      const VoxelValues& depth_confidence,
-                     int level,
                      const Context& context,
                      ReliableDepths* depths) {
-  const int resolution = 1 << level;
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const SweptDepthMap& map = depths->maps[i];
-      ForEachDepth(
-          map,
-          views[i].projection,
-          [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
-            const Eigen::Vector3f point =
-                (views[i].projection.center + depth * ray) * float(resolution);
-            if ((point.array() >= 0).all() &&
-                (point.array() < float(resolution)).all()) {
-              float& confidence =
-                  depths->confidence[i][size_t(y) * map.width + x];
-              confidence =
-                  std::min(confidence,
-                           depth_confidence.At(
-                               EncodeMorton(Eigen::Vector3i(point.cast<int>())),
-                               level,
-                               1));
-            }
-          });
+      const Eigen::Vector3f& center = views[i].projection.center;
+      ForEachDepth(map,
+                   views[i].projection,
+                   [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
+                     float& confidence =
+                         depths->confidence[i][size_t(y) * map.width + x];
+                     confidence = std::min(
+                         confidence,
+                         depth_confidence.AtPoint(center + depth * ray, 1));
+                   });
     }
   });
 }
@@ -157,8 +147,6 @@ struct FinerMaps {
   std::vector<std::vector<uint8_t>> counts;  // of confirming neighbours
   std::vector<SweptDepthMap> agreeing;
   VoxelGrid beyond;  // as VoxelsBeyond has them
-  size_t num_depths = 0;
-  size_t num_beyond = 0;
 };
 
 // Empty where a sample of the surface says that it does not pay.
@@ -200,10 +188,10 @@ FinerMaps SweepNearSurface(const ViewSet& views,
                                 context);
     maps.agreeing =
         KeepAgreeing(maps.swept, maps.counts, options.min_agreeing_views);
-    maps.num_depths = CountDepths(maps.agreeing);
+    size_t num_beyond = 0;
     maps.beyond = VoxelsBeyond(
-        views, surface.voxels, maps.agreeing, context, &maps.num_beyond);
-    if (double(maps.num_beyond) <= kPays * double(maps.num_depths)) {
+        views, surface.voxels, maps.agreeing, context, &num_beyond);
+    if (double(num_beyond) <= kPays * double(CountDepths(maps.agreeing))) {
       maps.beyond = VoxelGrid();
       return maps;
     }
@@ -221,8 +209,6 @@ FinerEvidence FindFinerDepths(const ViewSet& views,
   FinerMaps maps =
       SweepNearSurface(views, surface, depth_confidence, options, context);
   FinerEvidence finer;
-  finer.num_depths = maps.num_depths;
-  finer.num_beyond = maps.num_beyond;
   if (maps.beyond.Empty()) {
     return finer;
   }
@@ -232,24 +218,16 @@ FinerEvidence FindFinerDepths(const ViewSet& views,
   constexpr float kShown = 1;  // depth_confidence has it
   ReliableDepths depths = EstimateDepthConfidence(
       views, finer.voxels, maps.agreeing, kSurroundedShare, kShown, context);
-  LimitConfidence(
-      views, depth_confidence, surface.voxels.Level(), context, &depths);
+  LimitConfidence(views, depth_confidence, context, &depths);
   InsideEvidenceOptions without_ballooning = options;
   without_ballooning.ballooning = 0;
   finer.values =
-      EvidenceOf(views, finer.voxels, depths, without_ballooning, context);
-  if (options.min_agreeing_views > 1 && options.min_like_samples <= 8) {
-    AddMissing(
-        FindPlausible(views,
-                      finer.voxels,
-                      KeepAgreeing(std::move(maps.swept), maps.counts, 1),
-                      finer.values,
-                      without_ballooning,
-                      context),
-        &depths.maps);
-    finer.values =
-        EvidenceOf(views, finer.voxels, depths, without_ballooning, context);
-  }
+      EvidenceWithPlausible(views,
+                            finer.voxels,
+                            KeepAgreeing(std::move(maps.swept), maps.counts, 1),
+                            without_ballooning,
+                            context,
+                            &depths);
   return finer;
 }
 

@@ -24,8 +24,6 @@ struct FinerEvidence {
   // One a voxel, as InsideEvidence has it without ballooning: 0 where no depth
   // says anything.
   std::vector<float> values;
-  size_t num_depths = 0;  // confirmed
-  size_t num_beyond = 0;  // of them, clearly behind the surface's crust
 };
 
 // `surface` is the labelled crust of the level whose voxels the depths are

@@ -59,7 +59,6 @@ SurfaceSweep::SurfaceSweep(const std::vector<SweepView>& views,
                            const DepthSweepOptions& options)
     : views_(views),
       depth_confidence_(depth_confidence),
-      level_(level),
       voxel_(1.0f / float(1 << level)),
       options_(options) {}
 
@@ -112,7 +111,7 @@ bool SurfaceSweep::IsWanted(const SweepView& view,
       const Eigen::Vector3f point =
           view.projection->center +
           (view.near_depth(y, x) + voxel_) * (rays * pixel);
-      balance += ConfidenceAt(point) >= kRatherRight ? 1 : -1;
+      balance += depth_confidence_.AtPoint(point, 1) >= kRatherRight ? 1 : -1;
       const Eigen::Vector3i block =
           (point / (kBlock * voxel_)).array().floor().cast<int>();
       sample_balance +=
@@ -121,15 +120,6 @@ bool SurfaceSweep::IsWanted(const SweepView& view,
     }
   }
   return balance > 0 && (sample_balance > 0) == of_sample;
-}
-
-float SurfaceSweep::ConfidenceAt(const Eigen::Vector3f& point) const {
-  const Eigen::Vector3i voxel =
-      (point * float(1 << level_)).array().floor().cast<int>();
-  if ((voxel.array() < 0).any() || (voxel.array() >= (1 << level_)).any()) {
-    return 1;
-  }
-  return depth_confidence_.At(EncodeMorton(voxel), level_, 1);
 }
 
 void SurfaceSweep::SweepSquare(const SweepView& view,

@@ -37,7 +37,6 @@ class SurfaceSweep {
   bool IsWanted(const SweepView& view,
                 const Square& square,
                 bool of_sample) const;
-  float ConfidenceAt(const Eigen::Vector3f& point) const;
   void SweepSquare(const SweepView& view,
                    const Square& square,
                    const std::vector<int>& others,
@@ -46,7 +45,6 @@ class SurfaceSweep {
 
   const std::vector<SweepView>& views_;
   const VoxelValues& depth_confidence_;
-  int level_;
   float voxel_;
   const DepthSweepOptions& options_;
 };

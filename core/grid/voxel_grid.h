@@ -57,6 +57,11 @@ class VoxelGrid {
     }
     return Find(EncodeMorton(voxel));
   }
+  // That of the voxel that holds a point, unit coordinates.
+  Index FindAt(const Eigen::Vector3f& point) const {
+    return Find(Eigen::Vector3i(
+        (point * float(Resolution())).array().floor().cast<int>()));
+  }
   bool Contains(const Eigen::Vector3i& voxel) const {
     return Find(voxel) != kNone;
   }

@@ -20,6 +20,11 @@ struct VoxelValues {
     const VoxelGrid::Index index = voxels.Find(code);
     return index == VoxelGrid::kNone ? otherwise : values[index];
   }
+  // That of the voxel that holds a point, unit coordinates.
+  float AtPoint(const Eigen::Vector3f& point, float otherwise) const {
+    const VoxelGrid::Index index = voxels.FindAt(point);
+    return index == VoxelGrid::kNone ? otherwise : values[index];
+  }
 };
 
 }  // namespace octacut

@@ -127,10 +127,9 @@ FinishedMesh FinalMesh(const ViewSet& views,
        .max_hidden_length = kHiddenHandle * max_length,
        .is_hidden =
            [&](const Eigen::Vector3d& point) {
-             return IsHiddenFromSilhouettes(
-                 views,
-                 ((point - cube.min_corner) / cube.edge).cast<float>(),
-                 float(voxel_size / cube.edge));
+             return IsHiddenFromSilhouettes(views,
+                                            cube.ToUnit(point).cast<float>(),
+                                            float(voxel_size / cube.edge));
            }},
       context);
   summary->handles = cleaned.summary;
@@ -174,8 +173,7 @@ SurfaceMesh ColoredMesh(const IndexedMesh& mesh,
         for (size_t v = begin; v < end; ++v) {
           const SurfaceMesh::VertexHandle vertex{int(v)};
           const Eigen::Vector3f point =
-              ((colored.point(vertex) - cube.min_corner) / cube.edge)
-                  .cast<float>();
+              cube.ToUnit(colored.point(vertex)).cast<float>();
           const Eigen::Vector3f normal = colored.normal(vertex).cast<float>();
           colored.set_color(
               vertex,

@@ -130,14 +130,7 @@ class BorderChance {
 // Of the voxel that holds a point of the surface, or else 1: where there is
 // none, the point moves least.
 float DecidedAt(const DecidedVoxels& decided, const Eigen::Vector3f& point) {
-  const VoxelGrid& voxels = decided.voxels;
-  const Eigen::Vector3i voxel =
-      (point * float(voxels.Resolution())).array().floor().cast<int>();
-  if ((voxel.array() < 0).any() ||
-      (voxel.array() >= int(voxels.Resolution())).any()) {
-    return 1;
-  }
-  const VoxelGrid::Index index = voxels.Find(EncodeMorton(voxel));
+  const VoxelGrid::Index index = decided.voxels.FindAt(point);
   return index == VoxelGrid::kNone ? 1 : decided.decided[index];
 }
 
@@ -154,7 +147,7 @@ size_t MoveToHullBorder(const SilhouetteHull& hull,
   const std::vector<Eigen::Vector3d> before = mesh->positions;
   std::vector<NearBorder> vertices(before.size());
   const auto unit_point = [&](size_t v) -> Eigen::Vector3f {
-    return ((before[v] - cube.min_corner) / cube.edge).cast<float>();
+    return cube.ToUnit(before[v]).cast<float>();
   };
   ParallelFor(
       context, before.size(), kBorderGrain, [&](size_t begin, size_t end) {

@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/mesh_components.h"
 #include "core/raycast/ray_scene.h"
+#include "core/raycast/unit_mesh.h"
 
 namespace octacut {
 namespace {
@@ -18,16 +19,6 @@ namespace {
 constexpr double kNeededShare = 1e-3;  // of a view's object pixels
 constexpr int kWitnesses = 2;          // views
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-IndexedMesh ToUnit(const IndexedMesh& mesh, const BoundingCube& cube) {
-  IndexedMesh unit;
-  unit.triangles = mesh.triangles;
-  unit.positions.reserve(mesh.positions.size());
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    unit.positions.push_back((position - cube.min_corner) / cube.edge);
-  }
-  return unit;
-}
 
 std::vector<IndexedMesh> Split(const IndexedMesh& mesh) {
   const MeshComponents components =
@@ -135,11 +126,11 @@ size_t RestoreNeededComponents(const ViewSet& views,
       num_object[i] = CountObject(views[i]);
     }
   });
-  const RayScene rest(ToUnit(kept->mesh, cube));
+  const RayScene rest(UnitMesh(kept->mesh, cube));
   IndexedMesh removed;
   size_t num_restored = 0;
   for (const IndexedMesh& part : Split(kept->removed)) {
-    const IndexedMesh unit = ToUnit(part, cube);
+    const IndexedMesh unit = UnitMesh(part, cube);
     const RayScene rays(unit);
     const int64_t witnesses =
         ParallelSum(context, views.size(), 1, [&](size_t begin, size_t end) {

@@ -41,14 +41,6 @@ void CheckScene(const Scene& scene, bool needs_images) {
   }
 }
 
-Eigen::AlignedBox3f BoxInUnitCoordinates(const Region& region) {
-  const auto to_unit = [&](const Eigen::Vector3d& x) {
-    return Eigen::Vector3f(
-        ((x - region.cube.min_corner) / region.cube.edge).cast<float>());
-  };
-  return {to_unit(region.box.min()), to_unit(region.box.max())};
-}
-
 void CheckInput(const Scene& scene,
                 const Region& region,
                 const ReconstructionOptions& options) {
@@ -92,7 +84,7 @@ Hull CarveHull(const ViewSet& views,
                const Context& context,
                ReconstructionSummary* summary) {
   return Timed(&summary->hull_seconds, [&] {
-    const Eigen::AlignedBox3f box = BoxInUnitCoordinates(region);
+    const Eigen::AlignedBox3f box = region.cube.ToUnit(region.box);
     VisualHull hull = ComputeVisualHull(views, box, options.hull, context);
     summary->hull = std::move(hull.summary);
     return Hull{std::move(hull.voxels),
@@ -303,7 +295,7 @@ HullReconstruction ReconstructHull(const Scene& scene,
                    context);
   const ViewSet& views = prepared.views;
   const LabeledVoxels surface = ComputeHullSurface(
-      views, BoxInUnitCoordinates(region), options.hull, context);
+      views, region.cube.ToUnit(region.box), options.hull, context);
   ReconstructionOptions finishing;
   finishing.smoothing = options.smoothing;
   ReconstructionSummary summary;

@@ -73,11 +73,7 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
                    context,
                    mesh);
   Phase phase(context, inputs.phase, seen.surfaces.size());
-  const OffsetSearch search{.range = 0,
-                            .step = inputs.options.step,
-                            .spacing = inputs.scale,
-                            .min_score = inputs.options.min_score,
-                            .patch = inputs.options.patch};
+  const OffsetSearch search = MakeOffsetSearch(inputs.options, 0, inputs.scale);
   SurfaceAgreement agreement;
   for (const OffsetMeasurement& measurement : SearchOffsets(inputs.views,
                                                             seen.surfaces,

@@ -105,6 +105,16 @@ void ScoreOffsets(int half,
 
 }  // namespace
 
+OffsetSearch MakeOffsetSearch(const RefineOptions& options,
+                              double range,
+                              double scale) {
+  return {.range = range * scale,
+          .step = options.step * scale,
+          .spacing = scale,
+          .min_score = options.min_score,
+          .patch = options.patch};
+}
+
 std::vector<OffsetMeasurement> SearchOffsets(
     const ViewSet& views,
     const std::vector<LocalSurface>& surfaces,

@@ -6,6 +6,7 @@
 
 #include "core/base/context.h"
 #include "core/refine/local_surface.h"
+#include "core/refine/refine_options.h"
 #include "core/refine/surface_patch.h"
 #include "core/refine/view_choice.h"
 #include "core/views/view_set.h"
@@ -21,6 +22,11 @@ struct OffsetSearch {
   double min_score;  // of an accepted peak
   PatchOptions patch;
 };
+
+// `range` and the step of `options` in units of `scale` pixels.
+OffsetSearch MakeOffsetSearch(const RefineOptions& options,
+                              double range,
+                              double scale);
 
 struct OffsetMeasurement {
   float offset = 0;  // from the local surface, unit coordinates

@@ -53,23 +53,14 @@ void Align(const SeenSurface& seen,
   }
 }
 
-OffsetSearch MakeSearch(const RoundPlan& plan, const RefineOptions& options) {
-  OffsetSearch search;
-  search.range = plan.range * plan.scale;
-  search.step = options.step * plan.scale;
-  search.spacing = plan.scale;
-  search.min_score = options.min_score;
-  search.patch = options.patch;
-  return search;
-}
-
 // Offsets of the fitted surfaces that others support.
 std::vector<OffsetMeasurement> MeasureOffsets(const ViewSet& views,
                                               const SeenSurface& seen,
                                               const RoundPlan& plan,
                                               const RoundInputs& inputs,
                                               const Context& context) {
-  const OffsetSearch search = MakeSearch(plan, inputs.options);
+  const OffsetSearch search =
+      MakeOffsetSearch(inputs.options, plan.range, plan.scale);
   Phase phase(
       context,
       fmt::format("refinement: offsets up to {:.2g} pixels", search.range),

@@ -10,6 +10,7 @@
 #include "core/base/stopwatch.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/untangle.h"
+#include "core/raycast/unit_mesh.h"
 #include "core/refine/agreement.h"
 #include "core/refine/keep_valid.h"
 
@@ -137,11 +138,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   Stopwatch whole;
   RefinedSurface result;
   RefineSummary& summary = result.summary;
-  IndexedMesh unit;
-  unit.triangles = mesh.triangles;
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    unit.positions.push_back((position - cube.min_corner) / cube.edge);
-  }
+  IndexedMesh unit = UnitMesh(mesh, cube);
   const std::vector<Eigen::Vector3d> start = unit.positions;
   const VertexCorners neighbors =
       FindVertexNeighbors(start.size(), unit.triangles);

@@ -58,6 +58,9 @@ class LinearCost final : public ceres::CostFunction {
   double constant_;
 };
 
+// The weight of an offset of which nothing is known.
+constexpr double kAnchor = 0.02;
+
 class StopWhenCancelled final : public ceres::IterationCallback {
  public:
   explicit StopWhenCancelled(const Context& context) : context_(context) {}
@@ -114,9 +117,7 @@ class Builder {
           &offsets_[v]);
     } else {
       problem_.AddResidualBlock(
-          new PlaceCost(options_.anchor, input_.targets[v]),
-          nullptr,
-          &offsets_[v]);
+          new PlaceCost(kAnchor, input_.targets[v]), nullptr, &offsets_[v]);
     }
   }
 

@@ -42,8 +42,6 @@ struct SolveOffsetsOptions {
   // point, relative to their spacing. Because of that ratio a weight has the
   // same effect for any spacing.
   double smoothness;
-  // The weight of an offset of which nothing is known.
-  double anchor = 0.02;
   // Residuals beyond this weigh like outliers (Cauchy's loss).
   double outlier_scale;
 };

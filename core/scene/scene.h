@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
 #include <string>
 #include <vector>
@@ -34,7 +35,8 @@ struct View {
   }
 };
 
-// A cube in world coordinates: the root voxel V^0.
+// A cube in world coordinates: the root voxel V^0. In unit coordinates it is
+// [0, 1]^3.
 struct BoundingCube {
   Eigen::Vector3d min_corner = Eigen::Vector3d::Zero();
   double edge = 0;
@@ -43,6 +45,14 @@ struct BoundingCube {
     return min_corner + Eigen::Vector3d::Constant(edge / 2);
   }
   double VoxelSize(int level) const { return edge / double(1u << level); }
+
+  Eigen::Vector3d ToUnit(const Eigen::Vector3d& world) const {
+    return (world - min_corner) / edge;
+  }
+  Eigen::AlignedBox3f ToUnit(const Eigen::AlignedBox3d& world) const {
+    return {ToUnit(world.min()).cast<float>(),
+            ToUnit(world.max()).cast<float>()};
+  }
 };
 
 // Pixels of the photographs by which masks may be said to be wrong, at most.

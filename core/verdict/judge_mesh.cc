@@ -5,6 +5,7 @@
 
 #include "core/base/stopwatch.h"
 #include "core/raycast/ray_scene.h"
+#include "core/raycast/unit_mesh.h"
 #include "core/verdict/confidence.h"
 #include "core/verdict/removed_parts.h"
 
@@ -16,15 +17,6 @@ namespace {
 constexpr double kSpacing = 6;
 // The same where each vertex is asked about.
 constexpr double kFineSpacing = 4;
-
-IndexedMesh ToUnit(const IndexedMesh& mesh, const BoundingCube& cube) {
-  IndexedMesh unit;
-  unit.triangles = mesh.triangles;
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    unit.positions.push_back((position - cube.min_corner) / cube.edge);
-  }
-  return unit;
-}
 
 std::vector<BorderUncertainty> UncertaintiesOf(const std::vector<View>& views,
                                                const JudgeOptions& options) {
@@ -75,7 +67,7 @@ MeshVerdict JudgeMesh(const IndexedMesh& mesh,
   MeshVerdict verdict;
   verdict.border_shift = options.border_shift;
   verdict.hull_level = options.hull_level;
-  IndexedMesh unit = ToUnit(mesh, scene.cube);
+  IndexedMesh unit = UnitMesh(mesh, scene.cube);
   std::optional<RayScene> rays;
   if (HaveImages(scene.views)) {
     SurfaceEvidence evidence = MeasureSurfaceEvidence(
@@ -102,7 +94,7 @@ MeshVerdict JudgeMesh(const IndexedMesh& mesh,
                        UncertaintiesOf(scene.given, options),
                        context);
   verdict.removed_pixels = CountPixelsOfRemoved(
-      ToUnit(removed, scene.cube), scene.views, check.missed, context);
+      UnitMesh(removed, scene.cube), scene.views, check.missed, context);
   if (options.hull_level > 0) {
     verdict.num_thin_pixels =
         CountThinPixels(scene.views, check.missed, options.hull_level);

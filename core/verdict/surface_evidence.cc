@@ -71,16 +71,6 @@ void MeasureHull(const ViewSet& views,
   }
 }
 
-OffsetSearch MakeSearch(const RefineOptions& options) {
-  OffsetSearch search;
-  search.range = kRange;
-  search.step = options.step;
-  search.spacing = 1;
-  search.min_score = options.min_score;
-  search.patch = options.patch;
-  return search;
-}
-
 double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
   const Eigen::AlignedBox3d box = BoundingBox(mesh);
   return PixelSize(views, box.center().cast<float>());
@@ -108,7 +98,7 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
       SearchOffsets(views,
                     seen.surfaces,
                     seen.choices,
-                    MakeSearch(options.refinement),
+                    MakeOffsetSearch(options.refinement, kRange, 1),
                     context,
                     &phase);
   const std::vector<float> areas = AreasOfPoints(*mesh, seen.points);

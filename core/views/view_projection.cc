@@ -16,8 +16,7 @@ ViewProjection MakeViewProjection(const View& view, const BoundingCube& cube) {
   // cube's corner: subtracted in double so that a far origin costs no digits.
   projection.offset =
       (calibration * ((pose * cube.min_corner) / cube.edge)).cast<float>();
-  projection.center =
-      ((view.Center() - cube.min_corner) / cube.edge).cast<float>();
+  projection.center = cube.ToUnit(view.Center()).cast<float>();
   projection.optical_axis = pose.rotation.row(2).transpose().cast<float>();
   projection.focal_length = float((camera.fx + camera.fy) / 2);
   projection.width = camera.width;

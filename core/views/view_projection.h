@@ -1,6 +1,6 @@
 // Projection of points of the root cube into a view, in single precision.
 //
-// Frame: unit coordinates, (x_world - cube.min_corner) / cube.edge, so the
+// Frame: unit coordinates, those of BoundingCube::ToUnit, so the
 // cube is [0, 1]^3 and a voxel of level l has edge 2^-l whatever the scale of
 // the sparse model. Depths are in the same unit.
 #pragma once

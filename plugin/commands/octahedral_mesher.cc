@@ -67,7 +67,8 @@ void OctahedralMesher::DeclareOptions(OptionManager& options) {
               "its defaults.");
   options.Add("extract_masks",
               &extract_masks_,
-              "If 1, make the masks first, as mask_extractor does.");
+              "If 1, make the masks first, as mask_extractor does with its "
+              "defaults (OctahedralMeshing.bounding_box is used).");
   quality_.Declare(options);
   DeclareMeshingOptions(options, &meshing_);
 }

@@ -47,7 +47,7 @@ struct Bound {
   bool verbose = false;
   std::vector<std::string> input_paths = {"default.ply"};
   int level = 7;
-  std::optional<std::array<double, 6>> box;
+  std::vector<double> box;
   Color color = Color::kGreen;
   bool smooth = true;
   int rounds = 3;
@@ -62,7 +62,7 @@ TEST(OptionManager, DefaultsStayWhenNothingIsGiven) {
   EXPECT_FALSE(bound.verbose);
   EXPECT_THAT(bound.input_paths, ElementsAre("default.ply"));
   EXPECT_EQ(bound.level, 7);
-  EXPECT_FALSE(bound.box.has_value());
+  EXPECT_THAT(bound.box, ElementsAre());
   EXPECT_EQ(bound.color, Color::kGreen);
 }
 
@@ -83,7 +83,7 @@ TEST(OptionManager, ReadsEveryKind) {
   EXPECT_EQ(bound.workspace_path, "a=b");
   EXPECT_TRUE(bound.verbose);
   EXPECT_EQ(bound.level, -1);
-  EXPECT_EQ(bound.box->at(5), 1);
+  EXPECT_THAT(bound.box, ElementsAre(-1, -1, -1, 1, 1, 1));
   EXPECT_EQ(bound.color, Color::kRed);
   EXPECT_THAT(bound.input_paths, ElementsAre("a.ply", "b.ply"));
 }
@@ -213,7 +213,7 @@ TEST(OptionManager, JsonHoldsEveryOptionWithItsValue) {
   EXPECT_EQ(bound.manager.ToJson().dump(),
             R"({"project_path":"","workspace_path":"w","verbose":false,)"
             R"("input_path":["default.ply"],"Meshing":{"level":8,)"
-            R"("box":null,"color":"green","smooth":true,"rounds":3}})");
+            R"("box":[],"color":"green","smooth":true,"rounds":3}})");
 }
 
 TEST(OptionManager, CompletesMessagesOfChecks) {

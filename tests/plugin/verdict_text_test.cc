@@ -74,7 +74,7 @@ TEST(VerdictText, SaysWhatAGoodMeshRestsOn) {
       text.findings,
       ElementsAre(AllOf(HasSubstr("covers 99.50 %"),
                         HasSubstr("leaves 0.50 % uncovered"),
-                        HasSubstr("extends beyond the masks by 0.10 %")),
+                        HasSubstr("pixels that amount to 0.10 % of")),
                   AllOf(HasSubstr("90.0 % is determined by photographs"),
                         HasSubstr("7.0 % by silhouettes and 3.0 % by neither"),
                         HasSubstr("two views see 98.0 %")),
@@ -88,7 +88,7 @@ TEST(VerdictText, SaysBothWhereMasksWereRepaired) {
   verdict.given_masks.total.exceeded += 100;
   EXPECT_THAT(DescribeVerdict(verdict, ThreeViews()).findings,
               Contains(AllOf(HasSubstr("Silhouettes of the original masks"),
-                             HasSubstr("extends beyond the masks by 3.55 %"))));
+                             HasSubstr("pixels that amount to 3.55 % of"))));
 }
 
 TEST(VerdictText, NamesTheWorstViewsFirst) {

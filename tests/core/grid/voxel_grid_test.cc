@@ -71,6 +71,16 @@ TEST(VoxelGrid, KnowsNothingOutsideTheCube) {
   EXPECT_FALSE(VoxelGrid().Contains({0, 0, 0}));
 }
 
+TEST(VoxelGrid, FindsTheVoxelThatHoldsAPoint) {
+  const VoxelGrid grid = VoxelGrid::FromCodes(
+      2, {EncodeMorton({0, 0, 0}), EncodeMorton({1, 2, 3})});
+  EXPECT_EQ(grid.FindAt({0, 0, 0}), 0u);
+  EXPECT_EQ(grid.FindAt({0.25f, 0.74f, 0.99f}), 1u);
+  EXPECT_EQ(grid.FindAt({0.24f, 0.74f, 0.99f}), VoxelGrid::kNone);
+  EXPECT_EQ(grid.FindAt({0, 0, -0.01f}), VoxelGrid::kNone);
+  EXPECT_EQ(grid.FindAt({0.25f, 0.74f, 1}), VoxelGrid::kNone);
+}
+
 class MorphologyTest : public testing::TestWithParam<int> {};
 
 std::set<MortonCode> BruteDilate(const std::set<MortonCode>& codes,

@@ -16,11 +16,7 @@ std::vector<OffsetMeasurement> MeasureIn(
     const RefineScene& scene,
     double pixels,
     const RefineOptions& options = RefineOptions()) {
-  const OffsetSearch search = {.range = options.range,
-                               .step = options.step,
-                               .spacing = 1,
-                               .min_score = options.min_score,
-                               .patch = options.patch};
+  const OffsetSearch search = MakeOffsetSearch(options, options.range, 1);
   const IndexedMesh mesh = scene.ToUnitMesh(RefineScene::Mesh(
       16, [&](const auto&) { return pixels * scene.Pixel(); }));
   const Context context(2);

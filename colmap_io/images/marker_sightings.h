@@ -10,7 +10,7 @@
 
 namespace octacut {
 
-// Looks for markers in all photographs of the model, one a thread. In the order
+// Looks for markers in all photographs of the model; the result has the order
 // of the images. Throws InputError that names an image that is missing, damaged
 // or of another size than its camera.
 std::vector<MarkerSighting> FindMarkerSightings(const Workspace& workspace,

@@ -8,9 +8,9 @@
 
 namespace octacut {
 
-// Of the first input with the shape (batch, 3, height, width), where height and
-// width are numbers; none where there is no such input, or where the bytes are
-// not those of an ONNX file. The format: https://onnx.ai, onnx.proto.
+// The size of the first input of shape (batch, 3, height, width) with numbers
+// for height and width; none if there is no such input, or if the bytes are not
+// those of an ONNX file. The format: https://onnx.ai, onnx.proto.
 std::optional<cv::Size> OnnxInputSize(std::string_view bytes);
 
 }  // namespace octacut

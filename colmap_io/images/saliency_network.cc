@@ -16,7 +16,7 @@
 namespace octacut {
 namespace {
 
-// Of the images of ImageNet, red, green and blue in [0, 1].
+// Statistics of ImageNet: red, green and blue in [0, 1].
 constexpr std::array<double, 3> kMean = {0.485, 0.456, 0.406};
 constexpr std::array<double, 3> kDeviation = {0.229, 0.224, 0.225};
 // Where the file says nothing: that of U2-Net, the most used one of its kind.

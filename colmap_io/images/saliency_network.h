@@ -25,7 +25,7 @@ class SaliencyNetwork {
   // description above. Not for several threads at once.
   cv::Mat Saliency(const cv::Mat& image);
 
-  // Of the images that the network gets.
+  // The size of the images that the network gets.
   cv::Size InputSize() const;
 
  private:

@@ -49,7 +49,7 @@ void WriteMesh(std::ostream& stream,
                MeshFormat format,
                const IndexedMesh& mesh);
 
-// Writes PLY whatever the extension, with `values`, one a vertex, as a float
+// Writes PLY whatever the extension, with `values`, one per vertex, as a float
 // property `name`.
 void WriteMeshWithValues(const std::filesystem::path& path,
                          IndexedMesh mesh,

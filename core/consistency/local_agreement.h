@@ -13,14 +13,14 @@ namespace octacut {
 // surface is plain, or mirrors something else in every view, low values are
 // scattered and such means stay near neutral or above.
 struct LocalAgreement {
-  // One a voxel, 0 .. 1: whether the views agree about a surface near it.
+  // One per voxel, 0 .. 1: whether the views agree about a surface near it.
   std::vector<float> near_voxel;
-  // One a voxel, 0 .. 1: whether they do in most of what is around it, over its
-  // brick and the bricks within three steps.
+  // One per voxel, 0 .. 1: whether they do in most of what is around it, over
+  // its brick and the bricks within three steps.
   std::vector<float> in_region;
 };
 
-// `phi` is the photo-consistency of the voxels of a crust, one a voxel.
+// `phi` is the photo-consistency of the voxels of a crust, one per voxel.
 LocalAgreement EstimateLocalAgreement(const VoxelGrid& voxels,
                                       const std::vector<float>& phi,
                                       const Context& context);

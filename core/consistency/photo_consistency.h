@@ -53,8 +53,8 @@ struct ConsistencySummary {
 };
 
 struct PhotoConsistency {
-  std::vector<float> phi;        // one a voxel, 0 (consistent) .. 1
-  std::vector<uint8_t> is_seen;  // one a voxel: by at least two views
+  std::vector<float> phi;        // one per voxel, 0 (consistent) .. 1
+  std::vector<uint8_t> is_seen;  // one per voxel: by at least two views
   ConsistencySummary summary;
 };
 

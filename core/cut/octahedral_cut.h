@@ -24,7 +24,7 @@ struct OctahedralCutProblem {
   // psi(phi(v)) + a of every voxel; > 0 and at most 1023. The solver works
   // on round(w * 2^20), at least 1.
   std::span<const float> weights;
-  // One a voxel. A face without a crust voxel on its other side must be tied.
+  // One per voxel. A face without a crust voxel on its other side must be tied.
   std::span<const FaceTies> ties;
   // Evidence of every voxel: > 0 speaks for inside, < 0 for outside; empty
   // for none. A cut pays |evidence| / 6 for each face of the voxel that it
@@ -35,7 +35,7 @@ struct OctahedralCutProblem {
 };
 
 struct OctahedralCut {
-  // One a voxel of the crust: bit f set = face f inside. Two voxels that
+  // One per voxel of the crust: bit f set = face f inside. Two voxels that
   // share a face agree on it. Among all minimum cuts it is the one with the
   // fewest nodes on the source (outside) side, which is unique.
   std::vector<FaceLabels> labels;
@@ -51,7 +51,7 @@ struct OctahedralCutOptions {
   // Called with every problem before it is solved; to store it, for example.
   std::function<void(const OctahedralCutProblem&)> observer = nullptr;
 
-  // Narrow flows: weights of 14 bits, some 25 bytes a voxel less. The labels
+  // Narrow flows: weights of 14 bits, some 25 bytes per voxel less. The labels
   // are a minimum cut of the rounded weights; `cost` is still theirs under the
   // exact ones, some hundredths of a percent above the least one.
   bool lean = false;
@@ -62,7 +62,7 @@ struct OctahedralCutOptions {
 struct ImplicitCutState;
 
 // What a cut leaves behind for the next one, of a crust that has grown: some 70
-// bytes a voxel (45 of a lean cut).
+// bytes per voxel (45 of a lean cut).
 class OctahedralCutState {
  public:
   OctahedralCutState();

@@ -62,8 +62,8 @@ std::vector<SweptDepthMap> KeepAgreeing(
 // Keeps those of the depths that too few views confirm, but one does,
 // - that at least `min_like` of the eight samples around share, to
 //   kDepthAgreement: wrong matches are scattered;
-// - before which, on their rays, no voxel of the hull is `solid` (one a voxel):
-//   what better confirmed depths have found cannot be seen through.
+// - before which, on their rays, no voxel of the hull is `solid` (one per
+//   voxel): what better confirmed depths have found cannot be seen through.
 std::vector<SweptDepthMap> KeepPlausible(const ViewSet& views,
                                          const VoxelGrid& hull,
                                          const std::vector<SweptDepthMap>& maps,

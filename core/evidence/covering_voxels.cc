@@ -225,7 +225,7 @@ class CoverSearch {
   const VoxelGrid& crust_;
   const CoverCandidates& candidates_;
   std::vector<uint8_t> is_attached_;
-  std::vector<uint8_t> num_witnesses_;  // one a voxel
+  std::vector<uint8_t> num_witnesses_;  // one per voxel
   std::vector<std::pair<VoxelGrid::Index, Eigen::Vector3i>> on_ray_;
   CoveringVoxels* found_;
 };

@@ -17,17 +17,17 @@ namespace octacut {
 
 // How likely each voxel of a crust is to be matter, as far as a ray needs some.
 struct CoverCandidates {
-  // One a voxel, 0 .. 1; the highest of a ray is taken. Negative: not to be
+  // One per voxel, 0 .. 1; the highest of a ray is taken. Negative: not to be
   // taken, since it is tied to the outside or other masks deny it.
   std::vector<float> scores;
-  // One a voxel: inside by a coarser labelling or an earlier cut; empty for
+  // One per voxel: inside by a coarser labelling or an earlier cut; empty for
   // none.
   std::vector<uint8_t> is_likely;
 };
 
 struct CoveringVoxels {
   size_t num_voxels = 0;
-  std::vector<uint8_t> is_covering;  // one a voxel
+  std::vector<uint8_t> is_covering;  // one per voxel
   // Samples that have no candidate on their rays.
   size_t num_impossible = 0;
 };

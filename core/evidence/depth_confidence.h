@@ -39,7 +39,7 @@ struct ReliableDepths {
   double found_share = 0;
 };
 
-// `maps` holds confirmed depths, one map a view. `surrounded_share` is the
+// `maps` holds confirmed depths, one map per view. `surrounded_share` is the
 // share of the views with as many neighbours, near enough to be matched, as the
 // sweep compares. `shown` says how far the photographs show the surface and not
 // what it mirrors (0 .. 1): depths of mirrors have no confidence unless they

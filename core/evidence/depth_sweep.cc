@@ -140,7 +140,7 @@ size_t EstimateSweepBytes(size_t num_views,
   const double resolution = double(1u << hull_level);
   const double side = resolution * options.samples_per_voxel;
   const double num_planes = resolution * options.planes_per_voxel;
-  // A reduced view and its depths, 20 bytes a sample, and the scores of all
+  // A reduced view and its depths, 20 bytes per sample, and the scores of all
   // planes for each thread.
   return size_t(side * side *
                 (20 * double(num_views) +

@@ -42,7 +42,7 @@ struct SweptDepthMap {
   }
   // Depth at pixel coordinates of the view; 0 for none.
   float DepthAt(float u, float v) const { return ValueAt(depths, u, v); }
-  // The same of other values, one a sample.
+  // The same of other values, one per sample.
   float ValueAt(const std::vector<float>& values, float u, float v) const {
     // Points just before the camera are at pixels that no int holds.
     const float x = u * scale;
@@ -70,7 +70,7 @@ void ForEachDepth(const SweptDepthMap& map,
   }
 }
 
-// One map a view. The neighbours that were compared with view i come back in
+// One map per view. The neighbours that were compared with view i come back in
 // neighbors[i].
 std::vector<SweptDepthMap> SweepDepths(
     const ViewSet& views,

@@ -21,8 +21,8 @@ struct FinerEvidence {
   // The surface's crust, and what lies between it and confirmed depths behind
   // it; empty where hardly any depth lies there.
   VoxelGrid voxels;
-  // One a voxel, as InsideEvidence has it without ballooning: 0 where no depth
-  // says anything.
+  // One per voxel, as InsideEvidence has it without ballooning: 0 where no
+  // depth says anything.
   std::vector<float> values;
 };
 

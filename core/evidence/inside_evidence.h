@@ -69,7 +69,7 @@ struct InsideEvidence {
   // How far photo-consistency may decide near each voxel: depth_confidence, or
   // what ReviseEvidence has made of it, which may be less or more.
   VoxelValues decision_confidence;
-  // One a view, as EstimateMaskConfidence has it.
+  // One per view, as EstimateMaskConfidence has it.
   std::vector<float> mask_confidence;
   InsideEvidenceSummary summary;
 };

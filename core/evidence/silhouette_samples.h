@@ -18,7 +18,7 @@ namespace octacut {
 struct SampleMap {
   int width = 0;
   int height = 0;
-  float scale = 1;                  // samples a pixel
+  float scale = 1;                  // samples per pixel
   std::vector<uint8_t> is_sure;     // shows the object beyond doubt; row by row
   std::vector<uint8_t> is_covered;  // has matter on its ray
 
@@ -31,8 +31,8 @@ struct SampleMap {
   int At(const ViewProjection& projection, const Eigen::Vector3f& point) const;
 };
 
-// `labels` has one element a voxel, as SolveOctahedralCut gives them; matter is
-// where half of the faces are inside, as the surface is there. Samples are sure
+// `labels` has one element per voxel, as SolveOctahedralCut gives them; matter
+// is where half of the faces are inside: the surface is there. Samples are sure
 // where the border of the object is farther than a sample and than the view's
 // SureDepth.
 SampleMap MapSamples(const PreparedView& view,

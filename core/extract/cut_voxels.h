@@ -21,7 +21,7 @@ class CutVoxels {
   using Index = VoxelGrid::Index;
   static constexpr Index kNone = VoxelGrid::kNone;
 
-  // Keeps references to both. `labels` has one element a voxel of `crust`.
+  // Keeps references to both. `labels` has one element per voxel of `crust`.
   CutVoxels(const VoxelGrid& crust, std::span<const FaceLabels> labels);
 
   size_t Size() const { return size_; }

@@ -38,7 +38,7 @@ struct ExtractedSurface {
   ExtractSurfaceSummary summary;
 };
 
-// `labels` has one element a voxel of `crust`; voxels that share a face agree
+// `labels` has one element per voxel of `crust`; voxels that share a face agree
 // on it. Each loop of split edges in a cut voxel becomes one polygon with its
 // vertices at voxel corners, triangulated and oriented outward. Edges where
 // four polygons meet are paired by one rule (never join through an inside

@@ -11,7 +11,7 @@ namespace octacut {
 
 struct LabeledVoxels {
   VoxelGrid voxels;
-  std::vector<FaceLabels> labels;  // one a voxel; neighbours agree
+  std::vector<FaceLabels> labels;  // one per voxel; neighbours agree
 };
 
 }  // namespace octacut

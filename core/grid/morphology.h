@@ -18,7 +18,7 @@ VoxelGrid Dilate(const VoxelGrid& grid, int steps, const Context& context);
 // The eight children of every voxel, one level finer.
 VoxelGrid Children(const VoxelGrid& grid);
 
-// The voxels whose element of `keep` (one a voxel) is not 0.
+// The voxels whose element of `keep` (one per voxel) is not 0.
 VoxelGrid Subset(const VoxelGrid& grid, std::span<const uint8_t> keep);
 
 // All voxels of either grid; both of one level.

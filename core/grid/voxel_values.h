@@ -9,7 +9,7 @@ namespace octacut {
 
 struct VoxelValues {
   VoxelGrid voxels;
-  std::vector<float> values;  // one a voxel
+  std::vector<float> values;  // one per voxel
 
   // The value of the voxel that is, or holds, the one with `code` at `level`,
   // which is at least that of the grid; `otherwise` where there is none.

@@ -1,8 +1,8 @@
 // Stepping between face-adjacent voxels of a crust without a neighbour table.
 //
 // A voxel is addressed by a slot: its brick and its position in it, which
-// two small tables a brick turn into the voxel's index and into the slots
-// beside it. Some 3 bytes a voxel; a neighbour table would take 24.
+// two small tables per brick turn into the voxel's index and into the slots
+// beside it. Some 3 bytes per voxel; a neighbour table would take 24.
 #pragma once
 
 #include <array>

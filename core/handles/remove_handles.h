@@ -17,11 +17,11 @@ namespace octacut {
 
 // Lengths are world units.
 struct RemoveHandlesOptions {
-  // Of the loops that are cut. Twice that around a tunnel; 0: none are cut.
+  // Loops up to this length are cut, twice it around a tunnel; 0: none are.
   double max_length = 0;
   // New triangles are no thinner (thin_triangles.h).
   double min_height = 0;
-  // Of the loops around bridges and tunnels all of whose vertices `is_hidden`.
+  // The same for loops whose vertices all are `is_hidden`, of both kinds.
   // More than 0 only with `is_hidden`.
   double max_hidden_length = 0;
   std::function<bool(const Eigen::Vector3d&)> is_hidden = nullptr;

@@ -6,7 +6,7 @@
 
 namespace octacut {
 
-// Of all vertices, in the coordinates of the mesh; empty where there are none.
+// The box around all vertices, in the mesh's coordinates; empty without any.
 inline Eigen::AlignedBox3d BoundingBox(const IndexedMesh& mesh) {
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& position : mesh.positions) {

@@ -13,7 +13,7 @@
 
 namespace octacut {
 
-// What speaks for matter where rays are uncovered, one a voxel of a crust.
+// What speaks for matter where rays are uncovered, one per voxel of a crust.
 struct CoverPreference {
   // For the first cut: its evidence, in units of the weights. Empty:
   // crust.prior says what an earlier cut or a coarser level has found.

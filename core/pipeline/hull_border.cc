@@ -127,8 +127,8 @@ class BorderChance {
   float inside_ = 0;
 };
 
-// Of the voxel that holds a point of the surface, or else 1: where there is
-// none, the point moves least.
+// The value of the voxel that holds a point of the surface. 1 where there is
+// none: then the point moves least.
 float DecidedAt(const DecidedVoxels& decided, const Eigen::Vector3f& point) {
   const VoxelGrid::Index index = decided.voxels.FindAt(point);
   return index == VoxelGrid::kNone ? 1 : decided.decided[index];

@@ -16,14 +16,14 @@ namespace octacut {
 // The visual hull, by the silhouettes of the views.
 struct SilhouetteHull {
   const ViewSet& views;
-  const std::vector<float>& mask_confidence;  // one a view: InsideEvidence
+  const std::vector<float>& mask_confidence;  // one per view: InsideEvidence
   const BoundingCube& cube;
 };
 
 // How far photographs decide on the surface.
 struct DecidedVoxels {
   const VoxelGrid& voxels;
-  const std::vector<float>& decided;  // one a voxel, 0 .. 1
+  const std::vector<float>& decided;  // one per voxel, 0 .. 1
 };
 
 // Moves vertices that are within a voxel (or a pixel, the larger of both) of

@@ -30,7 +30,7 @@ struct LevelInputs {
   const Context& context;
 };
 
-// The energy of a cut, one element a voxel each.
+// The energy of a cut, one element of each per voxel.
 struct CutTerms {
   std::vector<float> weights;   // of the edges
   std::vector<float> evidence;  // for inside (> 0) or outside, in their units
@@ -39,7 +39,7 @@ struct CutTerms {
 // What a level comes to.
 struct SolvedLevel {
   LabeledVoxels surface;
-  // How far the photographs decide on it, 0 .. 1, one element a voxel.
+  // How far the photographs decide on it, 0 .. 1, one element per voxel.
   std::vector<float> decided;
 };
 

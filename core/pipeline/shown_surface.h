@@ -13,8 +13,8 @@
 namespace octacut {
 
 struct ShownSurface {
-  // Of the views about the surface of the hull, in images as coarse as half its
-  // voxels: -1 .. 1, exceeded around a tenth of its points.
+  // Agreement of the views about the hull's surface, in images as coarse as
+  // half its voxels: -1 .. 1, exceeded around a tenth of its points.
   double agreement = 0;
   // How far the photographs show the surface, 0 .. 1.
   float share = 1;

@@ -42,7 +42,7 @@ struct SilhouetteTerms {
   std::vector<float> hull_depth;
 };
 
-// One element a voxel each. `mask_confidence` is that of InsideEvidence.
+// One element of each per voxel. `mask_confidence` is that of InsideEvidence.
 SilhouetteTerms EstimateSilhouetteTerms(
     const ViewSet& views,
     const std::vector<float>& mask_confidence,
@@ -52,7 +52,7 @@ SilhouetteTerms EstimateSilhouetteTerms(
 
 // The voxels of a crust that have no terms yet.
 struct AddedVoxels {
-  std::vector<uint8_t> is_added;  // one a voxel of the crust
+  std::vector<uint8_t> is_added;  // one per voxel of the crust
   VoxelGrid voxels;
 
   bool AreAll() const { return voxels.Size() == is_added.size(); }

@@ -31,7 +31,7 @@ struct RenderOptions {
 };
 
 // The mesh of `rays` in smooth shading (vertex normals of the mesh, or means
-// of the triangles' where it has none), 2 x 2 samples a pixel. CV_8UC3, BGR,
+// of the triangles' where it has none), 2 x 2 samples per pixel. CV_8UC3, BGR,
 // of the camera's size. The same bytes for any number of threads.
 cv::Mat RenderShaded(const IndexedMesh& mesh,
                      const RayScene& rays,

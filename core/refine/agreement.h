@@ -26,7 +26,7 @@ struct AgreementInputs {
   const char* phase = "refinement: agreement of the views";
 };
 
-// At that scale; one element a point.
+// At that scale; one element per point.
 struct SurfaceAgreement {
   SurfacePoints points;
   std::vector<uint8_t> is_seen;  // by at least two views
@@ -40,7 +40,7 @@ struct SurfaceAgreement {
   // For each point, the mean score of the seen points at most three steps away,
   // itself included; kUnseen if there are none.
   std::vector<float> MeansAround() const;
-  // Of the means around the points that are seen: what a tenth of them exceeds.
+  // The value that a tenth of the means around seen points exceed.
   // 0 where nothing is seen.
   double UpperDecile() const;
 };

@@ -24,7 +24,7 @@ struct NeighborPlanes {
                                       const VertexCorners& neighbors) const;
 };
 
-// Planes by least squares over the tangent planes of `surfaces`, one a point;
+// Planes by least squares over the tangent planes of `surfaces`, one per point;
 // `neighbors` are those of SurfacePoints.
 NeighborPlanes FitNeighborPlanes(const std::vector<LocalSurface>& surfaces,
                                  const VertexCorners& neighbors);

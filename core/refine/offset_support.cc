@@ -21,7 +21,7 @@ constexpr int kLastRing = 5;
 constexpr float kChance = 0.3f;
 constexpr float kSupported = 0.6f;
 
-// One a point; 1 of points without neighbours that far.
+// One per point; 1 for points without neighbours that far.
 std::vector<float> EstimateSupport(
     const VertexCorners& neighbors,
     const std::vector<uint8_t>& is_seen,

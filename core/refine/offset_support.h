@@ -15,7 +15,7 @@
 
 namespace octacut {
 
-// Measured offsets, one a point.
+// Measured offsets, one per point.
 size_t NumMeasured(const std::vector<OffsetMeasurement>& measurements);
 
 // Where at most half of the seen points have an offset that others support,

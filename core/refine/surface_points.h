@@ -12,7 +12,7 @@
 namespace octacut {
 
 struct SurfacePoints {
-  std::vector<uint32_t> vertices;  // of the mesh, ascending; one a point
+  std::vector<uint32_t> vertices;  // of the mesh, ascending; one per point
   // For each vertex of the mesh, the closest point that reaches it.
   std::vector<uint32_t> point_of;
   // For each point, those whose vertices are joined with its own by an edge,

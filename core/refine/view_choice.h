@@ -16,7 +16,7 @@ struct ViewChoiceOptions {
   // Views at more than this angle (degrees) to the normal do not count. 72 is
   // worse, 85 loses thin rods: docs/experiments/refinement_concavities.md.
   double max_angle = 80;
-  // At most this many views a point, those of most weight; 2 .. 24. With 24
+  // At most this many views per point, those of most weight; 2 .. 24. With 24
   // errors hardly fall: docs/experiments/refinement_patches.md.
   int max_views = 16;
   // Between the directions of any two of them, degrees: nearly equal views

@@ -5,8 +5,8 @@
 
 namespace octacut {
 
-// Of each pixel of `image` (CV_8UC1) that is not 0, to the next one that is;
-// 0 elsewhere. CV_32FC1, pixels.
+// The distance of each pixel of `image` (CV_8UC1) that is not 0 to the nearest
+// one that is; 0 elsewhere. CV_32FC1, pixels.
 cv::Mat DistancesToZero(const cv::Mat& image);
 
 // CV_8UC1, 255: the pixels that are not 0 in `marked`, and those at most

@@ -15,7 +15,7 @@ namespace octacut {
 namespace {
 
 constexpr size_t kMinPoints = 8;
-// Of the views, that have to show a sparse point of the object inside.
+// The share of views that have to show a sparse point of the object inside.
 constexpr double kMinShareOfViews = 0.9;
 
 Region MakeRegion(const Eigen::AlignedBox3d& box,

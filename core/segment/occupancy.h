@@ -62,7 +62,7 @@ class OccupancyGrid {
   }
   class PointProjector;
 
-  // Sets the flags (one a voxel) of a few voxels around each that is set.
+  // Sets the flags (one per voxel) of a few voxels around each that is set.
   void Grow(std::vector<uint8_t>* flags) const;
   Eigen::Vector3d CenterOf(int x, int y, int z) const;
   float ScoreOf(const Eigen::Vector3f& point,
@@ -74,7 +74,7 @@ class OccupancyGrid {
   int resolution_;
   std::vector<EvidenceView> views_;
   std::vector<cv::Size> sizes_;
-  std::vector<float> scores_;  // one a voxel: object above 0
+  std::vector<float> scores_;  // one per voxel: object above 0
 };
 
 }  // namespace octacut

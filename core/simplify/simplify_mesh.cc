@@ -31,8 +31,8 @@ bool IsUntouched(const CollapsedMesh& collapsed,
   });
 }
 
-// Of the vertices that were moved onto each marked corner, those `count` that
-// were moved last stay from now on: what was moved before does less harm.
+// From now on, those `count` vertices stay that were moved last onto each
+// marked corner: what was moved before does less harm.
 void HoldLast(const CollapsedMesh& collapsed,
               const std::vector<uint8_t>& is_corner,
               size_t count,

@@ -14,8 +14,8 @@ namespace octacut {
 
 struct NormalMapSummary {
   size_t num_texels = 0;  // within triangles
-  // Of these, without a point of the full mesh near enough: they get the normal
-  // of the simplified mesh.
+  // Those without a point of the full mesh near enough: they get the normal of
+  // the simplified mesh.
   size_t num_missed = 0;
   double max_distance = 0;  // how near it must be, in units of the mesh
   // Mean angle between the normals of both meshes, degrees.

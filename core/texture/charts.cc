@@ -12,7 +12,7 @@ namespace {
 
 // Filled colours have no detail of their own.
 constexpr double kFilledDensity = 0.25;
-// Overlaps are looked for on a grid of so many points a texel along a side.
+// Overlaps are looked for on a grid of so many points per texel along a side.
 constexpr int kOverlapGrid = 2;
 
 using Texels = std::array<Eigen::Vector2d, 3>;

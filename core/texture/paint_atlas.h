@@ -40,7 +40,7 @@ struct PaintedPages {
   std::vector<TexturePage> pages;
   size_t num_texels = 0;  // within triangles
   size_t num_filled = 0;  // of these, in triangles that no view shows
-  // Of these, without any colour before the gaps between charts were closed:
+  // Those without any colour before the gaps between charts were closed:
   // none.
   size_t num_unfilled = 0;
 };

@@ -17,7 +17,7 @@ struct UnlitPicture {
   cv::Mat covered;  // CV_8UC1: 255 where the mesh covers the whole pixel
 };
 
-// 2 x 2 samples a pixel. `rays` are of the mesh.
+// 2 x 2 samples per pixel. `rays` are of the mesh.
 UnlitPicture RenderTexture(const TexturedMesh& mesh,
                            const RayScene& rays,
                            const PhotographPose& pose,

@@ -15,7 +15,7 @@ namespace octacut {
 // nearby, which tell less the farther they are away.
 std::vector<float> ExpectedErrors(const SurfaceEvidence& evidence);
 
-// 1 / (1 + expected error), one a vertex, 0 .. 1: a half where the surface is
+// 1 / (1 + expected error), one per vertex, 0 .. 1: a half where the surface is
 // known to a pixel. Linear between points. `mesh`, in unit coordinates, is that
 // of the evidence.
 std::vector<float> VertexConfidence(const IndexedMesh& mesh,

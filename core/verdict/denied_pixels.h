@@ -12,8 +12,8 @@ namespace octacut {
 
 struct DeniedPixels {
   size_t count = 0;  // of the view's pixels, from a sample of them
-  // One a view: pixels that it denies alone or with one other, so that its mask
-  // is likely to be wrong.
+  // One per view: pixels that it denies alone or with one other, so that its
+  // mask is likely to be wrong.
   std::vector<size_t> by_view;
 };
 

@@ -41,7 +41,7 @@ struct JudgeOptions {
 struct MeshVerdict {
   MaskCheck given_masks;
   MaskCheck repaired_masks;
-  // One a view: pixels of the repaired masks that are missed for the sake of
+  // One per view: pixels of the repaired masks that are missed for the sake of
   // components that were removed for being small.
   std::vector<size_t> removed_pixels;
   // The missed pixels of the repaired masks that lie in parts thinner than
@@ -52,7 +52,7 @@ struct MeshVerdict {
   int hull_level = 0;
   // None where views have no image.
   std::optional<SurfaceSupport> surface;
-  // One a vertex, 0 .. 1; empty unless wanted and measured.
+  // One per vertex, 0 .. 1; empty unless wanted and measured.
   std::vector<float> confidence;
   double silhouette_seconds = 0;
   double surface_seconds = 0;

@@ -11,8 +11,8 @@
 
 namespace octacut {
 
-// One a view: how many of its pixels that are not 0 in `missed` (CV_8UC1, one a
-// view) the components `removed` (unit coordinates) would cover.
+// One per view: how many of its pixels that are not 0 in `missed` (CV_8UC1, one
+// per view) the components `removed` (unit coordinates) would cover.
 std::vector<size_t> CountPixelsOfRemoved(const IndexedMesh& removed,
                                          const ViewSet& views,
                                          const std::vector<cv::Mat>& missed,

@@ -50,7 +50,7 @@ struct PixelCounts {
 };
 
 struct MaskCheck {
-  std::vector<PixelCounts> views;  // one a view
+  std::vector<PixelCounts> views;  // one per view
   PixelCounts total;
   // For each view, how many of the missed pixels of others its mask denies,
   // alone or with one other.
@@ -72,13 +72,13 @@ struct SilhouetteCheck {
   MaskCheck given;
   // Masks whose false gaps have been filled.
   MaskCheck repaired;
-  // Missed pixels of the repaired masks (CV_8UC1, 255), one a view.
+  // Missed pixels of the repaired masks (CV_8UC1, 255), one per view.
   std::vector<cv::Mat> missed;
 };
 
 // `rays` of the mesh in unit coordinates. `given` and `repaired` are the same
 // views; those that share a mask are compared once. `views` are prepared from
-// `repaired`, with poses that may be better. `uncertainties` are one a view.
+// `repaired`, with poses that may be better. `uncertainties` are one per view.
 // The same figures for any number of threads.
 SilhouetteCheck CheckSilhouettes(
     const RayScene& rays,

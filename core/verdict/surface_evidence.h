@@ -32,14 +32,14 @@ struct PointEvidence {
   // border of an object's silhouette, negative outside.
   float hull_distance = 0;
   int num_contours = 0;  // views that have it beside that border
-  // Mean curvature times a pixel: positive where the surface is convex.
+  // Mean curvature times the pixel size: positive where convex.
   float curvature = 0;
 };
 
 struct SurfaceEvidence {
   RayScene rays;                      // of the mesh
   SurfacePoints points;               // which vertices each point stands for
-  std::vector<PointEvidence> values;  // one a point
+  std::vector<PointEvidence> values;  // one per point
   double pixel = 0;                   // of the views, at the mesh
 };
 

@@ -15,7 +15,7 @@ namespace octacut {
 struct BorderEdges {
   double shift = 0;      // the borders lie that far outside the edges
   double deviation = 0;  // median distance of the edges from that
-  // Of the points, those whose strongest edges agree to a pixel, and on what.
+  // The share of points whose strongest edges agree to a pixel, and on what.
   double share = 0;
   double strongest_shift = 0;
 };

@@ -193,8 +193,8 @@ class BorderLines {
                contrast.begin());
   }
 
-  // Of the edges that are comparable to the strongest, the one nearest to the
-  // middle.
+  // The edge nearest to the middle among those that are comparable to the
+  // strongest one.
   static int NearestEdge(const Contrast& contrast) {
     const int strongest = StrongestEdge(contrast);
     int nearest = strongest;

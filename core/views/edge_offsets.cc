@@ -16,7 +16,7 @@ constexpr size_t kMaxBlurLines = 500;
 // a square root (docs/experiments/mask_borders.md).
 constexpr double kLeastUnknownBlur = 1.2;
 
-// Of the variance, what a blur leaves in the better half of the lines; summed.
+// The variance that a blur leaves in the better half of the lines, as a share.
 double ResidualShare(const OutlineFit& fit,
                      const std::vector<BorderLine>& lines) {
   const size_t stride = lines.size() / kMaxBlurLines + 1;

@@ -18,7 +18,7 @@ constexpr int kNumBins = int(2 * kEdgeRange / kEdgeStep) + 1;
 // Pixels on both sides of a peak where offsets have to be less frequent.
 constexpr int kBesideBegin = int(1.25f / kEdgeStep);
 constexpr int kBesideEnd = int(2 / kEdgeStep);
-// Of the greatest height above what is beside: there may be two outlines.
+// Share of the greatest prominence: there may be two outlines.
 constexpr float kClearHeight = 0.75f;
 
 std::vector<float> WithinAPixel(const std::vector<float>& offsets,

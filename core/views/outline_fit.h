@@ -41,7 +41,7 @@ inline float ParabolaExtremum(float before, float middle, float after) {
 struct FittedOutline {
   // In samples. None where the best position is at the end of the search.
   std::optional<float> position;
-  // Of the variance around the position, what the fit leaves.
+  // The share of the variance around the position that the fit leaves.
   float residual_share = 1;
 };
 

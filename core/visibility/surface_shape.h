@@ -23,7 +23,7 @@ struct SurfaceShape {
   bool operator==(const SurfaceShape&) const = default;
 };
 
-// The shape at every voxel, one element a voxel. The normal is minus the
+// The shape at every voxel, one element per voxel. The normal is minus the
 // gradient of `prior` (share of the voxel that is inside) after `blur_steps`
 // averagings with the six neighbours; interfaces of the crust count as all
 // inside or all outside as they are tied. The curvature is half of the normals'

@@ -19,7 +19,7 @@ struct VisibilityOptions {
   // Views at more than this angle (degrees) to the normal do not count. This
   // and the next two are of docs/experiments/visibility.md; not varied alone.
   double max_angle = 70;
-  // At most this many views a voxel, those of most weight; 2 .. 16.
+  // At most this many views per voxel, those of most weight; 2 .. 16.
   int max_views = 8;
   // Depth tolerance in voxels, measured along the normal: what lies in the
   // crust behind the surface is still to be seen: half of its thickness.

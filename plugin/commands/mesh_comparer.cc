@@ -71,7 +71,7 @@ class MeshComparer : public Command {
   CompareMeshesOptions compare_;
   ProtocolOptions protocol_;
   std::optional<ProtocolRun> protocol_run_;
-  // Of the compared meshes, where there is a protocol.
+  // Those of the compared meshes, if there is a protocol.
   std::vector<std::pair<std::string, ProtocolResult>> protocol_results_;
   bool reference_is_truth_ = true;
   fs::path html_path_;

@@ -31,7 +31,7 @@ struct GridGraph {
 // each direction stands for [Boykov & Kolmogorov, ICCV 2003].
 GridGraph VoxelCentreGraph(int num_neighbors);
 
-// Face centres, twelve edges a voxel; `opposite` the weight of three more
+// Face centres, twelve edges per voxel; `opposite` the weight of three more
 // between opposite faces, relative to theirs. Scaled to cost 1 on average.
 GridGraph OctahedralGraph(double opposite);
 

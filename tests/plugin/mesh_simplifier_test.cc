@@ -26,7 +26,7 @@ class MeshSimplifierTest : public ::testing::Test {
     WriteMesh(folder_ / "full.ply", mesh);
   }
 
-  // Of full.ply, or of what the arguments name first.
+  // Simplifies full.ply, or what the arguments name first.
   ProgramResult Simplify(const std::vector<std::string>& arguments) const {
     std::vector<std::string> all = {"mesh_simplifier"};
     if (arguments[0] != "--input_path") {

@@ -21,7 +21,7 @@ struct ConfidenceErrors {
 };
 
 // `samples` are those of SampleSurface for `mesh`, which has a confidence;
-// `distances` one a sample, not a number where it does not count. Samples of
+// `distances` one per sample, not a number where it does not count. Samples of
 // the same confidence are in no tenth before others: their mean counts for
 // each.
 ConfidenceErrors MeasureConfidenceErrors(

@@ -84,7 +84,7 @@ Similarity3d FitCenters(const std::vector<CenterPair>& centers,
   return {scale, rotation, mean.reference - scale * (rotation * mean.model)};
 }
 
-// Of the reference's centres.
+// The spread of the reference's centres.
 double SpreadOfCenters(const std::vector<CenterPair>& centers,
                        const std::vector<bool>& counts) {
   const CenterPair mean = MeanOf(centers, counts);

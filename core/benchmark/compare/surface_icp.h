@@ -66,7 +66,7 @@ class SurfaceIcp {
              int64_t num_samples,
              const Context& context);
 
-  // Of all iterations the one with the least median.
+  // The iteration with the least median.
   IcpResult Run(const Similarity3d& start,
                 const IcpOptions& options,
                 const Context& context) const;

@@ -22,7 +22,7 @@ struct ReprojectionOptions {
   // Standard deviation of a window's grey levels below which it is plain: its
   // correlation says nothing, and is left out.
   double min_contrast = 2;
-  // Whether Reprojection::maps is wanted, which takes four bytes a pixel.
+  // Whether Reprojection::maps is wanted, which takes four bytes per pixel.
   bool keep_maps = false;
 
   void Check() const;  // throws OptionError
@@ -41,7 +41,7 @@ struct Reprojection {
   // The share of the mesh's pixels that are in the middle of a whole window
   // with at least one neighbour.
   double compared_fraction = 0;
-  // One a view, of its size, CV_32FC1: the mean correlation of the window
+  // One per view, of its size, CV_32FC1: the mean correlation of the window
   // around each pixel over the neighbours; not a number where there is none.
   std::vector<cv::Mat> maps;
 };

@@ -32,7 +32,7 @@ struct LightingOptions {
   // Strength and sharpness of highlights (Blinn-Phong); 0: matte.
   double specular = 0;
   double shininess = 40;
-  int num_samples = 16;  // rays a vertex for each light and for the sky
+  int num_samples = 16;  // rays per vertex for each light and for the sky
 
   void Check() const;  // throws OptionError
 };

@@ -13,7 +13,7 @@ struct TinyNetwork {
   int height = 32;  // 0: not declared
   int width = 48;
   int num_outputs = 1;  // channels
-  // Of red, green and blue as the network gets them, and what is added.
+  // Weights of red, green and blue as the network gets them; the bias is added.
   std::vector<float> weights = {0, 0, 0};
   float bias = 0;
   bool is_logistic = true;

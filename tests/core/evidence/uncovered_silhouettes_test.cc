@@ -60,7 +60,7 @@ TEST_F(UncoveredSilhouettesTest, WithoutMatterAllAreMissed) {
   const UncoveredSilhouettes found =
       FindUncoveredSilhouettes(test_.views, hull_, labels, Context(2));
   EXPECT_EQ(found.num_uncovered, found.num_samples);
-  // A ray's word is shared out among its voxels: one a sample.
+  // A ray's weight is shared out among its voxels: one per sample.
   double sum = 0;
   for (const float share : found.shares) {
     sum += share;

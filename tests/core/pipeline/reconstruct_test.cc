@@ -276,7 +276,7 @@ TEST(EstimateReconstructionBytes, GrowsWithLevelCrustAndViews) {
   View view;
   view.mask = cv::Mat::zeros(100, 200, CV_8UC1);
   scene.views.push_back(view);
-  // Image and silhouette sums: at least 8 bytes a pixel.
+  // Image and silhouette sums: at least 8 bytes per pixel.
   EXPECT_GE(bytes_of(scene, options), bytes + size_t{8} * 100 * 200);
 }
 

@@ -63,8 +63,8 @@ struct ChromaErrors {
   double of_95_percent = 0;
 };
 
-// Of the mean colours of triangles, which are some pixels across: finer detail
-// of the paint is not in the photographs.
+// Compares mean colours of triangles, which are some pixels across: finer
+// detail of the paint is not in the photographs.
 ChromaErrors Measure(const SyntheticScene& scene, const TexturedMesh& mesh) {
   const std::vector<Eigen::Vector3d> points = SpreadWeights();
   std::vector<double> errors;

@@ -38,7 +38,7 @@ TEST(TexelColors, AveragesNoiseOfViewsAndEstimatesIt) {
       sum += std::pow(pixel[0] - 100.0, 2);
     }
   }
-  // Of five views of the same weight, the deviation is 0.45 of one's.
+  // Five views of the same weight have 0.45 of the deviation of one.
   EXPECT_NEAR(std::sqrt(sum / (kSide * kSide)), 0.45 * kNoise, 0.05 * kNoise);
 }
 

@@ -12,7 +12,7 @@
 namespace octacut {
 namespace {
 
-// Coverage by a disc, from 16 x 16 samples a pixel.
+// Coverage by a disc, from 16 x 16 samples per pixel.
 cv::Mat Disc(int size, const Eigen::Vector2d& center, double radius) {
   constexpr int kSide = 16;
   cv::Mat coverage(size, size, CV_8UC1);

@@ -25,8 +25,8 @@ TEST(Middlebury, AccuracyIsTheDistanceOfNineTenths) {
   const ProtocolResult result =
       MeasureMiddlebury(Cloud(points), Flat(0), nullptr, 0.1, Context(2));
   EXPECT_NEAR(Figure(result, "accuracy"), 0.09, 1e-12);
-  // Of the 11 x 11 vertices, those at 0.1 or less from a point: the height is
-  // 0.01 at least, so only the one below the points.
+  // The share of the 11 x 11 vertices at 0.1 or less from a point: the height
+  // is 0.01 at least, so only the one below the points.
   EXPECT_NEAR(Figure(result, "completeness"), 1.0 / 121, 1e-12);
   EXPECT_EQ(Figure(result, "vertices"), 10);
 }

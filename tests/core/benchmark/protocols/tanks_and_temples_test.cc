@@ -23,7 +23,7 @@ constexpr int kSize = 60;
 
 struct Corner {
   std::vector<Eigen::Vector3d> points;
-  // Of the lattice's floor beyond the middle of the x axis.
+  // Points of the lattice's floor beyond the middle of the x axis.
   size_t num_missing = 0;
 };
 

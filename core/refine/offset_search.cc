@@ -97,8 +97,8 @@ void ScoreOffsets(int half,
     if (std::abs(k - best) == 1) {
       score(k);
     } else {
-      (*scores)[size_t(k)] =
-          0.5f * ((*scores)[size_t(k - 1)] + (*scores)[size_t(k + 1)]);
+      const auto at = size_t(k);
+      (*scores)[at] = 0.5f * ((*scores)[at - 1] + (*scores)[at + 1]);
     }
   }
 }

@@ -21,6 +21,7 @@ constexpr double kFineSpacing = 4;
 std::vector<BorderUncertainty> UncertaintiesOf(const std::vector<View>& views,
                                                const JudgeOptions& options) {
   std::vector<BorderUncertainty> uncertainties;
+  uncertainties.reserve(views.size());
   for (const View& view : views) {
     uncertainties.push_back(UncertaintyOfBorders(
         options.border_shift, options.mask_tolerance * view.scale));

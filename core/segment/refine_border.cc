@@ -19,6 +19,9 @@ constexpr double kWidestBand = 8;
 constexpr int kReduction = 4;
 // By how much a border from a smaller picture can be off, in its pixels.
 constexpr double kReducedReach = 1.5;
+// A band is cut again around the new border while that ends at its limits, at
+// most so many times (docs/experiments/mask_bands.md).
+constexpr int kMaxPasses = 8;
 // Colours are learned up to so many reaches from the border.
 constexpr double kLearnReaches = 5;
 constexpr size_t kSamples = 4000;
@@ -55,7 +58,9 @@ std::vector<PixelFeature> SamplesOf(const cv::Mat& features,
   return samples;
 }
 
-void CutBand(const cv::Mat& image, double reach, cv::Mat* mask) {
+// Returns whether pixels at the limits of the band change sides: then the
+// border may lie beyond it.
+bool CutBand(const cv::Mat& image, double reach, cv::Mat* mask) {
   cv::Mat inside;
   cv::Mat outside;
   cv::distanceTransform(*mask, inside, cv::DIST_L2, cv::DIST_MASK_5);
@@ -81,8 +86,11 @@ void CutBand(const cv::Mat& image, double reach, cv::Mat* mask) {
       }
     }
   }
+  const cv::Mat limits = band & ((inside > reach - 1) | (outside > reach - 1));
+  const cv::Mat before = mask->clone();
   mask->setTo(kNoLabel, band);
   CutLabels(image, log_odds, kSmoothness, mask);
+  return cv::countNonZero((*mask != before) & limits) > 0;
 }
 
 }  // namespace
@@ -103,13 +111,14 @@ cv::Mat RefineBorder(const cv::Mat& image, const cv::Mat& mask, double reach) {
     cv::resize(small, result, image.size(), 0, 0, cv::INTER_LINEAR);
     result = result > 127;
     reach = kReducedReach * kReduction;
-    if (cv::countNonZero(result) == 0) {
-      return result;
-    }
   }
-  const cv::Rect window = WindowAround(result, reach);
-  cv::Mat inner = result(window);
-  CutBand(image(window), reach, &inner);
+  bool is_limited = true;
+  for (int pass = 0; is_limited && pass < kMaxPasses; ++pass) {
+    const cv::Rect window = WindowAround(result, reach);
+    cv::Mat inner = result(window);
+    is_limited =
+        cv::countNonZero(inner) > 0 && CutBand(image(window), reach, &inner);
+  }
   return result;
 }
 

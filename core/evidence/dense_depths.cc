@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/evidence/confirmed_depths.h"
 #include "core/evidence/depth_confidence.h"
+#include "core/evidence/depth_sweep.h"
 #include "core/hull/visual_hull.h"
 #include "core/views/view_set.h"
 

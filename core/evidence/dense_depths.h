@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/evidence/depth_sweep.h"
 #include "core/scene/scene.h"
 
 namespace octacut {

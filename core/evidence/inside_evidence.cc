@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "core/base/check_option.h"
@@ -11,7 +10,6 @@
 #include "core/evidence/depth_confidence.h"
 #include "core/evidence/depth_evidence.h"
 #include "core/evidence/mask_confidence.h"
-#include "core/grid/parallel_voxels.h"
 
 namespace octacut {
 namespace {

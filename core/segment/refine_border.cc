@@ -58,40 +58,69 @@ std::vector<PixelFeature> SamplesOf(const cv::Mat& features,
   return samples;
 }
 
-// Returns whether pixels at the limits of the band change sides: then the
-// border may lie beyond it.
-bool CutBand(const cv::Mat& image, double reach, cv::Mat* mask) {
-  cv::Mat inside;
-  cv::Mat outside;
-  cv::distanceTransform(*mask, inside, cv::DIST_L2, cv::DIST_MASK_5);
-  cv::distanceTransform(~*mask, outside, cv::DIST_L2, cv::DIST_MASK_5);
-  const cv::Mat band = (inside <= reach) & (outside <= reach);
-  const double learned = kLearnReaches * reach;
-  const cv::Mat features = PixelFeatures(image);
-  const ColourMixture object(
-      SamplesOf(features, (inside > reach) & (inside < learned)), kComponents);
-  std::vector<PixelFeature> outer =
-      SamplesOf(features, (outside > reach) & (outside < learned));
-  AddShadows(&outer);
-  const ColourMixture surroundings(outer, kComponents);
-  cv::Mat log_odds(image.size(), CV_32F, cv::Scalar(0));
-  for (int y = 0; y < image.rows; ++y) {
-    for (int x = 0; x < image.cols; ++x) {
-      if (band.at<uint8_t>(y, x) != 0) {
-        const PixelFeature& feature = features.at<PixelFeature>(y, x);
-        log_odds.at<float>(y, x) = std::clamp(
-            std::log(object.Density(feature) / surroundings.Density(feature)),
-            -kMostOdds,
-            kMostOdds);
+// The colours to either side of a border, and the cut between them.
+class BandCutter {
+ public:
+  // Learns from what is farther than `reach` from the border of `mask`.
+  BandCutter(const cv::Mat& image, const cv::Mat& mask, double reach)
+      : image_(image), reach_(reach), features_(PixelFeatures(image)) {
+    const double learned = kLearnReaches * reach;
+    const cv::Mat inside = DistanceTo(~mask);
+    const cv::Mat outside = DistanceTo(mask);
+    object_ = ColourMixture(
+        SamplesOf(features_, (inside > reach) & (inside < learned)),
+        kComponents);
+    std::vector<PixelFeature> outer =
+        SamplesOf(features_, (outside > reach) & (outside < learned));
+    AddShadows(&outer);
+    surroundings_ = ColourMixture(outer, kComponents);
+  }
+
+  // Cuts the band around the border of `mask`. Returns whether pixels at the
+  // limits of the band change sides: then the border may lie beyond it.
+  bool Cut(cv::Mat* mask) const {
+    const cv::Mat inside = DistanceTo(~*mask);
+    const cv::Mat outside = DistanceTo(*mask);
+    const cv::Mat band = (inside <= reach_) & (outside <= reach_);
+    const cv::Mat limits =
+        band & ((inside > reach_ - 1) | (outside > reach_ - 1));
+    const cv::Mat before = mask->clone();
+    mask->setTo(kNoLabel, band);
+    CutLabels(image_, LogOdds(band), kSmoothness, mask);
+    return cv::countNonZero((*mask != before) & limits) > 0;
+  }
+
+ private:
+  // 0 in the region itself.
+  static cv::Mat DistanceTo(const cv::Mat& region) {
+    cv::Mat distance;
+    cv::distanceTransform(~region, distance, cv::DIST_L2, cv::DIST_MASK_5);
+    return distance;
+  }
+
+  cv::Mat LogOdds(const cv::Mat& band) const {
+    cv::Mat log_odds(band.size(), CV_32F, cv::Scalar(0));
+    for (int y = 0; y < band.rows; ++y) {
+      for (int x = 0; x < band.cols; ++x) {
+        if (band.at<uint8_t>(y, x) != 0) {
+          const PixelFeature& feature = features_.at<PixelFeature>(y, x);
+          log_odds.at<float>(y, x) =
+              std::clamp(std::log(object_.Density(feature) /
+                                  surroundings_.Density(feature)),
+                         -kMostOdds,
+                         kMostOdds);
+        }
       }
     }
+    return log_odds;
   }
-  const cv::Mat limits = band & ((inside > reach - 1) | (outside > reach - 1));
-  const cv::Mat before = mask->clone();
-  mask->setTo(kNoLabel, band);
-  CutLabels(image, log_odds, kSmoothness, mask);
-  return cv::countNonZero((*mask != before) & limits) > 0;
-}
+
+  cv::Mat image_;
+  double reach_;
+  cv::Mat features_;
+  ColourMixture object_;
+  ColourMixture surroundings_;
+};
 
 }  // namespace
 
@@ -112,12 +141,15 @@ cv::Mat RefineBorder(const cv::Mat& image, const cv::Mat& mask, double reach) {
     result = result > 127;
     reach = kReducedReach * kReduction;
   }
-  bool is_limited = true;
-  for (int pass = 0; is_limited && pass < kMaxPasses; ++pass) {
-    const cv::Rect window = WindowAround(result, reach);
-    cv::Mat inner = result(window);
-    is_limited =
-        cv::countNonZero(inner) > 0 && CutBand(image(window), reach, &inner);
+  if (cv::countNonZero(result) == 0) {
+    return result;
+  }
+  const cv::Rect window = WindowAround(result, reach);
+  cv::Mat inner = result(window);
+  const BandCutter cutter(image(window), inner, reach);
+  int pass = 1;
+  while (cutter.Cut(&inner) && pass < kMaxPasses) {
+    ++pass;
   }
   return result;
 }

@@ -8,9 +8,9 @@ namespace octacut {
 // Moves the border of `mask` (CV_8UC1, 0 or 255, of the size of `image`,
 // CV_8UC3) to where the photograph has it: by the minimal cut, in a band of
 // `reach` pixels to either side, between the colours just inside and just
-// outside of the band. Where the new border ends at the limits of its band, a
-// band around it is cut again. Large reaches are worked off from coarse to
-// fine.
+// outside of the first band. Where the new border ends at the limits of its
+// band, a band around it is cut again. Large reaches are worked off from coarse
+// to fine.
 cv::Mat RefineBorder(const cv::Mat& image, const cv::Mat& mask, double reach);
 
 }  // namespace octacut

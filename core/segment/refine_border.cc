@@ -126,9 +126,6 @@ class BandCutter {
 
 cv::Mat RefineBorder(const cv::Mat& image, const cv::Mat& mask, double reach) {
   cv::Mat result = mask.clone();
-  if (cv::countNonZero(mask) == 0) {
-    return result;
-  }
   if (reach > kWidestBand && std::min(image.rows, image.cols) >= kReduction) {
     const cv::Size size(image.cols / kReduction, image.rows / kReduction);
     cv::Mat small_image;

@@ -58,32 +58,42 @@ std::vector<PixelFeature> SamplesOf(const cv::Mat& features,
   return samples;
 }
 
+// The distances of pixels from the border of a mask, 0 on its other side.
+struct BorderDistances {
+  explicit BorderDistances(const cv::Mat& mask) {
+    cv::distanceTransform(mask, inside, cv::DIST_L2, cv::DIST_MASK_5);
+    cv::distanceTransform(~mask, outside, cv::DIST_L2, cv::DIST_MASK_5);
+  }
+
+  cv::Mat inside;
+  cv::Mat outside;
+};
+
 // The colours to either side of a border, and the cut between them.
 class BandCutter {
  public:
-  // Learns from what is farther than `reach` from the border of `mask`.
-  BandCutter(const cv::Mat& image, const cv::Mat& mask, double reach)
+  // Learns from what is farther than `reach` from the border.
+  BandCutter(const cv::Mat& image,
+             const BorderDistances& distances,
+             double reach)
       : image_(image), reach_(reach), features_(PixelFeatures(image)) {
-    const double learned = kLearnReaches * reach;
-    const cv::Mat inside = DistanceTo(~mask);
-    const cv::Mat outside = DistanceTo(mask);
-    object_ = ColourMixture(
-        SamplesOf(features_, (inside > reach) & (inside < learned)),
-        kComponents);
-    std::vector<PixelFeature> outer =
-        SamplesOf(features_, (outside > reach) & (outside < learned));
+    const auto learned_from = [&](const cv::Mat& side) {
+      return SamplesOf(features_,
+                       (side > reach) & (side < kLearnReaches * reach));
+    };
+    object_ = ColourMixture(learned_from(distances.inside), kComponents);
+    std::vector<PixelFeature> outer = learned_from(distances.outside);
     AddShadows(&outer);
     surroundings_ = ColourMixture(outer, kComponents);
   }
 
-  // Cuts the band around the border of `mask`. Returns whether pixels at the
-  // limits of the band change sides: then the border may lie beyond it.
-  bool Cut(cv::Mat* mask) const {
-    const cv::Mat inside = DistanceTo(~*mask);
-    const cv::Mat outside = DistanceTo(*mask);
-    const cv::Mat band = (inside <= reach_) & (outside <= reach_);
-    const cv::Mat limits =
-        band & ((inside > reach_ - 1) | (outside > reach_ - 1));
+  // Cuts the band around the border of `mask`, whose distances are given.
+  // Returns whether pixels at the limits of the band change sides: then the
+  // border may lie beyond it.
+  bool Cut(const BorderDistances& distances, cv::Mat* mask) const {
+    const cv::Mat to_border = cv::max(distances.inside, distances.outside);
+    const cv::Mat band = to_border <= reach_;
+    const cv::Mat limits = band & (to_border > reach_ - 1);
     const cv::Mat before = mask->clone();
     mask->setTo(kNoLabel, band);
     CutLabels(image_, LogOdds(band), kSmoothness, mask);
@@ -91,13 +101,6 @@ class BandCutter {
   }
 
  private:
-  // 0 in the region itself.
-  static cv::Mat DistanceTo(const cv::Mat& region) {
-    cv::Mat distance;
-    cv::distanceTransform(~region, distance, cv::DIST_L2, cv::DIST_MASK_5);
-    return distance;
-  }
-
   cv::Mat LogOdds(const cv::Mat& band) const {
     cv::Mat log_odds(band.size(), CV_32F, cv::Scalar(0));
     for (int y = 0; y < band.rows; ++y) {
@@ -143,10 +146,15 @@ cv::Mat RefineBorder(const cv::Mat& image, const cv::Mat& mask, double reach) {
   }
   const cv::Rect window = WindowAround(result, reach);
   cv::Mat inner = result(window);
-  const BandCutter cutter(image(window), inner, reach);
-  int pass = 1;
-  while (cutter.Cut(&inner) && pass < kMaxPasses) {
-    ++pass;
+  BorderDistances distances(inner);
+  const BandCutter cutter(image(window), distances, reach);
+  for (int pass = 0; pass < kMaxPasses; ++pass) {
+    if (pass > 0) {
+      distances = BorderDistances(inner);
+    }
+    if (!cutter.Cut(distances, &inner)) {
+      break;
+    }
   }
   return result;
 }

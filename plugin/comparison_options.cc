@@ -48,8 +48,8 @@ void DeclareAlignmentOptions(OptionManager& options,
   options.Add("align",
               &compare->align,
               "If 1, register each mesh with the reference first (ICP). Both "
-              "must be nearly aligned already, unless Alignment.global_search "
-              "is 1.");
+              "must be roughly aligned already, unless "
+              "Alignment.global_search (see --help_all 1) is 1.");
   options
       .Add("Alignment.num_samples",
            &compare->alignment.num_samples,

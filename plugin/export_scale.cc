@@ -52,8 +52,8 @@ void ExportScaleOptions::Declare(OptionManager& options) {
               "millimetre.");
   options.Add("known_length",
               &known_length_,
-              "Distance in millimetres, measured on the object, of the two "
-              "points that --between names.");
+              "Distance in millimetres, measured on the object, between the "
+              "two points of --between.");
   options.Add("between",
               &between_,
               "Two points x0,y0,z0,x1,y1,z1 in the frame of the mesh, for "

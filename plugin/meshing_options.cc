@@ -62,8 +62,8 @@ void DeclareExpertOptions(OptionManager& options,
   options
       .Add("OctahedralMeshing.smoothness",
            &meshing->energy.smoothness,
-           "Exponent s of the edge weights phi^s + a, where phi is the "
-           "photo-consistency.")
+           "Exponent s of the edge weights phi^s + a; phi is 0 where the views "
+           "agree.")
       .ForExperts();
   options
       .Add("OctahedralMeshing.area_weight",

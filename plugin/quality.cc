@@ -61,7 +61,7 @@ std::string QualityOption::Apply(const OptionManager& options,
   }
   return fmt::format("Quality {}{}: {}^3 voxels (level {}), {} refinement.",
                      preset.name,
-                     given.empty() ? "" : ", changed by" + given,
+                     given.empty() ? "" : " with the given" + given,
                      1 << std::clamp(meshing->target_level, 0, 30),
                      meshing->target_level,
                      meshing->refine ? "with" : "without");

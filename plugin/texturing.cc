@@ -209,8 +209,9 @@ void TexturingArguments::Declare(OptionManager& options) {
       "sharpness.");
   options.Add("texture_size",
               &texture.texture_size,
-              "Texels along the side of a page, at most.");
-  options.Add("max_pages", &texture.max_pages, "Number of pages, at most.");
+              "Maximum side of a texture image, texels.");
+  options.Add(
+      "max_pages", &texture.max_pages, "Maximum number of texture images.");
   options.Add("texel_scale",
               &texture.texel_scale,
               "Texels per pixel of the photographs along a side; less than 1 "
@@ -226,8 +227,8 @@ void TexturingArguments::Declare(OptionManager& options) {
               "mesh, and the mesh under another light. Default: none.");
   options.Add("normal_map_from",
               &normal_map_path,
-              "Full mesh whose detail becomes a normal map of the mesh to "
-              "texture, which was simplified from it; output_path must end "
+              "Denser mesh of which mesh_path is a simplified version; its "
+              "detail is baked into a normal map. output_path must end "
               "with .glb or .obj. Default: no normal map.");
   options
       .Add("hold_out",

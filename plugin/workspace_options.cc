@@ -68,7 +68,7 @@ void DeclareLoadingOptions(OptionManager& options,
               &loading->skip_missing_masks,
               "If 1, leave out images whose mask is missing, all background or "
               "all object instead of stopping. Images that masks.json lists as "
-              "unsure are always left out.");
+              "unsure need no mask.");
 }
 
 void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance) {

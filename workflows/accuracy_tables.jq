@@ -210,7 +210,7 @@ def hard_rows:
 def hard_section:
   "## Hard scenes",
   "",
-  "Surfaces on which photographs decide little, and folds. The visual hull alone (`visual_hull_mesher` without options), the mesh before refinement (`--OctahedralMeshing.refine 0`) and that of the defaults. Judged: how much of the truth's area enough cameras see for the distances to count. Drapery has folds of 4 to 20 pixels, 1, 2 and 4 times as deep as wide, of whose walls three cameras see little: there two cameras at 80 degrees or less suffice (`--min_views 2 --max_view_angle 80`); wide: the part of it where folds are wider than 8 pixels. The scenes metal-rocker to plaster-cheburashka are photographs that `octacut example_creator` makes of the true meshes of data sets, in another material. Of the data sets, cheburashka is a polished bronze and homer glazed porcelain, both rendered; bird (dark, on white paper) and ethiopian (a polished metal head) are photographs.",
+  "Surfaces on which photographs decide little, and folds. The visual hull alone (`visual_hull_mesher` without options), the mesh before refinement (`--OctahedralMeshing.refine 0`) and that of the defaults. Judged: the share of the truth's area that enough cameras see to be compared. Drapery has folds 4 to 20 pixels wide and 1, 2 or 4 times as deep, whose walls three cameras hardly see: there, two cameras within 80 degrees suffice (`--min_views 2 --max_view_angle 80`); wide: the part where folds are wider than 8 pixels. The scenes metal-rocker to plaster-cheburashka are photographs that `octacut example_creator` makes of the true meshes of data sets, in another material. Of the data sets, cheburashka is a polished bronze and homer glazed porcelain, both rendered; bird (dark, on white paper) and ethiopian (a polished metal head) are photographs.",
   "",
   table(hard_columns; hard_rows),
   "",
@@ -230,20 +230,26 @@ map(select(.part == "hard")) as $hard
 | ($all | map(select(.state == "left_out"))) as $left_out
 | (if ($done | length) == 0 then "# Accuracy on hard scenes" else "# Accuracy" end),
   "",
-  "Made by `\($command)`; not to be edited. octacut \([$all[] | .version // empty] | unique | join(", ")) with \($threads) threads on: \($machine). Its own scenes at \(pow(2; $level))³ voxels, data sets at \(pow(2; $data_level))³; rods-2 and fingers-2, whose parts are two voxels of 128³ thick, begin with hull_level 8 and are made at \(pow(2; [$level, 8] | max))³.",
+  "Written by `\($command)`; do not edit. octacut \([$all[] | .version // empty] | unique | join(", ")) with \($threads) threads on: \($machine). Its own scenes at \(pow(2; $level))³ voxels, data sets at \(pow(2; $data_level))³; rods-2 and fingers-2, whose parts are two voxels of 128³ thick, begin with hull_level 8 and are made at \(pow(2; [$level, 8] | max))³.",
   "",
   "Distances in % of the diagonal of the ground truth's bounding box, from the mesh to the truth (accuracy) and from it to the mesh (completeness), over the part of the truth that at least three cameras see at 75 degrees to its normal or less. F-scores in %, at thresholds in % of the diagonal. Genus and components that differ from the truth's (in brackets) are bold. Self-int.: triangles that cross another one.",
   "",
-  "Silhouettes: overlap is intersection over union, missed is the object's pixels that the mesh does not cover, excess the background's that it covers, both in % of the object's; outline is the distance between both outlines, pixels. NCC: zero-mean normalised correlation of each view with four neighbours, reprojected over the mesh, in windows of 7 x 7; mean, the tenth from below, and how much of the mesh could be compared. Degraded scenes are judged by the clean masks, cameras and images; those whose poses are off are first moved onto the truth, as the mapper's are, since their frame is off, too (but for silhouettes and NCC), and held against the clean mesh moved likewise. What the truth itself scores says how far masks and images can be trusted.",
+  "Silhouettes: overlap is intersection over union, missed is the object pixels that the mesh does not cover, those at borders included, excess the background pixels that it covers, both in % of the object pixels; outline is the distance between both outlines, pixels. NCC: zero-mean normalised correlation of each view with four neighbours, reprojected by way of the mesh, in windows of 7 x 7; mean, 10th percentile, and how much of the mesh could be compared."
+    + (if $default == [] then ""
+       else " The scores of the truth itself show how reliable masks and images are." end),
   "",
-  "s: wall seconds of the reconstruction, under whatever load the machine had; CPU s: its seconds of computing; refinement: its seconds over those of all that precedes it.",
+  (if $degraded == [] then empty
+   else "Degraded scenes are evaluated with the clean masks, cameras and images. Meshes from perturbed poses and from the mapper's are first aligned with the truth (except for silhouettes and NCC); the former are compared with the clean mesh, aligned likewise.", "" end),
+  (if $default == [] then "CPU s: CPU time of the reconstruction."
+   else "s: wall time of the reconstruction, while other programs may have run; CPU s: its CPU time; refinement: the time of refinement divided by that of all earlier steps." end),
   ($failed | select(length > 0) | "",
    (.[] | "- **\([.] | names) failed**: \(.message)")),
   ($left_out | select(length > 0) | "",
-   "Not run: \(length) of \($all | length)"
+   "Left out: \(length) of \($all | length) runs"
      + (map(.scene) | unique | map(select(. as $name
           | all($default[], ($hard[] | select(.evaluation)); .scene != $name)))
-        | if . == [] then "" else "; not at all: \(join(", "))" end) + "."),
+        | if . == [] then "" else "; scenes: \(join(", "))" end) + "."),
+  (if $default == [] then empty else
   "",
   "## Aims",
   "",
@@ -275,7 +281,7 @@ map(select(.part == "hard")) as $hard
    then "![Data sets](accuracy_data.jpg)", "" else empty end),
   "octacut's own scenes, options of `octacut example_creator`:",
   "",
-  ($own_scenes | bullets),
+  ($own_scenes | bullets) end),
   ($hard | map(select(.evaluation)) | select(length > 0) | "", hard_section),
   ($degraded | select(length > 0) | "",
    "## Degraded scenes", "",

@@ -14,19 +14,20 @@ def level_rows:
      ($scene.mesh.input.views | count),
      "\(.resolution)³",
      (.crust_voxels | count), (.graph_nodes | count), (.cut_voxels | count),
-     (.crust_seconds, .visibility_seconds, .consistency_seconds, .cut_seconds
-      | seconds),
+     (.crust_seconds, .visibility_seconds, .consistency_seconds, .cut_seconds,
+      .cover_seconds | seconds),
      "\(.grow_rounds) / \(.border_voxels)"]
   | row;
 
 def time_rows:
   .[] | select(.mesh) | .mesh as $mesh | $mesh.reconstruction as $steps
   | ([$steps.levels[] | .crust_seconds, .visibility_seconds,
-      .consistency_seconds, .cut_seconds] | add) as $levels
+      .consistency_seconds, .cut_seconds, .cover_seconds] | add) as $levels
   | [$mesh.input.mask_seconds, $mesh.input.region_seconds,
      $mesh.input.image_seconds, $steps.hull.seconds,
      $steps.prepare_seconds, $steps.evidence.seconds, $levels,
-     $steps.meshing.seconds, $steps.coloring_seconds,
+     $steps.meshing.seconds, ($steps.refinement.seconds // 0),
+     $steps.coloring_seconds,
      ($mesh | phase("picture"))] as $parts
   | [.name, ($parts[] | seconds),
      ([$mesh.seconds - ($parts | add), 0] | max | seconds),
@@ -99,10 +100,10 @@ def left_out:
 pow(2; $level) as $resolution
 | "# Results",
   "",
-  "Made by `workflows/make_results.sh DATA_FOLDER"
+  "Written by `workflows/make_results.sh DATA_FOLDER"
     + (if $level == 9 then "" else " --target_level \($level)" end)
     + (if $threads == 2 then "" else " --num_threads \($threads)" end)
-    + "`; not to be edited.",
+    + "`; do not edit.",
   "",
   "octacut \([.[] | .mesh.version // empty] | unique | join(", ")) at \($resolution)³ voxels with \($threads) threads on: \($machine).",
   "",
@@ -113,10 +114,11 @@ pow(2; $level) as $resolution
   "",
   "## Levels",
   "",
-  "Seconds of each step of a level. Growing: rounds in which the crust was grown because the cut touched its border, and cut voxels that still touch it.",
+  "Seconds of each step of a level. Silhouettes: the search for what the cut leaves uncovered of them. Growing: rounds in which the crust was grown because the cut touched its border, and cut voxels that still touch it.",
   "",
   table(["scene", "views", "grid", "crust voxels", "graph nodes", "cut voxels",
-         "crust, s", "visibility, s", "consistency, s", "cut, s", "growing"];
+         "crust, s", "visibility, s", "consistency, s", "cut, s",
+         "silhouettes, s", "growing"];
         level_rows),
   "",
   "## Time and memory",
@@ -124,8 +126,8 @@ pow(2; $level) as $resolution
   "Seconds. Levels: the sum of the table above. Hull alone: `octacut visual_hull_mesher`.",
   "",
   table(["scene", "masks", "region", "images", "hull", "preparation",
-         "evidence", "levels", "meshing", "colours", "picture", "other",
-         "total", "peak memory, GB", "hull alone, s", "hull alone, GB"];
+         "evidence", "levels", "meshing", "refinement", "colours", "picture",
+         "other", "total", "peak memory, GB", "hull alone, s", "hull alone, GB"];
         time_rows),
   "",
   "## Audit",

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "core/base/check_option.h"
 #include "core/base/stopwatch.h"
@@ -59,12 +61,22 @@ void ReportLevel(const LevelSummary& level, const Context& context) {
       level.num_crust_voxels));
 }
 
+// Returns what `step` returns; its seconds are shown, and added to *seconds.
+template <typename Step>
+auto RunStep(const Context& context,
+             std::string_view name,
+             double* seconds,
+             const Step& step) {
+  const Phase phase(context, name);
+  return Timed(seconds, step);
+}
+
 PreparedScene Prepare(const Scene& scene,
                       const Region& region,
                       const ReconstructionOptions& options,
                       const Context& context,
                       ReconstructionSummary* summary) {
-  return Timed(&summary->prepare_seconds, [&] {
+  return RunStep(context, "preparation", &summary->prepare_seconds, [&] {
     PreparedScene prepared =
         PrepareScene(scene, region.cube, options.masks, context);
     summary->num_false_gaps = prepared.repaired.gaps.size();
@@ -83,7 +95,7 @@ Hull CarveHull(const ViewSet& views,
                const ReconstructionOptions& options,
                const Context& context,
                ReconstructionSummary* summary) {
-  return Timed(&summary->hull_seconds, [&] {
+  return RunStep(context, "visual hull", &summary->hull_seconds, [&] {
     const Eigen::AlignedBox3f box = region.cube.ToUnit(region.box);
     VisualHull hull = ComputeVisualHull(views, box, options.hull, context);
     summary->hull = std::move(hull.summary);
@@ -128,36 +140,51 @@ InsideEvidence EstimateEvidence(const ViewSet& views,
                                 const Context& context,
                                 VoxelGrid* hull,
                                 ReconstructionSummary* summary) {
-  InsideEvidence evidence = Timed(&summary->evidence_seconds, [&] {
-    const ShownSurface shown =
-        MeasureShownSurface(views, hull_surface, options.refinement, context);
-    summary->hull_agreement = shown.agreement;
-    InsideEvidence found = EstimateInsideEvidence(
-        views, *hull, options.evidence, shown.share, context);
-    *hull = TrimHull(views, *hull, context, &found);
-    DoubtDents(views, *hull, hull_surface, options, context, &found);
-    found.depths = {};  // nothing reads them any more
-    return found;
-  });
+  InsideEvidence evidence =
+      RunStep(context, "depths and evidence", &summary->evidence_seconds, [&] {
+        const ShownSurface shown = MeasureShownSurface(
+            views, hull_surface, options.refinement, context);
+        summary->hull_agreement = shown.agreement;
+        InsideEvidence found = EstimateInsideEvidence(
+            views, *hull, options.evidence, shown.share, context);
+        *hull = TrimHull(views, *hull, context, &found);
+        DoubtDents(views, *hull, hull_surface, options, context, &found);
+        found.depths = {};  // nothing reads them any more
+        return found;
+      });
   summary->hull.num_voxels = hull->Size();
   summary->evidence = evidence.summary;
   return evidence;
 }
 
 // Crust, visibility, photo-consistency and cut of the level after those in
-// `hierarchy`; the first one begins with the hull. Returns how far photographs
-// decide on it, as SolvedLevel has it.
+// `hierarchy`; the first one begins with the hull.
+SolvedLevel SolveLevel(const LevelInputs& inputs,
+                       const VoxelGrid& hull,
+                       const LabelHierarchy& hierarchy,
+                       LevelSummary* summary) {
+  const int level =
+      hierarchy.Empty() ? hull.Level() : hierarchy.Finest().voxels.Level() + 1;
+  const Phase phase(
+      inputs.context,
+      fmt::format("crust, photo-consistency and cut of level {}", level));
+  SolvedLevel solved = hierarchy.Empty()
+                           ? SolveInitialLevel(inputs, hull, summary)
+                           : SolveFinerLevel(inputs, hierarchy, summary);
+  if (level == hull.Level() + 1) {
+    solved = DeepenLevel(inputs, hierarchy, std::move(solved), summary);
+  }
+  return solved;
+}
+
+// Adds that level. Returns how far photographs decide on it, as SolvedLevel has
+// it.
 std::vector<float> AddLevel(const LevelInputs& inputs,
                             const VoxelGrid& hull,
                             LabelHierarchy* hierarchy,
                             ReconstructionSummary* summary) {
   LevelSummary& level = summary->levels.emplace_back();
-  SolvedLevel solved = hierarchy->Empty()
-                           ? SolveInitialLevel(inputs, hull, &level)
-                           : SolveFinerLevel(inputs, *hierarchy, &level);
-  if (solved.surface.voxels.Level() == hull.Level() + 1) {
-    solved = DeepenLevel(inputs, *hierarchy, std::move(solved), &level);
-  }
+  SolvedLevel solved = SolveLevel(inputs, hull, *hierarchy, &level);
   hierarchy->Add(std::move(solved.surface));
   ReportLevel(level, inputs.context);
   return std::move(solved.decided);
@@ -242,14 +269,15 @@ Reconstruction Reconstruct(const Scene& scene,
     }
   }
 
-  FinishedMesh finished = Timed(&summary.meshing_seconds, [&] {
-    return MeshOf(hierarchy.Finest(),
-                  decided,
-                  {views, evidence.mask_confidence, region.cube},
-                  options,
-                  context,
-                  &summary);
-  });
+  FinishedMesh finished = RunStep(
+      context, "mesh extraction and smoothing", &summary.meshing_seconds, [&] {
+        return MeshOf(hierarchy.Finest(),
+                      decided,
+                      {views, evidence.mask_confidence, region.cube},
+                      options,
+                      context,
+                      &summary);
+      });
   if (options.refine) {
     finished.mesh = Refine(std::move(finished.mesh),
                            region.cube,

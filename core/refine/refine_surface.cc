@@ -136,6 +136,8 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   options.Check();
   CheckInput(mesh, *views);
   Stopwatch whole;
+  std::vector<RoundPlan> rounds = PlanRounds(options);
+  Phase phase(context, "refinement", rounds.size());
   RefinedSurface result;
   RefineSummary& summary = result.summary;
   IndexedMesh unit = UnitMesh(mesh, cube);
@@ -153,7 +155,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   const double edge_shift = views->front().border_shift;
   const double edge_shift_slack = views->front().border_shift_slack;
   summary.border_shift = edge_shift;
-  for (RoundPlan plan : PlanRounds(options)) {
+  for (RoundPlan& plan : rounds) {
     // Coarse images of glossy objects agree by chance, and poses that are
     // aligned by them get worse.
     plan.aligns &=
@@ -169,6 +171,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
     summary.num_withdrawn += round.num_withdrawn;
     summary.border_shift = round.border_shift;
     summary.rounds.push_back(round);
+    phase.Advance();
   }
   summary.view_motion =
       MeasureViewMotion(projections, *views, SomePositions(unit));

@@ -98,10 +98,11 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
                       ".mlp project).");
   options.Add(
       "output_path", &output_path_, "JSON report to write. Default: none.");
-  options.Add("html_path",
-              &html_path_,
-              "HTML page to write, in which the meshes and their distances can "
-              "be looked at. Default: none.");
+  options.Add(
+      "html_path",
+      &html_path_,
+      "HTML page to write: a viewer for the meshes and their distances. "
+      "Default: none.");
   options.Add(
       "transform_path",
       &transform_path_,

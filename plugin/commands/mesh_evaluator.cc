@@ -86,8 +86,8 @@ void MeshEvaluator::DeclareOptions(OptionManager& options) {
       "output_path", &output_path_, "JSON report to write. Default: none.");
   options.Add("html_path",
               &html_path_,
-              "HTML page to write, in which the meshes can be looked at and "
-              "compared with the photographs. Default: none.");
+              "HTML page to write: a viewer for the meshes and the "
+              "photographs. Default: none.");
   options
       .Add("image_level",
            &image_level_,

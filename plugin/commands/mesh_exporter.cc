@@ -88,11 +88,12 @@ void MeshExporter::DeclareOptions(OptionManager& options) {
            ".json.")
       .ForExperts();
   scale_.Declare(options);
-  options.Add("up",
-              &up_,
-              "Direction x,y,z in the frame of the mesh that will point up, or "
-              "stand: up from the plane of sparse points that the object "
-              "stands on. Default: 0,0,1.");
+  options.Add(
+      "up",
+      &up_,
+      "x,y,z: the direction in the frame of the mesh that will point up. "
+      "The word stand: the normal of the plane of sparse points under "
+      "the object. Default: 0,0,1.");
   options.Add("flat_base",
               &flat_base_,
               "If 1, cut the object off at the bottom and close it with a flat "

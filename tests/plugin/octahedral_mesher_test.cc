@@ -231,7 +231,7 @@ TEST_F(OctahedralMesher, LogIsShortAndSaysWhatWasChosen) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_LE(std::count(result.err.begin(), result.err.end(), '\n'), 40)
       << result.err;
-  EXPECT_EQ(result.err.rfind("Quality low, changed by "
+  EXPECT_EQ(result.err.rfind("Quality low with the given "
                              "--OctahedralMeshing.target_level: 64^3 voxels "
                              "(level 6), without refinement.\n",
                              0),

@@ -51,7 +51,7 @@ TEST(QualityOption, GivenOptionsWin) {
   EXPECT_EQ(level.meshing.target_level, 8);
   EXPECT_TRUE(level.meshing.refine);
   EXPECT_EQ(level.message,
-            "Quality extreme, changed by --OctahedralMeshing.target_level: "
+            "Quality extreme with the given --OctahedralMeshing.target_level: "
             "256^3 voxels (level 8), with refinement.");
   const Applied both = Apply({"--quality=low",
                               "--OctahedralMeshing.refine=1",
@@ -59,7 +59,7 @@ TEST(QualityOption, GivenOptionsWin) {
   EXPECT_EQ(both.meshing.target_level, 9);
   EXPECT_TRUE(both.meshing.refine);
   EXPECT_EQ(both.message,
-            "Quality low, changed by --OctahedralMeshing.target_level and "
+            "Quality low with the given --OctahedralMeshing.target_level and "
             "--OctahedralMeshing.refine: 512^3 voxels (level 9), with "
             "refinement.");
 }

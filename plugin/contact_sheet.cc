@@ -16,6 +16,9 @@ namespace {
 constexpr int kColumns = 6;
 constexpr int kTile = 320;  // pixels along a side
 constexpr int kTextHeight = 18;
+// JPEG ends at 65500 pixels: of more than some 1200 views, the sheet shows
+// those with the least confidence.
+constexpr int kMaxHeight = 65000;
 
 cv::Scalar ColourOf(MaskStatus status) {
   switch (status) {
@@ -81,11 +84,13 @@ cv::Mat DrawContactSheet(std::span<const UnsegmentedView> views,
   std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
     return rank(a) < rank(b);
   });
-  const int rows = (int(views.size()) + kColumns - 1) / kColumns;
   int height = 0;
   for (const UnsegmentedView& view : views) {
     height = std::max(height, SizeOnSheet(view.image).height + kTextHeight);
   }
+  const int rows = std::min((int(views.size()) + kColumns - 1) / kColumns,
+                            kMaxHeight / std::max(height, 1));
+  order.resize(std::min(order.size(), size_t(rows) * kColumns));
   cv::Mat sheet(rows * height, kColumns * kTile, CV_8UC3, cv::Scalar::all(255));
   for (size_t k = 0; k < order.size(); ++k) {
     const size_t i = order[k];

@@ -68,13 +68,27 @@ std::vector<fs::path> PhotographsIn(const fs::path& folder) {
   return paths;
 }
 
-// Folders with photographs: the folder itself and those below it.
-std::vector<fs::path> FoldersIn(const fs::path& folder) {
-  std::vector<fs::path> folders = {folder};
+bool IsSameFolder(const fs::path& a, const fs::path& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored);
+}
+
+// Folders with photographs of the object: `image_path` and those below it, but
+// for those of the other paths.
+std::vector<fs::path> FoldersOf(const TurntableExtractionOptions& options) {
+  std::vector<fs::path> folders = {options.image_path};
   std::error_code error;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-    if (entry.is_directory()) {
-      folders.push_back(entry.path());
+  for (auto entry = fs::recursive_directory_iterator(options.image_path, error);
+       entry != fs::recursive_directory_iterator();
+       entry.increment(error)) {
+    if (!entry->is_directory()) {
+      continue;
+    }
+    if (IsSameFolder(entry->path(), options.output_path) ||
+        IsSameFolder(entry->path(), options.background_path)) {
+      entry.disable_recursion_pending();
+    } else {
+      folders.push_back(entry->path());
     }
   }
   std::sort(folders.begin(), folders.end());
@@ -96,6 +110,13 @@ cv::Mat Reduced(const cv::Mat& image) {
   cv::Mat small;
   cv::resize(image, small, {}, factor, factor, cv::INTER_AREA);
   return small;
+}
+
+// A mask file, as large as the photographs are compared.
+cv::Mat MaskOfSize(const fs::path& path, const cv::Size& size) {
+  cv::Mat mask;
+  cv::resize(ReadMask(path), mask, size, 0, 0, cv::INTER_AREA);
+  return mask > 127;
 }
 
 // The photographs of one camera.
@@ -221,7 +242,9 @@ void TurntableFolder::Extract(MaskList* list,
     UnsegmentedView& view = views->emplace_back();
     view.name = listed.image;
     view.image = input.images[i];
-    masks->push_back(found[i].mask);
+    masks->push_back(listed.status == MaskStatus::kGiven
+                         ? MaskOfSize(*there, view.image.size())
+                         : found[i].mask);
     pngs->push_back(std::move(encoded[i]));
   }
 }
@@ -239,7 +262,7 @@ MaskExtraction ExtractTurntableMasks(const TurntableExtractionOptions& options,
   std::vector<std::vector<uchar>> pngs;
   std::vector<UnsegmentedView> views;
   std::vector<cv::Mat> masks;
-  const std::vector<fs::path> folders = FoldersIn(options.image_path);
+  const std::vector<fs::path> folders = FoldersOf(options);
   if (folders.empty()) {
     throw InputError(fmt::format("image_path {}: no photographs in it",
                                  options.image_path.string()));

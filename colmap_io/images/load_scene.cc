@@ -13,7 +13,6 @@
 #include "colmap_io/images/filled_bites.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
-#include "colmap_io/images/image_header.h"
 #include "colmap_io/images/mask_content.h"
 #include "colmap_io/images/mask_view.h"
 #include "colmap_io/images/scene_points.h"
@@ -66,7 +65,6 @@ class Loader {
     summary.model_path = workspace_.model_path;
     summary.mask_path = workspace_.mask_path;
     summary.num_images = workspace_.model.images.size();
-    summary.num_model_points = workspace_.model.points.size();
 
     Stopwatch stopwatch;
     FindCandidates();

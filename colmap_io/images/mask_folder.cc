@@ -119,7 +119,9 @@ void WriteMaskFolder(const fs::path& folder,
   }
   if (!contact_sheet.empty()) {
     std::vector<uchar> sheet;
-    cv::imencode(".jpg", contact_sheet, sheet);
+    if (!cv::imencode(".jpg", contact_sheet, sheet)) {
+      throw InvariantError("the contact sheet cannot be encoded");
+    }
     WriteBytes(&files, folder / kContactSheetName, sheet);
   }
   files.Write(folder / kMaskListName, [&](std::ostream& stream) {

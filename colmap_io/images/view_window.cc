@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "colmap_io/model/camera_projector.h"
 #include "core/base/check_option.h"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <unordered_map>
-#include <unordered_set>
 
 #include "core/base/error.h"
 

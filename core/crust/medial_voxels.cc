@@ -10,6 +10,7 @@ namespace octacut {
 namespace {
 
 constexpr size_t kBrickGrain = 256;
+// Deeper voxels are no part of anything thin.
 constexpr int kMaxDepth = 12;
 constexpr FaceTies kAllOutside = 0x3f;
 constexpr FaceTies kAllInside = 0x3f << 6;
@@ -28,7 +29,8 @@ bool AnyNeighbor(const VoxelWalk& walk, const VoxelSlot& slot, Fits&& fits) {
 
 // Depth of each voxel below the prior surface, signed: +k is k voxels into
 // the inside, -k into the outside; interfaces of the crust count as deep as
-// their neighbours allow (distance is measured within the crust).
+// their neighbours allow (distance is measured within the crust). What is
+// deeper than kMaxDepth is one deeper.
 std::vector<int8_t> SignedDepth(const VoxelWalk& walk,
                                 const std::vector<float>& prior,
                                 const Context& context) {
@@ -60,6 +62,11 @@ std::vector<int8_t> SignedDepth(const VoxelWalk& walk,
     depth.swap(next);
     if (std::find(changed.begin(), changed.end(), 1) == changed.end()) {
       break;
+    }
+  }
+  for (size_t i = 0; i < depth.size(); ++i) {
+    if (depth[i] == 0) {
+      depth[i] = int8_t((kMaxDepth + 1) * sign(VoxelGrid::Index(i)));
     }
   }
   return depth;
@@ -109,7 +116,7 @@ std::vector<int8_t> FindMedial(const VoxelWalk& walk,
   std::vector<int8_t> medial(depth.size(), 0);
   walk.ForEach(0, walk.NumBricks(), [&](const VoxelSlot& slot) {
     const int8_t own = depth[slot.index];
-    if (std::abs(own) >= 2 && !near[slot.index] &&
+    if (std::abs(own) >= 2 && std::abs(own) <= kMaxDepth && !near[slot.index] &&
         !AnyNeighbor(walk, slot, [&](VoxelGrid::Index n) {
           return (depth[n] > 0) == (own > 0) &&
                  std::abs(depth[n]) > std::abs(own);

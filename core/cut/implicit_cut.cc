@@ -1,7 +1,6 @@
 #include "core/cut/implicit_cut.h"
 
 #include <algorithm>
-#include <bit>
 #include <memory>
 
 #include "core/base/error.h"

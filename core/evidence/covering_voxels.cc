@@ -1,7 +1,6 @@
 #include "core/evidence/covering_voxels.h"
 
 #include <algorithm>
-#include <cmath>
 #include <Eigen/LU>
 #include <unordered_set>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "core/evidence/dense_depths.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"

@@ -22,7 +22,8 @@ std::vector<float> EvidenceOf(const ViewSet& views,
                               const Context& context);
 
 // The same with the plausible ones of `paired`, the depths that at least one
-// other view confirms, added to `depths` where those have none.
+// other view confirms, added to `depths` where those have none. They may be
+// depths that were outvoted (docs/experiments/contradicting_depths.md).
 std::vector<float> EvidenceWithPlausible(
     const ViewSet& views,
     const VoxelGrid& voxels,

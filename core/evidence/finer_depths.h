@@ -6,7 +6,6 @@
 // finer level fit into them.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "core/base/context.h"

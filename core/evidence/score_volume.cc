@@ -60,7 +60,9 @@ class PlaneWarp {
     const size_t stride = neighbor_.grey.step1();
     for (int x = begin; x < end; ++x) {
       const float u = (float(x) + 0.5f) * step_;
-      const float inverse = neighbor_.scale / (row.z() + column.z() * u);
+      // Behind the neighbour's camera: some pixel, whatever it shows.
+      const float depth = row.z() + column.z() * u;
+      const float inverse = depth > 0 ? neighbor_.scale / depth : 0;
       const float sx =
           std::clamp((row.x() + column.x() * u) * inverse - 0.5f, 0.0f, max_x);
       const float sy =

@@ -88,13 +88,6 @@ bool HullOctree::IsEmpty() const {
          });
 }
 
-void ThrowEmptyHull() {
-  throw InputError(
-      "the visual hull is empty: no point of the region is object in every "
-      "mask. Check that the masks belong to these cameras and that the "
-      "bounding box is correct");
-}
-
 HullOctree RefineHull(const ViewSet& views,
                       const Eigen::AlignedBox3f& box,
                       int level,
@@ -109,6 +102,12 @@ HullOctree RefineHull(const ViewSet& views,
     ++octree.level;
     TestMixed(views, box, context, &octree);
     phase.Advance();
+  }
+  if (octree.IsEmpty()) {
+    throw InputError(
+        "the visual hull is empty: no point of the region is object in every "
+        "mask. Check that the masks belong to these cameras and that the "
+        "bounding box is correct");
   }
   return octree;
 }

@@ -1,5 +1,4 @@
-// Adaptive refinement of the root cube against all silhouettes. For core/hull
-// alone.
+// Adaptive refinement of the root cube against all silhouettes.
 #pragma once
 
 #include <cstddef>
@@ -25,11 +24,9 @@ struct HullOctree {
   bool IsEmpty() const;
 };
 
-// Throws the InputError of a hull that is empty.
-[[noreturn]] void ThrowEmptyHull();
-
 // Conservative footprint tests down to `level`; `box` (unit coordinates)
-// clips. What is within a view's mask_tolerance of its object is mixed.
+// clips. What is within a view's mask_tolerance of its object is mixed. Throws
+// InputError when nothing is left.
 HullOctree RefineHull(const ViewSet& views,
                       const Eigen::AlignedBox3f& box,
                       int level,

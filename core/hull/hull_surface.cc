@@ -3,7 +3,6 @@
 #include "core/base/parallel.h"
 #include "core/grid/morphology.h"
 #include "core/grid/voxel_walk.h"
-#include "core/hull/hull_octree.h"
 
 namespace octacut {
 namespace {
@@ -28,13 +27,8 @@ bool IsInsideOctree(const HullOctree& octree, const Eigen::Vector3i& voxel) {
 
 LabeledVoxels ComputeHullSurface(const ViewSet& views,
                                  const Eigen::AlignedBox3f& box,
-                                 const VisualHullOptions& options,
+                                 const HullOctree& octree,
                                  const Context& context) {
-  options.Check();
-  const HullOctree octree = RefineHull(views, box, options.hull_level, context);
-  if (octree.IsEmpty()) {
-    ThrowEmptyHull();
-  }
   LabeledVoxels crust;
   crust.voxels = VoxelGrid::FromCodes(octree.level, octree.mixed);
   crust.labels.assign(crust.voxels.Size(), 0);
@@ -58,6 +52,15 @@ LabeledVoxels ComputeHullSurface(const ViewSet& views,
             });
       });
   return crust;
+}
+
+LabeledVoxels ComputeHullSurface(const ViewSet& views,
+                                 const Eigen::AlignedBox3f& box,
+                                 const VisualHullOptions& options,
+                                 const Context& context) {
+  options.Check();
+  return ComputeHullSurface(
+      views, box, RefineHull(views, box, options.hull_level, context), context);
 }
 
 }  // namespace octacut

@@ -12,7 +12,14 @@
 
 namespace octacut {
 
-// A labelled crust around the hull's surface at options.hull_level. Throws
+// A labelled crust around the surface of the hull at the level of `octree`,
+// which RefineHull has made of the same views and box.
+LabeledVoxels ComputeHullSurface(const ViewSet& views,
+                                 const Eigen::AlignedBox3f& box,
+                                 const HullOctree& octree,
+                                 const Context& context);
+
+// The same at options.hull_level. Throws
 // InputError when the hull is empty.
 LabeledVoxels ComputeHullSurface(const ViewSet& views,
                                  const Eigen::AlignedBox3f& box,

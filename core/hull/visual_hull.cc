@@ -4,7 +4,6 @@
 
 #include "core/base/check_option.h"
 #include "core/grid/morphology.h"
-#include "core/hull/hull_octree.h"
 
 namespace octacut {
 
@@ -15,15 +14,10 @@ void VisualHullOptions::Check() const {
               "must be in 2 .. 10");
 }
 
-VisualHull ComputeVisualHull(const ViewSet& views,
-                             const Eigen::AlignedBox3f& box,
-                             const VisualHullOptions& options,
-                             const Context& context) {
-  options.Check();
-  HullOctree octree = RefineHull(views, box, options.hull_level, context);
+VisualHull ComputeVisualHull(const HullOctree& octree) {
   VisualHull hull;
   hull.summary.tested_voxels = octree.tested_voxels;
-  hull.voxels = VoxelGrid::FromCodes(octree.level, std::move(octree.mixed));
+  hull.voxels = VoxelGrid::FromCodes(octree.level, octree.mixed);
   for (int level = 0; level <= octree.level; ++level) {
     VoxelGrid inside = VoxelGrid::FromCodes(level, octree.inside[level]);
     while (inside.Level() < octree.level) {
@@ -32,10 +26,15 @@ VisualHull ComputeVisualHull(const ViewSet& views,
     hull.voxels = Union(hull.voxels, inside);
   }
   hull.summary.num_voxels = hull.voxels.Size();
-  if (hull.voxels.Empty()) {
-    ThrowEmptyHull();
-  }
   return hull;
+}
+
+VisualHull ComputeVisualHull(const ViewSet& views,
+                             const Eigen::AlignedBox3f& box,
+                             const VisualHullOptions& options,
+                             const Context& context) {
+  options.Check();
+  return ComputeVisualHull(RefineHull(views, box, options.hull_level, context));
 }
 
 bool ShowsBackground(const PreparedView& view, const Eigen::Vector3f& point) {

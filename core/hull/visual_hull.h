@@ -7,6 +7,7 @@
 
 #include "core/base/context.h"
 #include "core/grid/voxel_grid.h"
+#include "core/hull/hull_octree.h"
 #include "core/scene/scene.h"
 #include "core/views/view_set.h"
 
@@ -29,6 +30,8 @@ struct VisualHull {
   VoxelGrid voxels;
   VisualHullSummary summary;
 };
+
+VisualHull ComputeVisualHull(const HullOctree& octree);
 
 // `box` (unit coordinates of the root cube) clips the hull. Throws InputError
 // when nothing is left.

@@ -97,10 +97,12 @@ Hull CarveHull(const ViewSet& views,
                ReconstructionSummary* summary) {
   return RunStep(context, "visual hull", &summary->hull_seconds, [&] {
     const Eigen::AlignedBox3f box = region.cube.ToUnit(region.box);
-    VisualHull hull = ComputeVisualHull(views, box, options.hull, context);
+    const HullOctree octree =
+        RefineHull(views, box, options.hull.hull_level, context);
+    VisualHull hull = ComputeVisualHull(octree);
     summary->hull = std::move(hull.summary);
     return Hull{std::move(hull.voxels),
-                ComputeHullSurface(views, box, options.hull, context)};
+                ComputeHullSurface(views, box, octree, context)};
   });
 }
 

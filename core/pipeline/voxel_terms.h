@@ -10,7 +10,6 @@
 #include "core/crust/crust.h"
 #include "core/pipeline/options.h"
 #include "core/views/view_set.h"
-#include "core/visibility/visibility.h"
 
 namespace octacut {
 

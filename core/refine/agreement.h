@@ -2,7 +2,6 @@
 // where they agree less than before.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <Eigen/Core>
 #include <vector>

@@ -1,7 +1,6 @@
 #include "core/refine/border_terms.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "core/refine/border_shift.h"

@@ -5,7 +5,6 @@
 
 #include <vector>
 
-#include "core/base/context.h"
 #include "core/refine/contour_targets.h"
 #include "core/refine/local_surface.h"
 #include "core/refine/offset_search.h"

@@ -1,6 +1,5 @@
 #include "core/refine/local_surface.h"
 
-#include <algorithm>
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>

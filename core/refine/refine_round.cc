@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/stopwatch.h"
-#include "core/refine/agreement.h"
 #include "core/refine/align_views.h"
 #include "core/refine/border_terms.h"
 #include "core/refine/keep_valid.h"
@@ -167,6 +166,7 @@ double MovePoints(SeenSurface seen,
 
 RoundSummary RefineOnce(const RoundInputs& inputs,
                         const RoundPlan& plan,
+                        const SurfaceAgreement& agreement,
                         const Context& context,
                         ViewSet* views,
                         IndexedMesh* mesh) {
@@ -177,13 +177,6 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   summary.range = plan.range * plan.scale;
   const std::vector<Eigen::Vector3d> before = mesh->positions;
   Stopwatch stopwatch;
-  const bool can_harm = plan.smooths && plan.scale > 1;
-  const AgreementInputs agreeing{*views, inputs.neighbors, pixel, options};
-  SurfaceAgreement agreement;
-  if (can_harm) {
-    agreement = MeasureAgreement(agreeing, context, mesh);
-  }
-  summary.agreement_seconds = stopwatch.Lap();
   SeenSurface seen =
       LookAtSurface(*views,
                     inputs.neighbors,
@@ -208,11 +201,15 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   summary.mean_displacement = MovePoints(
       std::move(seen), std::move(problem), plan.smooths, inputs, context, mesh);
   summary.solve_seconds = stopwatch.Lap();
-  if (can_harm) {
+  if (plan.CanHarm()) {
     summary.taken_back =
-        TakeBackHarm(agreeing, before, agreement, context, mesh);
+        TakeBackHarm({*views, inputs.neighbors, pixel, options},
+                     before,
+                     agreement,
+                     context,
+                     mesh);
   }
-  summary.agreement_seconds += stopwatch.Lap();
+  summary.agreement_seconds = stopwatch.Lap();
   // In each round: what is moved back would stay a pit, and the next round
   // makes it smooth.
   const double tolerance =

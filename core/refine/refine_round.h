@@ -8,6 +8,7 @@
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
 #include "core/mesh/vertex_corners.h"
+#include "core/refine/agreement.h"
 #include "core/refine/refine_options.h"
 #include "core/views/view_set.h"
 
@@ -32,7 +33,7 @@ struct RoundSummary {
   // Vertices that were moved back: into the hull, or for the sake of
   // triangles that were too thin or intersected others.
   size_t num_withdrawn = 0;
-  double agreement_seconds = 0;  // before and after
+  double agreement_seconds = 0;  // after it
   double fit_seconds = 0;
   double view_seconds = 0;
   double alignment_seconds = 0;
@@ -60,6 +61,9 @@ struct RoundPlan {
   // far occluding contours may lead away from it.
   double edge_shift = 0;
   double edge_shift_slack = std::numeric_limits<double>::infinity();
+
+  // Smoothing coarsely loses narrow folds.
+  bool CanHarm() const { return smooths && scale > 1; }
 };
 
 // What all rounds of a refinement share; unit coordinates.
@@ -73,9 +77,11 @@ struct RoundInputs {
 
 // Aligns `views` if it is to, moves the vertices of `mesh` (unit
 // coordinates) as far as it stays valid, and leaves the normals that belong to
-// the positions before.
+// the positions before. `agreement` is that of the views about the mesh as it
+// is, if the plan can harm.
 RoundSummary RefineOnce(const RoundInputs& inputs,
                         const RoundPlan& plan,
+                        const SurfaceAgreement& agreement,
                         const Context& context,
                         ViewSet* views,
                         IndexedMesh* mesh);

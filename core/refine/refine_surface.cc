@@ -151,7 +151,8 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
     projections.push_back(view.projection);
   }
   const AgreementInputs agreeing{*views, neighbors, pixel, options};
-  summary.agreement_before = MeasureAgreement(agreeing, context, &unit).Mean();
+  SurfaceAgreement agreement = MeasureAgreement(agreeing, context, &unit);
+  summary.agreement_before = agreement.Mean();
   const double edge_shift = views->front().border_shift;
   const double edge_shift_slack = views->front().border_shift_slack;
   summary.border_shift = edge_shift;
@@ -166,8 +167,15 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
     plan.edge_shift = edge_shift;
     plan.edge_shift_slack = edge_shift_slack;
     plan.border_shift = summary.border_shift;
-    const RoundSummary round = RefineOnce(
-        {start, neighbors, pixel, options}, plan, context, views, &unit);
+    if (plan.CanHarm() && !summary.rounds.empty()) {
+      agreement = MeasureAgreement(agreeing, context, &unit);
+    }
+    const RoundSummary round = RefineOnce({start, neighbors, pixel, options},
+                                          plan,
+                                          agreement,
+                                          context,
+                                          views,
+                                          &unit);
     summary.num_withdrawn += round.num_withdrawn;
     summary.border_shift = round.border_shift;
     summary.rounds.push_back(round);

@@ -1,9 +1,6 @@
 #include "core/refine/solve_offsets.h"
 
 #include <ceres/ceres.h>
-#include <fmt/format.h>
-
-#include <memory>
 
 #include "core/base/error.h"
 

@@ -37,22 +37,6 @@ std::vector<float> AreasOfPoints(const IndexedMesh& mesh,
   return areas;
 }
 
-float Baseline(const ViewSet& views,
-               const ChosenViews& chosen,
-               const Eigen::Vector3f& point) {
-  float least_cosine = 1;
-  for (int i = 0; i < chosen.count; ++i) {
-    const Eigen::Vector3f one =
-        (views[chosen.views[i]].projection.center - point).normalized();
-    for (int j = 0; j < i; ++j) {
-      const Eigen::Vector3f other =
-          (views[chosen.views[j]].projection.center - point).normalized();
-      least_cosine = std::min(least_cosine, one.dot(other));
-    }
-  }
-  return std::acos(std::clamp(least_cosine, -1.0f, 1.0f));
-}
-
 // Pixels from the border of a silhouette within which a point is at it.
 constexpr float kAtBorder = 1.5f;
 
@@ -105,13 +89,11 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
   std::vector<PointEvidence> values(count);
   ParallelFor(context, count, kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const ChosenViews& chosen = seen.choices[i];
       PointEvidence& value = values[i];
       value.position = mesh->positions[seen.points.vertices[i]].cast<float>();
       value.normal = seen.surfaces[i].normal;
       value.area = areas[i];
-      value.num_views = chosen.count;
-      value.baseline = Baseline(views, chosen, value.position);
+      value.num_views = seen.choices[i].count;
       value.agreement = offsets[i].score_before;
       if (offsets[i].weight > 0) {
         // From the vertex, not from the surface that was fitted to it.

@@ -20,7 +20,6 @@ struct PointEvidence {
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();    // outward
   float area = 0;      // of the surface that it stands for, unit^2
   int num_views = 0;   // that see it, and differ in direction
-  float baseline = 0;  // largest angle between two of them, radians
   // The agreement of the views about the surface where it is, -1 .. 1, as
   // SurfacePatch has it.
   float agreement = 0;

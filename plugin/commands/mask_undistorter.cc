@@ -16,7 +16,6 @@
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/images/view_files.h"
 #include "colmap_io/images/workspace.h"
-#include "colmap_io/model/camera_projector.h"
 #include "colmap_io/model/read_sparse_model.h"
 
 namespace octacut {

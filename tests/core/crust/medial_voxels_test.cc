@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <utility>
+#include <vector>
+
 #include "core/crust/crust.h"
 #include "tests/core/crust/labeled_shapes.h"
 
@@ -115,6 +119,21 @@ TEST(MedialVoxels, AThinGapIsTiedAllOver) {
 TEST(MedialVoxels, ThickPartsHaveNone) {
   const Crust crust = CrustOf(Ball({0.5, 0.5, 0.5}, 0.35), 5);
   EXPECT_EQ(crust.num_medial_voxels, 0u);
+}
+
+// At l0 the crust reaches far from the surface: what is deep is not thin.
+TEST(MedialVoxels, DeepPartsHaveNone) {
+  constexpr int kLevel = 6;
+  const Solid half_space = [](const Eigen::Vector3d& x) { return x.z() - 0.5; };
+  std::vector<MortonCode> codes(size_t{1} << (3 * kLevel));
+  std::iota(codes.begin(), codes.end(), MortonCode{0});
+  const VoxelGrid voxels = VoxelGrid::FromCodes(kLevel, std::move(codes));
+  std::vector<float> prior(voxels.Size());
+  voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    prior[index] = ValueAt(half_space, DecodeMorton(code), kLevel) < 0 ? 1 : 0;
+  });
+  std::vector<FaceTies> ties(voxels.Size());
+  EXPECT_EQ(TieMedialVoxels(voxels, prior, Context(2), &ties), 0u);
 }
 
 TEST(MedialVoxels, KeepTiesAndCountWhatTheyTie) {

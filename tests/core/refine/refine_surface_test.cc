@@ -107,6 +107,24 @@ TEST(RefineSurface, FindsOutThatMasksAreTooLargeOrTooSmall) {
   }
 }
 
+RoundSummary RunRound(const RefineScene& scene,
+                      const RoundPlan& plan,
+                      IndexedMesh* mesh) {
+  const RefineOptions options;
+  const double pixel = scene.Pixel() / scene.test.region.cube.edge;
+  const VertexCorners neighbors = RefineScene::Neighbors(*mesh);
+  const std::vector<Eigen::Vector3d> start = mesh->positions;
+  ViewSet views = scene.test.views;
+  const SurfaceAgreement agreement =
+      MeasureAgreement({views, neighbors, pixel, options}, Context(2), mesh);
+  return RefineOnce({start, neighbors, pixel, options},
+                    plan,
+                    agreement,
+                    Context(2),
+                    &views,
+                    mesh);
+}
+
 // What is taken for the shift of the masks' borders after one round over masks
 // that are 2 pixels too large, where so many were known before.
 double BorderShiftAfter(double scale,
@@ -115,23 +133,15 @@ double BorderShiftAfter(double scale,
                         double edge_shift_slack = 9) {
   const RefineScene scene = testing::MakeSceneWithMasksOff(2);
   IndexedMesh mesh = scene.ToUnitMesh(BumpyMesh(scene));
-  RefineOptions options;
-  ViewSet views = scene.test.views;
-  const std::vector<Eigen::Vector3d> start = mesh.positions;
-  return RefineOnce({start,
-                     RefineScene::Neighbors(mesh),
-                     scene.Pixel() / scene.test.region.cube.edge,
-                     options},
-                    {.scale = scale,
-                     .range = 3,
-                     .smooths = true,
-                     .aligns = false,
-                     .border_shift = known,
-                     .edge_shift = edge_shift,
-                     .edge_shift_slack = edge_shift_slack},
-                    Context(2),
-                    &views,
-                    &mesh)
+  return RunRound(scene,
+                  {.scale = scale,
+                   .range = 3,
+                   .smooths = true,
+                   .aligns = false,
+                   .border_shift = known,
+                   .edge_shift = edge_shift,
+                   .edge_shift_slack = edge_shift_slack},
+                  &mesh)
       .border_shift;
 }
 
@@ -202,15 +212,10 @@ double RoughnessAfter(const RefineScene& scene, bool smooths) {
         (v % 2 == 0 ? step : -step) * mesh.positions[v].normalized();
     mesh.positions[v] = (mesh.positions[v] - cube.min_corner) / cube.edge;
   }
-  const VertexCorners neighbors =
-      FindVertexNeighbors(mesh.positions.size(), mesh.triangles);
-  ViewSet views = scene.test.views;
-  const std::vector<Eigen::Vector3d> start = mesh.positions;
-  RefineOnce({start, neighbors, scene.Pixel() / cube.edge, RefineOptions()},
-             {.scale = 2, .range = 3, .smooths = smooths, .aligns = false},
-             Context(2),
-             &views,
-             &mesh);
+  RunRound(scene,
+           {.scale = 2, .range = 3, .smooths = smooths, .aligns = false},
+           &mesh);
+  const VertexCorners neighbors = RefineScene::Neighbors(mesh);
   double roughness = 0;
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     Eigen::Vector3d mean = Eigen::Vector3d::Zero();

@@ -45,8 +45,8 @@ Failure DescribeCurrentException(const OptionManager& options) {
                     error.what()))};
   } catch (const std::bad_alloc&) {
     return {
-        "out of memory; use a lower --OctahedralMeshing.target_level or fewer "
-        "images"};
+        "out of memory; fewer images, a coarser mesh, or in meshers a lower "
+        "--OctahedralMeshing.target_level need less"};
   } catch (const std::exception& error) {
     return {options.NameOptionsIn(OneLine(error.what()))};
   } catch (...) {

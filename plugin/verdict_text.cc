@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/hull/visual_hull.h"
+
 namespace octacut {
 namespace {
 
@@ -151,6 +153,7 @@ class Writer {
                            : " Check the masks of " + suspects + ".");
     }
     if (verdict_.hull_level > 0 &&
+        verdict_.hull_level < VisualHullOptions::kMaxLevel &&
         IsMost(verdict_.num_thin_pixels, total.missed)) {
       return fmt::format(
           " Most of them are in structures thinner than three voxels of the "

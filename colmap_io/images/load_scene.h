@@ -52,7 +52,7 @@ struct LoadSceneSummary {
   size_t num_filled_bites = 0;
   size_t num_views_elsewhere = 0;  // left out: they do not show the region
   size_t num_points = 0;           // of the scene
-  size_t scene_bytes = 0;  // of images and masks held
+  size_t scene_bytes = 0;          // of images and masks held
   double mask_seconds = 0;
   double region_seconds = 0;
   double image_seconds = 0;

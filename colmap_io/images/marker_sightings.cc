@@ -1,14 +1,18 @@
 #include "colmap_io/images/marker_sightings.h"
 
-#include <fmt/format.h>
+#include <algorithm>
 
+#include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
+#include "colmap_io/images/view_files.h"
 #include "colmap_io/model/camera_projector.h"
-#include "core/base/error.h"
-#include "core/base/parallel.h"
 
 namespace octacut {
 namespace {
+
+// Colours, grey values and thresholds of several windows.
+constexpr size_t kBytesPerPixel = 8;
+constexpr size_t kByteBudget = size_t{1} << 30;
 
 std::vector<MarkerSighting> SightingsIn(const Workspace& workspace,
                                         const SparseImage& image,
@@ -16,17 +20,8 @@ std::vector<MarkerSighting> SightingsIn(const Workspace& workspace,
   const auto path = workspace.image_path / image.name;
   const SparseCamera& camera = *workspace.model.FindCamera(image.camera_id);
   const cv::Mat photograph = ReadPhotograph(path);
-  if (uint64_t(photograph.cols) != uint64_t(camera.width) ||
-      uint64_t(photograph.rows) != uint64_t(camera.height)) {
-    throw InputError(fmt::format(
-        "{}: the image has {}x{} pixels, but its camera {} has {}x{}",
-        path.string(),
-        photograph.cols,
-        photograph.rows,
-        camera.id,
-        camera.width,
-        camera.height));
-  }
+  RequireSizeOfCamera(
+      path, {uint64_t(photograph.cols), uint64_t(photograph.rows)}, camera);
   const CameraProjector projector(camera);
   std::vector<MarkerSighting> sightings;
   for (const DetectedMarker& marker : DetectMarkers(photograph, dictionary)) {
@@ -55,13 +50,19 @@ std::vector<MarkerSighting> FindMarkerSightings(const Workspace& workspace,
                                                 const Context& context) {
   const auto& images = workspace.model.images;
   std::vector<std::vector<MarkerSighting>> found(images.size());
-  Phase phase(context, "ArUco markers", images.size());
-  ParallelFor(context, images.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      found[i] = SightingsIn(workspace, images[i], dictionary);
-      phase.Advance();
-    }
-  });
+  size_t most_pixels = 1;
+  for (const SparseCamera& camera : workspace.model.cameras) {
+    most_pixels =
+        std::max(most_pixels, size_t(camera.width) * size_t(camera.height));
+  }
+  ForEachFile({.count = images.size(),
+               .bytes_per_file = kBytesPerPixel * most_pixels,
+               .byte_budget = kByteBudget},
+              "ArUco markers",
+              context,
+              [&](size_t i) {
+                found[i] = SightingsIn(workspace, images[i], dictionary);
+              });
   std::vector<MarkerSighting> sightings;
   for (const auto& part : found) {
     sightings.insert(sightings.end(), part.begin(), part.end());

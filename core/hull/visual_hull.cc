@@ -8,7 +8,7 @@
 namespace octacut {
 
 void VisualHullOptions::Check() const {
-  CheckOption(hull_level >= 2 && hull_level <= 10,
+  CheckOption(hull_level >= 2 && hull_level <= kMaxLevel,
               "hull_level",
               hull_level,
               "must be in 2 .. 10");

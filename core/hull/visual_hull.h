@@ -14,7 +14,8 @@
 namespace octacut {
 
 struct VisualHullOptions {
-  int hull_level = 7;  // l0: the hull has (2^l0)^3 voxels; 2 .. 10
+  static constexpr int kMaxLevel = 10;
+  int hull_level = 7;  // l0: the hull has (2^l0)^3 voxels; 2 .. kMaxLevel
   void Check() const;
 };
 

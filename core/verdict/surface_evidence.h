@@ -18,8 +18,8 @@ namespace octacut {
 struct PointEvidence {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  // unit coordinates
   Eigen::Vector3f normal = Eigen::Vector3f::Zero();    // outward
-  float area = 0;      // of the surface that it stands for, unit^2
-  int num_views = 0;   // that see it, and differ in direction
+  float area = 0;     // of the surface that it stands for, unit^2
+  int num_views = 0;  // that see it, and differ in direction
   // The agreement of the views about the surface where it is, -1 .. 1, as
   // SurfacePatch has it.
   float agreement = 0;

@@ -8,9 +8,9 @@
 #include <system_error>
 #include <vector>
 
+#include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 #include "core/benchmark/evaluate/silhouette_agreement.h"
 #include "plugin/report.h"
 #include "plugin/text_table.h"
@@ -149,12 +149,10 @@ Json ToJson(const ComparedMask& mask) {
 void MaskComparer::Run(const CommandEnvironment& environment) {
   const std::vector<std::string> names = NamesIn(reference_path_);
   std::vector<ComparedMask> masks(names.size());
-  ParallelFor(
-      environment.context, names.size(), 1, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          masks[i] = Compare(mask_path_ / names[i], reference_path_ / names[i]);
-          masks[i].name = names[i];
-        }
+  ForEachFile(
+      {.count = names.size()}, "masks", environment.context, [&](size_t i) {
+        masks[i] = Compare(mask_path_ / names[i], reference_path_ / names[i]);
+        masks[i].name = names[i];
       });
   const ComparedMask mean = MeanOf(masks);
   const auto missing = size_t(

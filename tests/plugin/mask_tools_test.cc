@@ -194,6 +194,23 @@ TEST_F(TurntableModeTest, PhotographsOfTheEmptySetAreUsed) {
   EXPECT_LT(cv::countNonZero(object & ~found), 0.03 * cv::countNonZero(object));
 }
 
+TEST_F(TurntableModeTest, FoldersOfMasksAndBackgroundAreNoPhotographs) {
+  const fs::path images = Workspace() / "images";
+  fs::copy(Workspace() / "background", images / "empty");
+  for (int run = 0; run < 2; ++run) {
+    const ProgramResult result = Extract({"--mode",
+                                          "turntable",
+                                          "--image_path",
+                                          images,
+                                          "--background_path",
+                                          images / "empty",
+                                          "--output_path",
+                                          images / "masks"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("12 masks, 0 given, 0 views unsure"));
+  }
+}
+
 TEST_F(TurntableModeTest, MistakesAreNamedAndLeaveNothing) {
   EXPECT_THAT(Extract({"--mode", "turntable"}).err, HasSubstr("image_path"));
   EXPECT_THAT(Extract({}).err, HasSubstr("workspace_path"));

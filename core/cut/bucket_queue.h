@@ -84,15 +84,15 @@ class ChunkList {
   }
 
   // Moves all items of a list of the same pool to the end of this one.
-  void Append(ChunkList&& other) {
-    if (other.Empty()) {
+  void TakeFrom(ChunkList* other) {
+    if (other->Empty()) {
       return;
     }
     CloseTail();
-    (tail_ == nullptr ? head_ : tail_->next) = other.head_;
-    tail_ = other.tail_;
-    end_ = other.end_;
-    other = ChunkList();
+    (tail_ == nullptr ? head_ : tail_->next) = other->head_;
+    tail_ = other->tail_;
+    end_ = other->end_;
+    *other = ChunkList();
   }
 
   // Takes all items that are in the list now: prefetch(item) some items ahead
@@ -170,7 +170,7 @@ class BucketQueue {
     }
     for (int32_t level = other.Lowest(); level <= other.Highest(); ++level) {
       for (size_t axis = 0; axis < 3; ++axis) {
-        levels_[level][axis].Append(std::move(other.levels_[level][axis]));
+        levels_[level][axis].TakeFrom(&other.levels_[level][axis]);
       }
     }
     lowest_ = std::min(lowest_, other.lowest_);

@@ -79,11 +79,12 @@ class SampleRays {
   // sample, from the camera on; some more than once.
   template <typename Body>
   void ForEachVoxel(int sample, const Body& body) const {
+    const int row = sample / map_.width;
+    const int column = sample % map_.width;
     const Eigen::Vector3f direction =
-        (unproject_ *
-         Eigen::Vector3f((float(sample % map_.width) + 0.5f) / map_.scale,
-                         (float(sample / map_.width) + 0.5f) / map_.scale,
-                         1))
+        (unproject_ * Eigen::Vector3f((float(column) + 0.5f) / map_.scale,
+                                      (float(row) + 0.5f) / map_.scale,
+                                      1))
             .normalized();
     // The root cube is [0, 1]^3.
     const Eigen::Array3f a = -center_.array() / direction.array();
@@ -91,7 +92,8 @@ class SampleRays {
     const float begin = std::max(0.0f, a.min(b).maxCoeff());
     const float end = a.max(b).minCoeff();
     const float step = kStep / float(crust_.Resolution());
-    for (float t = begin + step / 2; t < end; t += step) {
+    float t = begin + step / 2;
+    while (t < end) {
       const Eigen::Vector3f point =
           (center_ + t * direction) * float(crust_.Resolution());
       const Eigen::Vector3i voxel = point.array().floor().cast<int>();
@@ -99,6 +101,7 @@ class SampleRays {
       if (index != VoxelGrid::kNone) {
         body(index, voxel);
       }
+      t += step;
     }
   }
 

@@ -200,14 +200,18 @@ FinishedMesh MeshOf(const LabeledVoxels& surface,
                     const ReconstructionOptions& options,
                     const Context& context,
                     ReconstructionSummary* summary) {
-  FinishedMesh finished =
-      FinalMesh(hull.views, surface, hull.cube, options, context, summary);
-  summary->num_moved_to_hull = MoveToHullBorder(hull,
-                                                {surface.voxels, decided},
-                                                options.smoothing.min_height,
-                                                context,
-                                                &finished.mesh);
-  return finished;
+  return RunStep(
+      context, "mesh extraction and smoothing", &summary->meshing_seconds, [&] {
+        FinishedMesh finished = FinalMesh(
+            hull.views, surface, hull.cube, options, context, summary);
+        summary->num_moved_to_hull =
+            MoveToHullBorder(hull,
+                             {surface.voxels, decided},
+                             options.smoothing.min_height,
+                             context,
+                             &finished.mesh);
+        return finished;
+      });
 }
 
 IndexedMesh Refine(IndexedMesh mesh,
@@ -271,15 +275,12 @@ Reconstruction Reconstruct(const Scene& scene,
     }
   }
 
-  FinishedMesh finished = RunStep(
-      context, "mesh extraction and smoothing", &summary.meshing_seconds, [&] {
-        return MeshOf(hierarchy.Finest(),
-                      decided,
-                      {views, evidence.mask_confidence, region.cube},
-                      options,
-                      context,
-                      &summary);
-      });
+  FinishedMesh finished = MeshOf(hierarchy.Finest(),
+                                 decided,
+                                 {views, evidence.mask_confidence, region.cube},
+                                 options,
+                                 context,
+                                 &summary);
   if (options.refine) {
     finished.mesh = Refine(std::move(finished.mesh),
                            region.cube,

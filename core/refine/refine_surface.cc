@@ -126,6 +126,45 @@ void ReportBorders(const RefineSummary& summary, const Context& context) {
                   summary.border_shift < 0 ? "small" : "large"));
 }
 
+// `mesh` is in unit coordinates.
+void RefineInRounds(const RoundInputs& inputs,
+                    const Context& context,
+                    ViewSet* views,
+                    IndexedMesh* mesh,
+                    RefineSummary* summary) {
+  std::vector<RoundPlan> rounds = PlanRounds(inputs.options);
+  Phase phase(context, "refinement", rounds.size());
+  const AgreementInputs agreeing{
+      *views, inputs.neighbors, inputs.pixel, inputs.options};
+  SurfaceAgreement agreement = MeasureAgreement(agreeing, context, mesh);
+  summary->agreement_before = agreement.Mean();
+  const double edge_shift = views->front().border_shift;
+  const double edge_shift_slack = views->front().border_shift_slack;
+  summary->border_shift = edge_shift;
+  for (RoundPlan& plan : rounds) {
+    // Coarse images of glossy objects agree by chance, and poses that are
+    // aligned by them get worse.
+    plan.aligns &=
+        !summary->rounds.empty() &&
+        std::all_of(summary->rounds.begin(),
+                    summary->rounds.end(),
+                    [](const auto& round) { return round.KnowsMost(); });
+    plan.edge_shift = edge_shift;
+    plan.edge_shift_slack = edge_shift_slack;
+    plan.border_shift = summary->border_shift;
+    if (plan.CanHarm() && !summary->rounds.empty()) {
+      agreement = MeasureAgreement(agreeing, context, mesh);
+    }
+    const RoundSummary round =
+        RefineOnce(inputs, plan, agreement, context, views, mesh);
+    summary->num_withdrawn += round.num_withdrawn;
+    summary->border_shift = round.border_shift;
+    summary->rounds.push_back(round);
+    phase.Advance();
+  }
+  summary->agreement_after = MeasureAgreement(agreeing, context, mesh).Mean();
+}
+
 }  // namespace
 
 RefinedSurface RefineSurface(IndexedMesh mesh,
@@ -136,8 +175,6 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   options.Check();
   CheckInput(mesh, *views);
   Stopwatch whole;
-  std::vector<RoundPlan> rounds = PlanRounds(options);
-  Phase phase(context, "refinement", rounds.size());
   RefinedSurface result;
   RefineSummary& summary = result.summary;
   IndexedMesh unit = UnitMesh(mesh, cube);
@@ -150,40 +187,10 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   for (const PreparedView& view : *views) {
     projections.push_back(view.projection);
   }
-  const AgreementInputs agreeing{*views, neighbors, pixel, options};
-  SurfaceAgreement agreement = MeasureAgreement(agreeing, context, &unit);
-  summary.agreement_before = agreement.Mean();
-  const double edge_shift = views->front().border_shift;
-  const double edge_shift_slack = views->front().border_shift_slack;
-  summary.border_shift = edge_shift;
-  for (RoundPlan& plan : rounds) {
-    // Coarse images of glossy objects agree by chance, and poses that are
-    // aligned by them get worse.
-    plan.aligns &=
-        !summary.rounds.empty() &&
-        std::all_of(summary.rounds.begin(),
-                    summary.rounds.end(),
-                    [](const auto& round) { return round.KnowsMost(); });
-    plan.edge_shift = edge_shift;
-    plan.edge_shift_slack = edge_shift_slack;
-    plan.border_shift = summary.border_shift;
-    if (plan.CanHarm() && !summary.rounds.empty()) {
-      agreement = MeasureAgreement(agreeing, context, &unit);
-    }
-    const RoundSummary round = RefineOnce({start, neighbors, pixel, options},
-                                          plan,
-                                          agreement,
-                                          context,
-                                          views,
-                                          &unit);
-    summary.num_withdrawn += round.num_withdrawn;
-    summary.border_shift = round.border_shift;
-    summary.rounds.push_back(round);
-    phase.Advance();
-  }
+  RefineInRounds(
+      {start, neighbors, pixel, options}, context, views, &unit, &summary);
   summary.view_motion =
       MeasureViewMotion(projections, *views, SomePositions(unit));
-  summary.agreement_after = MeasureAgreement(agreeing, context, &unit).Mean();
   SummarizeMoves(start, unit, pixel, &summary);
   summary.num_withdrawn +=
       MoveMesh(start, unit.positions, cube, summary.pixel_size, context, &mesh);

@@ -74,7 +74,7 @@ TEST(MedialVoxels, AThinPlateIsTiedAllOver) {
   // Three voxels thick at the coarse level, not on its lattice's middle.
   const Solid plate = Box({0.2, 0.2, 15 / 32.0}, {0.8, 0.8, 18 / 32.0});
   const Crust crust = CrustOf(plate, kLevel - 1);
-  std::vector<int> columns(64 * 64, 0);
+  std::vector<int> columns(size_t{64} * 64, 0);
   for (const Eigen::Vector3i& voxel : FindMedial(crust).inside) {
     EXPECT_LT(ValueAt(plate, voxel, kLevel), 0);
     ++columns[voxel.y() * 64 + voxel.x()];
@@ -97,7 +97,7 @@ TEST(MedialVoxels, AThinGapIsTiedAllOver) {
       return std::min(below(x), above(x));
     };
     const Crust crust = CrustOf(plates, kLevel - 1);
-    std::vector<int> columns(64 * 64, 0);
+    std::vector<int> columns(size_t{64} * 64, 0);
     crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
       const Eigen::Vector3i voxel = DecodeMorton(code);
       const bool in_gap = voxel.z() >= 30 && voxel.z() < 30 + 2 * gap;

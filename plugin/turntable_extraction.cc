@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "colmap_io/files/lower_extension.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_file.h"
@@ -37,11 +38,7 @@ constexpr size_t kTurntableBytesPerPixel = 48;
 constexpr size_t kTurntableBudget = size_t{1} << 30;
 
 bool IsPhotograph(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(
-      extension.begin(), extension.end(), extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? c + 32 : c;
-      });
+  const std::string extension = LowerExtension(path);
   constexpr std::array<std::string_view, 7> kExtensions = {
       ".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp", ".webp"};
   return std::find(kExtensions.begin(), kExtensions.end(), extension) !=

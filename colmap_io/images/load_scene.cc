@@ -15,6 +15,7 @@
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_content.h"
 #include "colmap_io/images/mask_view.h"
+#include "colmap_io/images/most_pixels.h"
 #include "colmap_io/images/scene_points.h"
 #include "colmap_io/images/undistort.h"
 #include "colmap_io/images/view_files.h"
@@ -136,12 +137,9 @@ void Loader::FindCandidates() {
 
 void Loader::ForEachCandidate(std::string_view phase,
                               const std::function<void(size_t)>& body) const {
-  size_t pixels = 1;
-  for (const Candidate& candidate : candidates_) {
-    pixels = std::max(
-        pixels,
-        size_t(candidate.files.camera->width * candidate.files.camera->height));
-  }
+  const size_t pixels = MostPixels(candidates_, [](const Candidate& candidate) {
+    return candidate.files.camera;
+  });
   ForEachFile({.count = candidates_.size(),
                .bytes_per_file = kLoadedBytes * pixels,
                .byte_budget = options_.decode_budget},

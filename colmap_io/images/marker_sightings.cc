@@ -1,9 +1,8 @@
 #include "colmap_io/images/marker_sightings.h"
 
-#include <algorithm>
-
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
+#include "colmap_io/images/most_pixels.h"
 #include "colmap_io/images/view_files.h"
 #include "colmap_io/model/camera_projector.h"
 
@@ -50,11 +49,9 @@ std::vector<MarkerSighting> FindMarkerSightings(const Workspace& workspace,
                                                 const Context& context) {
   const auto& images = workspace.model.images;
   std::vector<std::vector<MarkerSighting>> found(images.size());
-  size_t most_pixels = 1;
-  for (const SparseCamera& camera : workspace.model.cameras) {
-    most_pixels =
-        std::max(most_pixels, size_t(camera.width) * size_t(camera.height));
-  }
+  const size_t most_pixels =
+      MostPixels(workspace.model.cameras,
+                 [](const SparseCamera& camera) { return &camera; });
   ForEachFile({.count = images.size(),
                .bytes_per_file = kBytesPerPixel * most_pixels,
                .byte_budget = kByteBudget},

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/files/lower_extension.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -16,11 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool IsPicture(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(
-      extension.begin(), extension.end(), extension.begin(), [](char c) {
-        return c >= 'A' && c <= 'Z' ? c + 32 : c;
-      });
+  const std::string extension = LowerExtension(path);
   return extension == ".png" || extension == ".jpg" || extension == ".jpeg";
 }
 

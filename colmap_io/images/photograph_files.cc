@@ -13,6 +13,7 @@
 
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_file.h"
+#include "colmap_io/images/most_pixels.h"
 #include "colmap_io/images/undistort.h"
 #include "colmap_io/images/view_files.h"
 #include "colmap_io/images/view_window.h"
@@ -206,11 +207,10 @@ PhotographFiles OpenPhotographs(const fs::path& workspace_path,
                     summary.num_without_mask,
                     summary.num_images - summary.num_missing));
   }
-  size_t pixels = 1;
+  const size_t pixels = MostPixels(reader->Files(), &PhotographFile::camera);
   for (const PhotographFile& file : reader->Files()) {
     result.photographs.poses.push_back(
         {file.image->name, file.window, file.image->CamFromWorld()});
-    pixels = std::max(pixels, size_t(file.camera->width * file.camera->height));
   }
   result.photographs.max_held =
       std::max<size_t>(1, options.decode_budget / (kWorkedOnBytes * pixels));

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -13,6 +12,7 @@
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_file.h"
 #include "colmap_io/images/mask_list.h"
+#include "colmap_io/images/most_pixels.h"
 #include "colmap_io/images/reduced_view.h"
 #include "colmap_io/images/view_files.h"
 #include "core/base/error.h"
@@ -182,11 +182,7 @@ UnsegmentedView ReadView(const SegmentationFile& file, int longest_side) {
 
 size_t BytesOfLargest(const std::vector<SegmentationFile>& files,
                       size_t bytes_per_pixel) {
-  size_t pixels = 1;
-  for (const SegmentationFile& file : files) {
-    pixels = std::max(pixels, size_t(file.camera->width * file.camera->height));
-  }
-  return bytes_per_pixel * pixels;
+  return bytes_per_pixel * MostPixels(files, &SegmentationFile::camera);
 }
 
 SegmentationFiles ReadSegmentationFiles(const Workspace& workspace,

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_folder.h"
+#include "colmap_io/images/most_pixels.h"
 #include "colmap_io/images/undistort.h"
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/images/view_files.h"
@@ -125,13 +125,9 @@ void MaskUndistorter::Run(const CommandEnvironment& environment) {
   MaskList list;
   list.views.resize(views.size());
   std::vector<std::vector<uchar>> pngs(views.size());
-  size_t pixels = 1;
-  for (const ViewFiles& view : views) {
-    pixels = std::max(pixels, size_t(view.camera->width * view.camera->height));
-  }
   ForEachFile(
       {.count = views.size(),
-       .bytes_per_file = kBytesPerPixel * pixels,
+       .bytes_per_file = kBytesPerPixel * MostPixels(views, &ViewFiles::camera),
        .byte_budget = kDecodeBudget},
       "undistorting masks",
       context,

@@ -156,12 +156,16 @@ Crust WidenCrust(const LabelHierarchy& hierarchy,
   return crust;
 }
 
-void AdoptCut(const std::vector<FaceLabels>& labels,
-              const Context& context,
-              Crust* crust) {
+void TakeForPrior(const std::vector<FaceLabels>& labels, Crust* crust) {
   for (size_t i = 0; i < labels.size(); ++i) {
     crust->prior[i] = InsideShare(labels[i]);
   }
+}
+
+void AdoptCut(const std::vector<FaceLabels>& labels,
+              const Context& context,
+              Crust* crust) {
+  TakeForPrior(labels, crust);
   crust->num_medial_voxels =
       TieMedialVoxels(crust->voxels, crust->prior, context, &crust->ties);
 }

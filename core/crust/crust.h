@@ -64,8 +64,10 @@ Crust WidenCrust(const LabelHierarchy& hierarchy,
                  VoxelGrid voxels,
                  const Context& context);
 
-// Takes a cut of the crust for what is known of inside and outside, and ties
-// the medial voxels of what is thin by it.
+// Takes a cut of the crust for what is known of inside and outside.
+void TakeForPrior(const std::vector<FaceLabels>& labels, Crust* crust);
+
+// The same, and ties the medial voxels of what is thin by it.
 void AdoptCut(const std::vector<FaceLabels>& labels,
               const Context& context,
               Crust* crust);

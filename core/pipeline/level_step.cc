@@ -65,7 +65,7 @@ SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
   }
   const OctahedralCut first =
       CutByEvidence(inputs, crust, silhouettes.hull_depth, &steps, &inside);
-  steps.OnCrust([&] { AdoptCut(first.labels, context, &crust); });
+  steps.OnCrust([&] { TakeForPrior(first.labels, &crust); });
   VoxelTerms terms;
   steps.ExtendTerms(
       steps.EstimateVisibility(crust.voxels, first.labels), crust, &terms);

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -15,10 +16,12 @@
 #include "colmap_io/images/reduced_view.h"
 #include "colmap_io/images/saliency_network.h"
 #include "colmap_io/images/segmentation_files.h"
+#include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/scene/region.h"
 #include "core/segment/labels.h"
 #include "core/segment/refine_border.h"
+#include "core/segment/stand_pixels.h"
 #include "core/segment/stand_plane.h"
 #include "core/segment/view_confidence.h"
 #include "plugin/contact_sheet.h"
@@ -47,6 +50,10 @@ class Extractor {
             const MaskExtractionOptions& options,
             const Context& context)
       : options_(options), context_(context) {
+    CheckOption(options.on_stand >= -1 && options.on_stand <= 1,
+                "on_stand",
+                std::to_string(options.on_stand),
+                "must be -1, 0 or 1");
     SegmentationFilesOptions files_options;
     files_options.given_masks_path = options.given_masks_path;
     files_options.strokes_path = options.strokes_path;
@@ -56,7 +63,7 @@ class Extractor {
     if (!options.bounding_box.empty()) {
       files_.input.box = BoundingBoxFromNumbers(options.bounding_box);
     }
-    if (options.on_stand) {
+    if (options.on_stand != 0) {
       FindStand(workspace.model);
     }
     if (!options.network_path.empty()) {
@@ -103,42 +110,46 @@ class Extractor {
 // Where the object stands, and which pixels show the stand.
 void Extractor::FindStand(const SparseModel& model) {
   std::vector<Pose> poses;
-  std::map<uint32_t, size_t> view_of_image;
-  for (size_t i = 0; i < files_.files.size(); ++i) {
-    poses.push_back(files_.input.views[i].pose);
-    view_of_image[files_.files[i].image->id] = i;
+  std::vector<cv::Mat> images;
+  for (const UnsegmentedView& view : files_.input.views) {
+    poses.push_back(view.pose);
+    images.push_back(view.image);
   }
-  std::vector<Eigen::Vector3d> positions;
-  std::vector<const SparsePoint*> points;
+  std::vector<Eigen::Vector3d> points;
   for (const SparsePoint& point : model.points) {
     if (point.track.size() >= kMinTrack) {
-      positions.push_back(point.xyz);
-      points.push_back(&point);
+      points.push_back(point.xyz);
     }
   }
-  const StandPlane stand = FindStandPlane(
-      positions, poses, FindSearchRegion(poses, files_.input.box));
-  size_t num_points = 0;
-  for (size_t k = 0; k < points.size(); ++k) {
-    if (std::abs(stand.plane.signedDistance(positions[k])) > stand.tolerance) {
-      continue;
-    }
-    ++num_points;
-    for (const TrackElement& element : points[k]->track) {
-      const auto found = view_of_image.find(element.image_id);
-      if (found != view_of_image.end() &&
-          IsShown(poses[found->second], positions[k])) {
-        files_.input.views[found->second].surroundings.push_back(
-            poses[found->second].camera.Project(
-                poses[found->second].cam_from_world * positions[k]));
-      }
-    }
+  const bool is_required = options_.on_stand == 1;
+  const SearchRegion region = FindSearchRegion(poses, files_.input.box);
+  const std::optional<StandPlane> stand = FindStandPlane(points, poses, region);
+  if (!stand && is_required) {
+    throw InputError(fmt::format(
+        "on_stand = 1: none of the planes through the {} sparse points that "
+        "three views see has the object above it and nothing below; without "
+        "on_stand, `bounding_box` or strokes can leave the stand out",
+        points.size()));
+  }
+  if (!stand) {
+    return;
+  }
+  const std::vector<cv::Mat> pixels =
+      FindStandPixels(images, poses, stand->plane, region.center, context_);
+  if (!is_required && !IsAroundTheMiddle(pixels, poses, region)) {
+    return;
+  }
+  for (size_t i = 0; i < pixels.size(); ++i) {
+    files_.input.views[i].stand = pixels[i];
   }
   // What is left of the stand's surface by noise is cut off as well.
-  files_.input.floor = stand.plane;
-  files_.input.floor->offset() -= stand.tolerance;
+  files_.input.floor = stand->plane;
+  files_.input.floor->offset() -= stand->tolerance;
   context_.Info(fmt::format(
-      "The object stands on a plane with {} sparse points.", num_points));
+      "The object stands on a plane with {} sparse points.",
+      std::count_if(points.begin(), points.end(), [&](const auto& point) {
+        return std::abs(stand->plane.signedDistance(point)) <= stand->tolerance;
+      })));
 }
 
 // What the user's network takes for the object in each view.
@@ -175,9 +186,20 @@ cv::Mat Extractor::RefinedMask(size_t view) const {
   segmentation_.views[view].mask.convertTo(mask, CV_32F);
   const cv::Mat full =
       CarryBack(mask, camera, *file.camera) >= kObjectThreshold;
+  cv::Mat stand;
+  if (!files_.input.views[view].stand.empty()) {
+    // Windows reach across the border of the object.
+    cv::erode(files_.input.views[view].stand >= 1,
+              stand,
+              cv::Mat::ones(kStandWindow, kStandWindow, CV_8U));
+    stand.convertTo(stand, CV_32F);
+    stand = CarryBack(stand, camera, *file.camera) >= kObjectThreshold;
+  }
   const double scale = double(file.camera->width) / camera.width;
-  return RefineBorder(
-      ReadPhotograph(file.photograph), full, kReach * std::max(1.0, scale));
+  return RefineBorder(ReadPhotograph(file.photograph),
+                      full,
+                      kReach * std::max(1.0, scale),
+                      stand);
 }
 
 void Extractor::RefineAll() {
@@ -264,7 +286,8 @@ void DeclareMaskExtractionOptions(OptionManager& options,
               &extraction->on_stand,
               "If 1, estimate from the sparse points the plane on which the "
               "object stands, and treat that plane and everything below it as "
-              "background.");
+              "background; if 0, do not; if -1, do so if there is such a plane "
+              "and the photographs show it around the object.");
 }
 
 MaskExtraction ExtractMasks(const Workspace& workspace,

@@ -9,8 +9,9 @@
 # --turntable 1          the camera stood still and the object turned: what does
 #                        not turn is masked before COLMAP sees it
 # --background_path F    photographs of the empty set, for --turntable 1
-# --on_stand 0|1         the object stands on a plane that is to be left out;
-#                        default: the value of --turntable
+# --on_stand -1|0|1      leave out the plane on which the object stands: if there
+#                        is one, never, always. Default: -1, with --turntable 1
+#                        it is 1
 # --single_camera 0|1    one camera with one zoom took all photographs; default 1
 # --max_num_features N   of each photograph; default 8192, as COLMAP has it
 # --reference_path M     sparse model of the same photographs into whose frame
@@ -43,14 +44,13 @@ while (($#)); do
   case $1 in
     --turntable) turntable=${2:?"$1 needs 0 or 1"} && shift 2 ;;
     --background_path) background=${2:?"$1 needs a value"} && shift 2 ;;
-    --on_stand) on_stand=${2:?"$1 needs 0 or 1"} && shift 2 ;;
+    --on_stand) on_stand=${2:?"$1 needs -1, 0 or 1"} && shift 2 ;;
     --single_camera) single_camera=${2:?"$1 needs 0 or 1"} && shift 2 ;;
     --max_num_features) features=${2:?"$1 needs a value"} && shift 2 ;;
     --reference_path) reference=${2:?"$1 needs a value"} && shift 2 ;;
     *) meshing+=("$1") && shift ;;
   esac
 done
-on_stand=${on_stand:-$turntable}
 
 fail() {
   echo "images_to_mesh: $1" >&2
@@ -58,7 +58,8 @@ fail() {
 }
 [[ -d $images ]] || fail "$images: there is no such folder of photographs"
 [[ $turntable == [01] ]] || fail "--turntable $turntable: must be 0 or 1"
-[[ $on_stand == [01] ]] || fail "--on_stand $on_stand: must be 0 or 1"
+on_stand=${on_stand:-$((2 * turntable - 1))}
+[[ $on_stand =~ ^(-1|0|1)$ ]] || fail "--on_stand $on_stand: must be -1, 0 or 1"
 [[ $single_camera == [01] ]] || fail "--single_camera $single_camera: must be 0 or 1"
 [[ $features =~ ^[1-9][0-9]*$ ]] ||
   fail "--max_num_features $features: must be a positive number"

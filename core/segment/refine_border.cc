@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
-#include <vector>
 
-#include "core/segment/colour_mixture.h"
+#include "core/segment/border_colours.h"
 #include "core/segment/label_cut.h"
 #include "core/segment/labels.h"
 #include "core/segment/pixel_features.h"
-#include "core/segment/shadows.h"
 
 namespace octacut {
 namespace {
@@ -22,40 +20,17 @@ constexpr double kReducedReach = 1.5;
 // A band is cut again around the new border while that ends at its limits, at
 // most so many times (docs/experiments/mask_bands.md).
 constexpr int kMaxPasses = 8;
-// Colours are learned up to so many reaches from the border.
-constexpr double kLearnReaches = 5;
-constexpr size_t kSamples = 4000;
-constexpr int kComponents = 6;
 constexpr float kMostOdds = 4;
 constexpr float kSmoothness = 8;
 
 // The part of the picture that matters for the border.
 cv::Rect WindowAround(const cv::Mat& mask, double reach) {
   cv::Rect box = cv::boundingRect(mask);
-  const int margin = int(std::ceil((kLearnReaches + 1) * reach)) + 1;
+  const int margin =
+      int(std::ceil((BorderColours::kLearnReaches + 1) * reach)) + 1;
   box -= cv::Point(margin, margin);
   box += cv::Size(2 * margin, 2 * margin);
   return box & cv::Rect(0, 0, mask.cols, mask.rows);
-}
-
-std::vector<PixelFeature> SamplesOf(const cv::Mat& features,
-                                    const cv::Mat& chosen) {
-  std::vector<PixelFeature> all;
-  for (int y = 0; y < chosen.rows; ++y) {
-    for (int x = 0; x < chosen.cols; ++x) {
-      if (chosen.at<uint8_t>(y, x) != 0) {
-        all.push_back(features.at<PixelFeature>(y, x));
-      }
-    }
-  }
-  if (all.size() <= kSamples) {
-    return all;
-  }
-  std::vector<PixelFeature> samples;
-  for (size_t i = 0; i < kSamples; ++i) {
-    samples.push_back(all[i * all.size() / kSamples]);
-  }
-  return samples;
 }
 
 // The distances of pixels from the border of a mask, 0 on its other side.
@@ -76,26 +51,25 @@ class BandCutter {
   BandCutter(const cv::Mat& image,
              const BorderDistances& distances,
              double reach)
-      : image_(image), reach_(reach), features_(PixelFeatures(image)) {
-    const auto learned_from = [&](const cv::Mat& side) {
-      return SamplesOf(features_,
-                       (side > reach) & (side < kLearnReaches * reach));
-    };
-    object_ = ColourMixture(learned_from(distances.inside), kComponents);
-    std::vector<PixelFeature> outer = learned_from(distances.outside);
-    AddShadows(&outer);
-    surroundings_ = ColourMixture(outer, kComponents);
-  }
+      : image_(image),
+        reach_(reach),
+        features_(PixelFeatures(image)),
+        colours_(features_, distances.inside, distances.outside, reach) {}
 
-  // Cuts the band around the border of `mask`, whose distances are given.
-  // Returns whether pixels at the limits of the band change sides: then the
-  // border may lie beyond it.
-  bool Cut(const BorderDistances& distances, cv::Mat* mask) const {
+  // Cuts the band around the border of `mask`, whose distances are given, but
+  // for what is `background` (may be empty). Returns whether pixels at the
+  // limits of the band change sides: then the border may lie beyond it.
+  bool Cut(const BorderDistances& distances,
+           const cv::Mat& background,
+           cv::Mat* mask) const {
     const cv::Mat to_border = cv::max(distances.inside, distances.outside);
     const cv::Mat band = to_border <= reach_;
     const cv::Mat limits = band & (to_border > reach_ - 1);
     const cv::Mat before = mask->clone();
     mask->setTo(kNoLabel, band);
+    if (!background.empty()) {
+      mask->setTo(kSurroundingsLabel, background);
+    }
     CutLabels(image_, LogOdds(band), kSmoothness, mask);
     return cv::countNonZero((*mask != before) & limits) > 0;
   }
@@ -106,12 +80,10 @@ class BandCutter {
     for (int y = 0; y < band.rows; ++y) {
       for (int x = 0; x < band.cols; ++x) {
         if (band.at<uint8_t>(y, x) != 0) {
-          const PixelFeature& feature = features_.at<PixelFeature>(y, x);
-          log_odds.at<float>(y, x) =
-              std::clamp(std::log(object_.Density(feature) /
-                                  surroundings_.Density(feature)),
-                         -kMostOdds,
-                         kMostOdds);
+          log_odds.at<float>(y, x) = std::clamp(
+              colours_.LogOdds(y, x, features_.at<PixelFeature>(y, x)),
+              -kMostOdds,
+              kMostOdds);
         }
       }
     }
@@ -121,13 +93,15 @@ class BandCutter {
   cv::Mat image_;
   double reach_;
   cv::Mat features_;
-  ColourMixture object_;
-  ColourMixture surroundings_;
+  BorderColours colours_;
 };
 
 }  // namespace
 
-cv::Mat RefineBorder(const cv::Mat& image, const cv::Mat& mask, double reach) {
+cv::Mat RefineBorder(const cv::Mat& image,
+                     const cv::Mat& mask,
+                     double reach,
+                     const cv::Mat& background) {
   cv::Mat result = mask.clone();
   if (reach > kWidestBand && std::min(image.rows, image.cols) >= kReduction) {
     const cv::Size size(image.cols / kReduction, image.rows / kReduction);
@@ -135,8 +109,13 @@ cv::Mat RefineBorder(const cv::Mat& image, const cv::Mat& mask, double reach) {
     cv::Mat small_mask;
     cv::resize(image, small_image, size, 0, 0, cv::INTER_AREA);
     cv::resize(mask, small_mask, size, 0, 0, cv::INTER_AREA);
-    const cv::Mat small =
-        RefineBorder(small_image, small_mask > 127, reach / kReduction);
+    cv::Mat small_background;
+    if (!background.empty()) {
+      cv::resize(background, small_background, size, 0, 0, cv::INTER_AREA);
+      small_background = small_background > 127;
+    }
+    const cv::Mat small = RefineBorder(
+        small_image, small_mask > 127, reach / kReduction, small_background);
     cv::resize(small, result, image.size(), 0, 0, cv::INTER_LINEAR);
     result = result > 127;
     reach = kReducedReach * kReduction;
@@ -146,13 +125,18 @@ cv::Mat RefineBorder(const cv::Mat& image, const cv::Mat& mask, double reach) {
   }
   const cv::Rect window = WindowAround(result, reach);
   cv::Mat inner = result(window);
+  cv::Mat inner_background;
+  if (!background.empty()) {
+    inner_background = background(window);
+    inner.setTo(kSurroundingsLabel, inner_background);
+  }
   BorderDistances distances(inner);
   const BandCutter cutter(image(window), distances, reach);
   for (int pass = 0; pass < kMaxPasses; ++pass) {
     if (pass > 0) {
       distances = BorderDistances(inner);
     }
-    if (!cutter.Cut(distances, &inner)) {
+    if (!cutter.Cut(distances, inner_background, &inner)) {
       break;
     }
   }

@@ -74,6 +74,20 @@ Eigen::Vector3d FindFixation(std::span<const Pose> poses) {
 
 }  // namespace
 
+cv::Mat DistancesFromCenter(const Pose& pose, const SearchRegion& region) {
+  const Eigen::Vector3d center = pose.cam_from_world * region.center;
+  cv::Mat distances(pose.camera.height, pose.camera.width, CV_32F);
+  for (int y = 0; y < distances.rows; ++y) {
+    for (int x = 0; x < distances.cols; ++x) {
+      const Eigen::Vector3d ray =
+          pose.camera.Unproject({x + 0.5, y + 0.5}).normalized();
+      distances.at<float>(y, x) =
+          float((center - ray * ray.dot(center)).norm() / region.radius);
+    }
+  }
+  return distances;
+}
+
 bool IsShown(const Pose& pose, const Eigen::Vector3d& point) {
   const Eigen::Vector3d in_cam = pose.cam_from_world * point;
   if (!(in_cam.z() > 0)) {

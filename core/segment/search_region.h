@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <span>
 
@@ -48,6 +49,10 @@ struct SearchRegion {
 // look in the same direction, or when most do not show a common point.
 SearchRegion FindSearchRegion(std::span<const Pose> poses,
                               const std::optional<Eigen::AlignedBox3d>& box);
+
+// CV_32F of the view's size: how far the rays of its pixels pass the centre, in
+// radii of the region.
+cv::Mat DistancesFromCenter(const Pose& pose, const SearchRegion& region);
 
 // Whether the frame shows a point.
 bool IsShown(const Pose& pose, const Eigen::Vector3d& point);

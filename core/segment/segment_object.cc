@@ -17,6 +17,7 @@
 #include "core/segment/labels.h"
 #include "core/segment/occupancy.h"
 #include "core/segment/pixel_features.h"
+#include "core/segment/stand_pixels.h"
 #include "core/segment/view_confidence.h"
 
 namespace octacut {
@@ -47,8 +48,21 @@ constexpr float kInsideDoubt = 2;
 // count for object only where they are this much more frequent in it.
 constexpr float kFirstDoubt = 1.5f;
 
-// Pixels around a point of the surroundings whose colours are learned.
-constexpr int kPointRadius = 1;
+// Log odds of the object from what shows the stand, which outweighs any colour,
+// and from what hides it.
+cv::Mat StandEvidence(const cv::Mat& stand) {
+  return kOneViewsWord * (cv::max(-stand, 0) - 2 * cv::max(stand, 0));
+}
+
+// Log odds of the object from what the other views say, in [-1, 1].
+cv::Mat EvidenceOfOthers(const cv::Mat& others) {
+  return kOneViewsWord * others - kInsideDoubt * cv::max(others, 0);
+}
+
+void ClampToOneViewsWord(cv::Mat* log_odds) {
+  cv::max(*log_odds, -kOneViewsWord, *log_odds);
+  cv::min(*log_odds, kOneViewsWord, *log_odds);
+}
 
 class Segmenter {
  public:
@@ -101,33 +115,17 @@ class Segmenter {
 
 // Middle and outside by the distances of rays from the centre.
 cv::Mat Segmenter::FirstLabels(size_t view, double middle) const {
-  const Pose& pose = poses_[view];
-  const SearchRegion& region = result_.region;
-  const Eigen::Vector3d center = pose.cam_from_world * region.center;
-  cv::Mat labels(pose.camera.height, pose.camera.width, CV_8U);
-  for (int y = 0; y < labels.rows; ++y) {
-    for (int x = 0; x < labels.cols; ++x) {
-      const Eigen::Vector3d ray =
-          pose.camera.Unproject({x + 0.5, y + 0.5}).normalized();
-      const double distance =
-          (center - ray * ray.dot(center)).norm() / region.radius;
-      labels.at<uint8_t>(y, x) = distance < middle       ? kObjectLabel
-                                 : distance < 2 * middle ? kNoLabel
-                                                         : kSurroundingsLabel;
-    }
-  }
+  const cv::Mat distances = DistancesFromCenter(poses_[view], result_.region);
+  cv::Mat labels(distances.size(), CV_8U, cv::Scalar(kNoLabel));
+  labels.setTo(kObjectLabel, distances < middle);
+  labels.setTo(kSurroundingsLabel, distances >= 2 * middle);
   return labels;
 }
 
 void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
-  const cv::Rect frame(cv::Point(0, 0), labels->size());
-  for (const Eigen::Vector2d& pixel : input_.views[view].surroundings) {
-    const cv::Point corner(int(std::floor(pixel.x())) - kPointRadius,
-                           int(std::floor(pixel.y())) - kPointRadius);
-    (*labels)(
-        cv::Rect(corner, cv::Size(2 * kPointRadius + 1, 2 * kPointRadius + 1)) &
-        frame)
-        .setTo(kSurroundingsLabel);
+  const cv::Mat& stand = input_.views[view].stand;
+  if (!stand.empty()) {
+    labels->setTo(kSurroundingsLabel, stand >= 1);
   }
   const cv::Mat& said = input_.views[view].labels;
   if (said.empty()) {
@@ -147,8 +145,11 @@ void Segmenter::Learn(bool own_objects) {
     if (!own_objects) {
       colours -= kFirstDoubt;
     }
-    cv::min(colours, kOneViewsWord, colours);
-    cv::max(colours, -kOneViewsWord, colours);
+    ClampToOneViewsWord(&colours);
+    if (!input_.views[i].stand.empty()) {
+      colours += StandEvidence(input_.views[i].stand);
+      ClampToOneViewsWord(&colours);
+    }
     const cv::Mat& said = input_.views[i].labels;
     if (!said.empty()) {
       colours.setTo(2 * kOneViewsWord, said == kObjectLabel);
@@ -181,10 +182,7 @@ bool Segmenter::Round(const BoundingCube& cube, int resolution) {
     }
     cv::Mat smooth;
     cv::GaussianBlur(colours_[i], smooth, cv::Size(), 1);
-    cv::Mat positive;
-    cv::max(view.others, 0, positive);
-    view.log_odds =
-        smooth + kOneViewsWord * view.others - kInsideDoubt * positive;
+    view.log_odds = smooth + EvidenceOfOthers(view.others);
     Relabel(i);
   });
   return true;
@@ -192,10 +190,7 @@ bool Segmenter::Round(const BoundingCube& cube, int resolution) {
 
 void Segmenter::CutView(size_t i) {
   SegmentedView& view = result_.views[i];
-  cv::Mat positive;
-  cv::max(view.others, 0, positive);
-  view.log_odds =
-      colours_[i] + kOneViewsWord * view.others - kInsideDoubt * positive;
+  view.log_odds = colours_[i] + EvidenceOfOthers(view.others);
   view.colours = colours_[i];
   view.mask.create(view.log_odds.size(), CV_8U);
   view.mask.setTo(kNoLabel);

@@ -1,14 +1,11 @@
 #include "core/segment/stand_plane.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Eigenvalues>
 #include <optional>
 #include <vector>
 
-#include "core/base/error.h"
 #include "core/base/hash.h"
 
 namespace octacut {
@@ -59,13 +56,9 @@ class PlaneFinder {
     tolerance_ = *middle;
   }
 
-  StandPlane Find() {
+  std::optional<StandPlane> Find() {
     if (points_.size() < kMinPoints) {
-      throw InputError(fmt::format(
-          "on_stand = 1: {} sparse points are near the object; at least {} are "
-          "needed to find the plane that it stands on",
-          points_.size(),
-          kMinPoints));
+      return {};
     }
     std::optional<Plane> best;
     size_t most = 0;
@@ -79,16 +72,12 @@ class PlaneFinder {
       }
     }
     if (!best || double(most) < kLeastShare * double(points_.size())) {
-      throw InputError(fmt::format(
-          "on_stand = 1: none of the planes through the {} sparse points near "
-          "the object has the object above it and nothing below; without "
-          "on_stand, `bounding_box` or strokes can leave the stand out",
-          points_.size()));
+      return {};
     }
     for (int i = 0; i < kRefinements; ++i) {
       best = Refined(*best);
     }
-    return {*best, tolerance_};
+    return StandPlane{*best, tolerance_};
   }
 
  private:
@@ -158,9 +147,10 @@ class PlaneFinder {
 
 }  // namespace
 
-StandPlane FindStandPlane(std::span<const Eigen::Vector3d> points,
-                          std::span<const Pose> poses,
-                          const SearchRegion& region) {
+std::optional<StandPlane> FindStandPlane(
+    std::span<const Eigen::Vector3d> points,
+    std::span<const Pose> poses,
+    const SearchRegion& region) {
   return PlaneFinder(points, poses, region).Find();
 }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 #include <span>
 
 #include "core/segment/search_region.h"
@@ -20,10 +21,11 @@ struct StandPlane {
 // The plane that most points lie on, of those that have nothing below them:
 // nearly all cameras and the centre of the region are above, and hardly any
 // points within twice the region's radius are below. Points farther away do
-// not count. The same result for the same points in the same order. Throws
-// InputError when there is no such plane.
-StandPlane FindStandPlane(std::span<const Eigen::Vector3d> points,
-                          std::span<const Pose> poses,
-                          const SearchRegion& region);
+// not count. The same result for the same points in the same order. Nothing
+// where there is no such plane, or where less than 30 points are near.
+std::optional<StandPlane> FindStandPlane(
+    std::span<const Eigen::Vector3d> points,
+    std::span<const Pose> poses,
+    const SearchRegion& region);
 
 }  // namespace octacut

@@ -114,7 +114,7 @@ MaskExtraction MaskExtractor::RunTurntable(const Context& context) const {
         std::pair("given_masks_path", !extraction_.given_masks_path.empty()),
         std::pair("strokes_path", !extraction_.strokes_path.empty()),
         std::pair("network_path", !extraction_.network_path.empty()),
-        std::pair("on_stand", extraction_.on_stand),
+        std::pair("on_stand", extraction_.on_stand != -1),
         std::pair("OctahedralMeshing.bounding_box",
                   !extraction_.bounding_box.empty())}) {
     CheckOption(!is_set,

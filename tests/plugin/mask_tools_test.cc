@@ -215,6 +215,8 @@ TEST_F(TurntableModeTest, MistakesAreNamedAndLeaveNothing) {
   EXPECT_THAT(Extract({"--mode", "turntable"}).err, HasSubstr("image_path"));
   EXPECT_THAT(Extract({}).err, HasSubstr("workspace_path"));
   EXPECT_THAT(ExtractTurning({"--on_stand", "1"}).err, HasSubstr("on_stand"));
+  EXPECT_THAT(Extract({"--workspace_path", Workspace(), "--on_stand", "2"}).err,
+              HasSubstr("on_stand = 2: must be -1, 0 or 1"));
   EXPECT_THAT(ExtractTurning({"--background_path", folder_ / "none"}).err,
               HasSubstr("no such folder"));
   // All photographs show the same view.

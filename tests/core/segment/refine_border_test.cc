@@ -60,6 +60,29 @@ TEST(RefineBorder, GoesOnWhereTheBorderIsFartherAway) {
   EXPECT_GT(Overlap(RefineBorder(PictureOf(truth), mask, 5), truth), 0.998);
 }
 
+// The object has its surroundings' colour of the other half of the picture.
+TEST(RefineBorder, ColoursAreThoseNearby) {
+  const cv::Size size(600, 160);
+  cv::Mat truth = cv::Mat::zeros(size, CV_8U);
+  truth.rowRange(60, 110).colRange(30, 570).setTo(255);
+  const cv::Mat picture = PictureOf(truth);
+  cv::Mat image = PictureOf(~truth);
+  picture.colRange(0, 300).copyTo(image.colRange(0, 300));
+  cv::Mat mask = cv::Mat::zeros(size, CV_8U);
+  mask.rowRange(57, 107).colRange(33, 573).setTo(255);
+  ASSERT_LT(Overlap(mask, truth), 0.9);
+  EXPECT_GT(Overlap(RefineBorder(image, mask, 5), truth), 0.99);
+}
+
+TEST(RefineBorder, KnownBackgroundStaysOutside) {
+  const cv::Mat disc = Disc({200, 160}, 50);
+  cv::Mat background = cv::Mat::zeros(disc.size(), CV_8U);
+  background.rowRange(120, 160).setTo(255);
+  EXPECT_GT(Overlap(RefineBorder(PictureOf(disc), disc, 7, background),
+                    disc & ~background),
+            0.99);
+}
+
 TEST(RefineBorder, LeavesARightBorderAsItIs) {
   const cv::Mat truth = Disc({200, 160}, 50);
   EXPECT_GT(Overlap(RefineBorder(PictureOf(truth), truth, 7), truth), 0.998);

@@ -74,10 +74,31 @@ TEST(SegmentObject, WhatTurnsAboveTheStandIsObject) {
     view.labels.setTo(kSurroundingsLabel);
     view.labels.setTo(kNoLabel, foot_pixels | scene.truth[i]);
     view.is_turntable = true;
-    std::vector<cv::Point> points;
-    cv::findNonZero(foot_pixels, points);
-    for (size_t k = 0; k < points.size(); k += 40) {
-      view.surroundings.push_back({points[k].x + 0.5, points[k].y + 0.5});
+    foot_pixels.convertTo(view.stand, CV_32F, 1.0 / 255);
+  }
+  const Segmentation found = SegmentObject(scene.input, Context(2));
+  for (size_t i = 0; i < scene.truth.size(); ++i) {
+    EXPECT_GT(Overlap(found.views[i].mask, scene.truth[i]), 0.95) << i;
+  }
+}
+
+// A ball on a foot of its own colour, as a shadow on the stand may have it.
+// What shows the stand is not object, and what hides it is, in the room's
+// colour.
+TEST(SegmentObject, TheStandIsNoObjectAndWhatHidesItIs) {
+  const testing::Ball foot{{0, 0, -0.8}, 0.4};
+  RingScene scene = MakeRingScene(12, {{0, 0, 0}, 0.45});
+  const cv::Rect spot(72, 60, 16, 12);
+  for (size_t i = 0; i < scene.truth.size(); ++i) {
+    UnsegmentedView& view = scene.input.views[i];
+    const cv::Mat foot_pixels = SilhouetteOf(foot, view.pose) & ~scene.truth[i];
+    Paint(foot_pixels, kBallColour, i, &view.image);
+    foot_pixels.convertTo(view.stand, CV_32F, 1.0 / 255);
+    if (i % 2 == 0) {
+      cv::Mat where = cv::Mat::zeros(foot_pixels.size(), CV_8U);
+      where(spot).setTo(255);
+      Paint(where, kRoomColour, i, &view.image);
+      view.stand.setTo(-1, where);
     }
   }
   const Segmentation found = SegmentObject(scene.input, Context(2));

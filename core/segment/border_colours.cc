@@ -1,0 +1,96 @@
+#include "core/segment/border_colours.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/segment/shadows.h"
+
+namespace octacut {
+namespace {
+
+constexpr size_t kSamples = 4000;
+constexpr int kComponents = 6;
+// Sides of tiles, in reaches; a tile's colours are those of 3 x 3 tiles around
+// it (docs/experiments/mask_colours.md).
+constexpr double kTileReaches = 16;
+constexpr size_t kTileSamples = 1000;
+constexpr size_t kLeastTileSamples = 250;
+constexpr int kTileComponents = 3;
+
+std::vector<PixelFeature> SamplesOf(const cv::Mat& features,
+                                    const cv::Mat& chosen,
+                                    size_t limit) {
+  std::vector<PixelFeature> all;
+  for (int y = 0; y < chosen.rows; ++y) {
+    for (int x = 0; x < chosen.cols; ++x) {
+      if (chosen.at<uint8_t>(y, x) != 0) {
+        all.push_back(features.at<PixelFeature>(y, x));
+      }
+    }
+  }
+  if (all.size() <= limit) {
+    return all;
+  }
+  std::vector<PixelFeature> samples;
+  for (size_t i = 0; i < limit; ++i) {
+    samples.push_back(all[i * all.size() / limit]);
+  }
+  return samples;
+}
+
+}  // namespace
+
+BorderColours::BorderColours(const cv::Mat& features,
+                             const cv::Mat& inside,
+                             const cv::Mat& outside,
+                             double reach)
+    : tile_side_(std::max(1, int(kTileReaches * reach))),
+      num_columns_((features.cols + tile_side_ - 1) / tile_side_) {
+  const auto samples_of =
+      [&](const cv::Mat& distances, const cv::Rect& part, size_t limit) {
+        return SamplesOf(features(part),
+                         (distances(part) > reach) &
+                             (distances(part) < kLearnReaches * reach),
+                         limit);
+      };
+  const auto learn = [](const std::vector<PixelFeature>& inner,
+                        std::vector<PixelFeature> outer,
+                        int num_components) {
+    AddShadows(&outer);
+    return Colours{ColourMixture(inner, num_components),
+                   ColourMixture(outer, num_components)};
+  };
+  const cv::Rect all(0, 0, features.cols, features.rows);
+  whole_ = learn(samples_of(inside, all, kSamples),
+                 samples_of(outside, all, kSamples),
+                 kComponents);
+  for (int y = 0; y < features.rows; y += tile_side_) {
+    for (int x = 0; x < features.cols; x += tile_side_) {
+      const cv::Rect around =
+          all &
+          cv::Rect(
+              x - tile_side_, y - tile_side_, 3 * tile_side_, 3 * tile_side_);
+      const auto inner = samples_of(inside, around, kTileSamples);
+      const auto outer = samples_of(outside, around, kTileSamples);
+      tiles_.emplace_back();
+      if (std::min(inner.size(), outer.size()) >= kLeastTileSamples) {
+        tiles_.back() = learn(inner, outer, kTileComponents);
+      }
+    }
+  }
+}
+
+float BorderColours::LogOdds(int y, int x, const PixelFeature& feature) const {
+  float object = whole_.object.Density(feature);
+  float surroundings = whole_.surroundings.Density(feature);
+  const std::optional<Colours>& tile =
+      tiles_[size_t(y / tile_side_ * num_columns_ + x / tile_side_)];
+  if (tile) {
+    object += tile->object.Density(feature);
+    surroundings += tile->surroundings.Density(feature);
+  }
+  return std::log(object / surroundings);
+}
+
+}  // namespace octacut

@@ -84,8 +84,8 @@ BorderColours::BorderColours(const cv::Mat& features,
 float BorderColours::LogOdds(int y, int x, const PixelFeature& feature) const {
   float object = whole_.object.Density(feature);
   float surroundings = whole_.surroundings.Density(feature);
-  const std::optional<Colours>& tile =
-      tiles_[size_t(y / tile_side_ * num_columns_ + x / tile_side_)];
+  const int index = y / tile_side_ * num_columns_ + x / tile_side_;
+  const std::optional<Colours>& tile = tiles_[size_t(index)];
   if (tile) {
     object += tile->object.Density(feature);
     surroundings += tile->surroundings.Density(feature);

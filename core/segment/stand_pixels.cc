@@ -175,6 +175,7 @@ std::vector<size_t> NeighborsOf(size_t view,
   std::sort(neighbors.begin(), neighbors.end());
   neighbors.resize(std::min(neighbors.size(), kNeighbors));
   std::vector<size_t> result;
+  result.reserve(neighbors.size());
   for (const auto& [angle, i] : neighbors) {
     result.push_back(i);
   }

@@ -92,7 +92,7 @@ class PlaneFinder {
     const auto pick = [&](uint64_t k) -> const Eigen::Vector3d& {
       return points_[HashBits(bits, k) % points_.size()];
     };
-    const Eigen::Vector3d a = pick(0);
+    const Eigen::Vector3d& a = pick(0);
     const Eigen::Vector3d u = pick(1) - a;
     const Eigen::Vector3d v = pick(2) - a;
     const Eigen::Vector3d normal = u.cross(v);

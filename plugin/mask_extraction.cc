@@ -136,7 +136,7 @@ void Extractor::FindStand(const SparseModel& model) {
   }
   const std::vector<cv::Mat> pixels =
       FindStandPixels(images, poses, stand->plane, region.center, context_);
-  if (!is_required && !IsAroundTheMiddle(pixels, poses, region)) {
+  if (!is_required && !IsStand(pixels, poses, region)) {
     return;
   }
   for (size_t i = 0; i < pixels.size(); ++i) {
@@ -286,8 +286,8 @@ void DeclareMaskExtractionOptions(OptionManager& options,
               &extraction->on_stand,
               "If 1, estimate from the sparse points the plane on which the "
               "object stands, and treat that plane and everything below it as "
-              "background; if 0, do not; if -1, do so if there is such a plane "
-              "and the photographs show it around the object.");
+              "background; if 0, do not; if -1, do so if the photographs show "
+              "that something stands on such a plane.");
 }
 
 MaskExtraction ExtractMasks(const Workspace& workspace,

@@ -19,7 +19,7 @@ struct MaskExtractionOptions {
   std::filesystem::path network_path;  // ONNX file; empty: none
   bool skip_missing_images = false;
   // Whether what the object stands on is left out: 1 yes, 0 no, -1 if the
-  // sparse points have a plane and the photographs show it around the object.
+  // sparse points have a plane and the photographs show something on it.
   int on_stand = -1;
   std::vector<double> bounding_box;  // empty, or x0,y0,z0,x1,y1,z1
 };

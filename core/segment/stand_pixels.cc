@@ -27,14 +27,13 @@ constexpr float kDifferent = 0.3f;
 constexpr double kTextureScale = 3;
 // Squared grey levels: the noise of a photograph and its compression.
 constexpr float kNoiseVariance = 4;
-// Radii of the region up to which rays pass through the middle, and from which
-// on they are away from it.
-constexpr float kMiddle = 0.25f;
+// Radii of the region from which on rays are away from the middle.
 constexpr float kOutside = 0.5f;
-// Least part of the pixels away from the middle that show the plane, and how
-// many times more that must be than in the middle.
-constexpr double kLeastShare = 0.05;
-constexpr double kLeastRatio = 2;
+// Least part of the pixels away from the middle that show the plane, and least
+// number of pixels that hide it, for each that shows it
+// (docs/experiments/mask_stand.md).
+constexpr double kLeastShare = 0.01;
+constexpr double kLeastHidden = 0.01;
 
 // The texture of a picture, without its brightness.
 cv::Mat TextureOf(const cv::Mat& grey) {
@@ -210,32 +209,23 @@ std::vector<cv::Mat> FindStandPixels(std::span<const cv::Mat> images,
   return result;
 }
 
-bool IsAroundTheMiddle(std::span<const cv::Mat> stand,
-                       std::span<const Pose> poses,
-                       const SearchRegion& region) {
-  struct Part {
-    double all = 0;
-    double on_plane = 0;
-
-    double Share() const { return all == 0 ? 0 : on_plane / all; }
-  };
-  Part middle;
-  Part outside;
+bool IsStand(std::span<const cv::Mat> stand,
+             std::span<const Pose> poses,
+             const SearchRegion& region) {
+  double num_outside = 0;
+  double num_shown_outside = 0;
+  double num_shown = 0;
+  double num_hidden = 0;
   for (size_t i = 0; i < poses.size(); ++i) {
-    const cv::Mat distances = DistancesFromCenter(poses[i], region);
-    for (int y = 0; y < distances.rows; ++y) {
-      for (int x = 0; x < distances.cols; ++x) {
-        const float distance = distances.at<float>(y, x);
-        if (distance < kMiddle || distance >= kOutside) {
-          Part& part = distance < kMiddle ? middle : outside;
-          ++part.all;
-          part.on_plane += stand[i].at<float>(y, x) >= 1;
-        }
-      }
-    }
+    const cv::Mat outside = DistancesFromCenter(poses[i], region) >= kOutside;
+    const cv::Mat shown = stand[i] >= 1;
+    num_outside += cv::countNonZero(outside);
+    num_shown_outside += cv::countNonZero(shown & outside);
+    num_shown += cv::countNonZero(shown);
+    num_hidden += cv::countNonZero(stand[i] <= -1);
   }
-  return outside.Share() >= kLeastShare &&
-         outside.Share() >= kLeastRatio * middle.Share();
+  return num_shown_outside >= kLeastShare * num_outside &&
+         num_hidden >= kLeastHidden * num_shown;
 }
 
 }  // namespace octacut

@@ -30,10 +30,11 @@ std::vector<cv::Mat> FindStandPixels(std::span<const cv::Mat> images,
                                      const Eigen::Vector3d& center,
                                      const Context& context);
 
-// Whether pixels that show the plane are around the middle of the views rather
-// than in it: then it is no flat side of the object.
-bool IsAroundTheMiddle(std::span<const cv::Mat> stand,
-                       std::span<const Pose> poses,
-                       const SearchRegion& region);
+// Whether the plane is a stand by its pixels: it goes on away from the middle
+// of the views, and something is in front of it, unlike of a flat side of the
+// object.
+bool IsStand(std::span<const cv::Mat> stand,
+             std::span<const Pose> poses,
+             const SearchRegion& region);
 
 }  // namespace octacut

@@ -127,8 +127,8 @@ void Extractor::FindStand(const SparseModel& model) {
   if (!stand && is_required) {
     throw InputError(fmt::format(
         "on_stand = 1: none of the planes through the {} sparse points that "
-        "three views see has the object above it and nothing below; without "
-        "on_stand, `bounding_box` or strokes can leave the stand out",
+        "three views see has the object above it and nothing below; "
+        "`bounding_box` or strokes can leave the stand out",
         points.size()));
   }
   if (!stand) {

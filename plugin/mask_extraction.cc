@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <optional>
@@ -83,6 +84,7 @@ class Extractor {
 
  private:
   void FindStand(const SparseModel& model);
+  void MarkPoints(const std::vector<const SparsePoint*>& points);
   void Propose();
   void RefineAll();
   cv::Mat RefinedMask(size_t view) const;
@@ -116,9 +118,11 @@ void Extractor::FindStand(const SparseModel& model) {
     images.push_back(view.image);
   }
   std::vector<Eigen::Vector3d> points;
+  std::vector<const SparsePoint*> sparse_points;
   for (const SparsePoint& point : model.points) {
     if (point.track.size() >= kMinTrack) {
       points.push_back(point.xyz);
+      sparse_points.push_back(&point);
     }
   }
   const bool is_required = options_.on_stand == 1;
@@ -140,16 +144,43 @@ void Extractor::FindStand(const SparseModel& model) {
     return;
   }
   for (size_t i = 0; i < pixels.size(); ++i) {
-    files_.input.views[i].stand = pixels[i];
+    // Of a turntable, what does not show the stand is object or background that
+    // stands still; chance matches there would be learned as the stand's.
+    if (!files_.input.views[i].is_turntable) {
+      files_.input.views[i].stand = pixels[i];
+    }
   }
   // What is left of the stand's surface by noise is cut off as well.
   files_.input.floor = stand->plane;
   files_.input.floor->offset() -= stand->tolerance;
-  context_.Info(fmt::format(
-      "The object stands on a plane with {} sparse points.",
-      std::count_if(points.begin(), points.end(), [&](const auto& point) {
-        return std::abs(stand->plane.signedDistance(point)) <= stand->tolerance;
-      })));
+  std::erase_if(sparse_points, [&](const SparsePoint* point) {
+    return std::abs(stand->plane.signedDistance(point->xyz)) > stand->tolerance;
+  });
+  MarkPoints(sparse_points);
+  context_.Info(
+      fmt::format("The object stands on a plane with {} sparse points.",
+                  sparse_points.size()));
+}
+
+// The pixels that show points of the stand.
+void Extractor::MarkPoints(const std::vector<const SparsePoint*>& points) {
+  std::map<uint32_t, size_t> view_of_image;
+  for (size_t i = 0; i < files_.files.size(); ++i) {
+    view_of_image[files_.files[i].image->id] = i;
+  }
+  for (const SparsePoint* point : points) {
+    for (const TrackElement& element : point->track) {
+      const auto found = view_of_image.find(element.image_id);
+      if (found == view_of_image.end()) {
+        continue;
+      }
+      UnsegmentedView& view = files_.input.views[found->second];
+      if (IsShown(view.pose, point->xyz)) {
+        view.stand_points.push_back(
+            view.pose.camera.Project(view.pose.cam_from_world * point->xyz));
+      }
+    }
+  }
 }
 
 // What the user's network takes for the object in each view.

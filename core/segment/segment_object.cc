@@ -48,6 +48,9 @@ constexpr float kInsideDoubt = 2;
 // count for object only where they are this much more frequent in it.
 constexpr float kFirstDoubt = 1.5f;
 
+// Pixels around a point of the stand whose colours are learned.
+constexpr int kPointRadius = 1;
+
 // Log odds of the object from what shows the stand, which outweighs any colour,
 // and from what hides it.
 cv::Mat StandEvidence(const cv::Mat& stand) {
@@ -123,6 +126,15 @@ cv::Mat Segmenter::FirstLabels(size_t view, double middle) const {
 }
 
 void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
+  const cv::Rect frame(cv::Point(0, 0), labels->size());
+  for (const Eigen::Vector2d& pixel : input_.views[view].stand_points) {
+    const cv::Point corner(int(std::floor(pixel.x())) - kPointRadius,
+                           int(std::floor(pixel.y())) - kPointRadius);
+    (*labels)(
+        cv::Rect(corner, cv::Size(2 * kPointRadius + 1, 2 * kPointRadius + 1)) &
+        frame)
+        .setTo(kSurroundingsLabel);
+  }
   const cv::Mat& stand = input_.views[view].stand;
   if (!stand.empty()) {
     labels->setTo(kSurroundingsLabel, stand >= 1);

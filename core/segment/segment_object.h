@@ -35,6 +35,8 @@ struct UnsegmentedView {
   // CV_8UC1 of that size, as labels: what may be the object, from elsewhere.
   // The first colours are learned from it; empty: from where the cameras look.
   cv::Mat proposal;
+  // Pixels that show sparse points of the stand: their colours are learned.
+  std::vector<Eigen::Vector2d> stand_points;
   // CV_32F of that size, as FindStandPixels has it: 1 for the stand, -1 for
   // something in front of it; empty when no stand is known.
   cv::Mat stand;

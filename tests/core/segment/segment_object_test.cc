@@ -74,7 +74,11 @@ TEST(SegmentObject, WhatTurnsAboveTheStandIsObject) {
     view.labels.setTo(kSurroundingsLabel);
     view.labels.setTo(kNoLabel, foot_pixels | scene.truth[i]);
     view.is_turntable = true;
-    foot_pixels.convertTo(view.stand, CV_32F, 1.0 / 255);
+    std::vector<cv::Point> points;
+    cv::findNonZero(foot_pixels, points);
+    for (size_t k = 0; k < points.size(); k += 40) {
+      view.stand_points.push_back({points[k].x + 0.5, points[k].y + 0.5});
+    }
   }
   const Segmentation found = SegmentObject(scene.input, Context(2));
   for (size_t i = 0; i < scene.truth.size(); ++i) {

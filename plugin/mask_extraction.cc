@@ -162,7 +162,7 @@ void Extractor::FindStand(const SparseModel& model) {
                   sparse_points.size()));
 }
 
-// The pixels that show points of the stand.
+// The pixels of a turntable's views that show points of the stand.
 void Extractor::MarkPoints(const std::vector<const SparsePoint*>& points) {
   std::map<uint32_t, size_t> view_of_image;
   for (size_t i = 0; i < files_.files.size(); ++i) {
@@ -175,7 +175,7 @@ void Extractor::MarkPoints(const std::vector<const SparsePoint*>& points) {
         continue;
       }
       UnsegmentedView& view = files_.input.views[found->second];
-      if (IsShown(view.pose, point->xyz)) {
+      if (view.is_turntable && IsShown(view.pose, point->xyz)) {
         view.stand_points.push_back(
             view.pose.camera.Project(view.pose.cam_from_world * point->xyz));
       }

@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 #include <string>
 #include <system_error>
 
@@ -23,9 +20,9 @@
 #include "core/segment/labels.h"
 #include "core/segment/refine_border.h"
 #include "core/segment/stand_pixels.h"
-#include "core/segment/stand_plane.h"
 #include "core/segment/view_confidence.h"
 #include "plugin/contact_sheet.h"
+#include "plugin/find_stand.h"
 
 namespace octacut {
 namespace {
@@ -37,9 +34,6 @@ constexpr size_t kBytesPerPixel = 48;
 constexpr size_t kDecodeBudget = size_t{1} << 30;
 // Pixels of the segmented views by which their borders may be off.
 constexpr double kReach = 2;
-// Views in which a sparse point of the stand is seen, at least: of two, its
-// distance may be wrong.
-constexpr size_t kMinTrack = 3;
 // Saliency from which on a network's word is taken for object, and up to which
 // for surroundings; nothing is said between.
 constexpr double kSalient = 0.8;
@@ -53,7 +47,7 @@ class Extractor {
       : options_(options), context_(context) {
     CheckOption(options.on_stand >= -1 && options.on_stand <= 1,
                 "on_stand",
-                std::to_string(options.on_stand),
+                options.on_stand,
                 "must be -1, 0 or 1");
     SegmentationFilesOptions files_options;
     files_options.given_masks_path = options.given_masks_path;
@@ -65,7 +59,7 @@ class Extractor {
       files_.input.box = BoundingBoxFromNumbers(options.bounding_box);
     }
     if (options.on_stand != 0) {
-      FindStand(workspace.model);
+      FindStand(workspace.model, options.on_stand == 1, context, &files_);
     }
     if (!options.network_path.empty()) {
       Propose();
@@ -83,8 +77,6 @@ class Extractor {
   }
 
  private:
-  void FindStand(const SparseModel& model);
-  void MarkPoints(const std::vector<const SparsePoint*>& points);
   void Propose();
   void RefineAll();
   cv::Mat RefinedMask(size_t view) const;
@@ -108,80 +100,6 @@ class Extractor {
   std::vector<ViewConfidence> confidences_;
   MaskExtraction result_;
 };
-
-// Where the object stands, and which pixels show the stand.
-void Extractor::FindStand(const SparseModel& model) {
-  std::vector<Pose> poses;
-  std::vector<cv::Mat> images;
-  for (const UnsegmentedView& view : files_.input.views) {
-    poses.push_back(view.pose);
-    images.push_back(view.image);
-  }
-  std::vector<Eigen::Vector3d> points;
-  std::vector<const SparsePoint*> sparse_points;
-  for (const SparsePoint& point : model.points) {
-    if (point.track.size() >= kMinTrack) {
-      points.push_back(point.xyz);
-      sparse_points.push_back(&point);
-    }
-  }
-  const bool is_required = options_.on_stand == 1;
-  const SearchRegion region = FindSearchRegion(poses, files_.input.box);
-  const std::optional<StandPlane> stand = FindStandPlane(points, poses, region);
-  if (!stand && is_required) {
-    throw InputError(fmt::format(
-        "on_stand = 1: none of the planes through the {} sparse points that "
-        "three views see has the object above it and nothing below; "
-        "`bounding_box` or strokes can leave the stand out",
-        points.size()));
-  }
-  if (!stand) {
-    return;
-  }
-  const std::vector<cv::Mat> pixels =
-      FindStandPixels(images, poses, stand->plane, region.center, context_);
-  if (!is_required && !IsStand(pixels, poses, region)) {
-    return;
-  }
-  for (size_t i = 0; i < pixels.size(); ++i) {
-    // Of a turntable, what does not show the stand is object or background that
-    // stands still; chance matches there would be learned as the stand's.
-    if (!files_.input.views[i].is_turntable) {
-      files_.input.views[i].stand = pixels[i];
-    }
-  }
-  // What is left of the stand's surface by noise is cut off as well.
-  files_.input.floor = stand->plane;
-  files_.input.floor->offset() -= stand->tolerance;
-  std::erase_if(sparse_points, [&](const SparsePoint* point) {
-    return std::abs(stand->plane.signedDistance(point->xyz)) > stand->tolerance;
-  });
-  MarkPoints(sparse_points);
-  context_.Info(
-      fmt::format("The object stands on a plane with {} sparse points.",
-                  sparse_points.size()));
-}
-
-// The pixels of a turntable's views that show points of the stand.
-void Extractor::MarkPoints(const std::vector<const SparsePoint*>& points) {
-  std::map<uint32_t, size_t> view_of_image;
-  for (size_t i = 0; i < files_.files.size(); ++i) {
-    view_of_image[files_.files[i].image->id] = i;
-  }
-  for (const SparsePoint* point : points) {
-    for (const TrackElement& element : point->track) {
-      const auto found = view_of_image.find(element.image_id);
-      if (found == view_of_image.end()) {
-        continue;
-      }
-      UnsegmentedView& view = files_.input.views[found->second];
-      if (view.is_turntable && IsShown(view.pose, point->xyz)) {
-        view.stand_points.push_back(
-            view.pose.camera.Project(view.pose.cam_from_world * point->xyz));
-      }
-    }
-  }
-}
 
 // What the user's network takes for the object in each view.
 void Extractor::Propose() {

@@ -17,28 +17,6 @@ constexpr int kPooledComponents = 12;
 // Fewer pixels are no base for a model of one view.
 constexpr size_t kLeastOwnSamples = 100;
 
-std::vector<PixelFeature> Samples(const cv::Mat& features,
-                                  const cv::Mat& labels,
-                                  uint8_t label,
-                                  size_t limit) {
-  std::vector<PixelFeature> all;
-  for (int y = 0; y < labels.rows; ++y) {
-    for (int x = 0; x < labels.cols; ++x) {
-      if (labels.at<uint8_t>(y, x) == label) {
-        all.push_back(features.at<PixelFeature>(y, x));
-      }
-    }
-  }
-  if (all.size() <= limit) {
-    return all;
-  }
-  std::vector<PixelFeature> samples;
-  for (size_t i = 0; i < limit; ++i) {
-    samples.push_back(all[i * all.size() / limit]);
-  }
-  return samples;
-}
-
 }  // namespace
 
 Appearance::Appearance(std::span<const cv::Mat> features,
@@ -58,9 +36,10 @@ Appearance::Appearance(std::span<const cv::Mat> features,
   };
   ParallelFor(context, features.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      objects[i] = Samples(features[i], labels[i], kObjectLabel, kOwnSamples);
-      surroundings[i] =
-          Samples(features[i], labels[i], kSurroundingsLabel, kOwnSamples);
+      objects[i] =
+          SampleFeatures(features[i], labels[i] == kObjectLabel, kOwnSamples);
+      surroundings[i] = SampleFeatures(
+          features[i], labels[i] == kSurroundingsLabel, kOwnSamples);
       const size_t num_surroundings = surroundings[i].size();
       AddShadows(&surroundings[i]);
       Models& own = own_[i];

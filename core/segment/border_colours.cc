@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/segment/pixel_features.h"
 #include "core/segment/shadows.h"
 
 namespace octacut {
@@ -18,27 +19,6 @@ constexpr size_t kTileSamples = 1000;
 constexpr size_t kLeastTileSamples = 250;
 constexpr int kTileComponents = 3;
 
-std::vector<PixelFeature> SamplesOf(const cv::Mat& features,
-                                    const cv::Mat& chosen,
-                                    size_t limit) {
-  std::vector<PixelFeature> all;
-  for (int y = 0; y < chosen.rows; ++y) {
-    for (int x = 0; x < chosen.cols; ++x) {
-      if (chosen.at<uint8_t>(y, x) != 0) {
-        all.push_back(features.at<PixelFeature>(y, x));
-      }
-    }
-  }
-  if (all.size() <= limit) {
-    return all;
-  }
-  std::vector<PixelFeature> samples;
-  for (size_t i = 0; i < limit; ++i) {
-    samples.push_back(all[i * all.size() / limit]);
-  }
-  return samples;
-}
-
 }  // namespace
 
 BorderColours::BorderColours(const cv::Mat& features,
@@ -49,10 +29,10 @@ BorderColours::BorderColours(const cv::Mat& features,
       num_columns_((features.cols + tile_side_ - 1) / tile_side_) {
   const auto samples_of =
       [&](const cv::Mat& distances, const cv::Rect& part, size_t limit) {
-        return SamplesOf(features(part),
-                         (distances(part) > reach) &
-                             (distances(part) < kLearnReaches * reach),
-                         limit);
+        return SampleFeatures(features(part),
+                              (distances(part) > reach) &
+                                  (distances(part) < kLearnReaches * reach),
+                              limit);
       };
   const auto learn = [](const std::vector<PixelFeature>& inner,
                         std::vector<PixelFeature> outer,

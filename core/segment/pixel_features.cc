@@ -44,4 +44,25 @@ cv::Mat PixelFeatures(const cv::Mat& image) {
   return features;
 }
 
+std::vector<PixelFeature> SampleFeatures(const cv::Mat& features,
+                                         const cv::Mat& chosen,
+                                         size_t limit) {
+  std::vector<PixelFeature> all;
+  for (int y = 0; y < chosen.rows; ++y) {
+    for (int x = 0; x < chosen.cols; ++x) {
+      if (chosen.at<uint8_t>(y, x) != 0) {
+        all.push_back(features.at<PixelFeature>(y, x));
+      }
+    }
+  }
+  if (all.size() <= limit) {
+    return all;
+  }
+  std::vector<PixelFeature> samples;
+  for (size_t i = 0; i < limit; ++i) {
+    samples.push_back(all[i * all.size() / limit]);
+  }
+  return samples;
+}
+
 }  // namespace octacut

@@ -3,6 +3,7 @@
 
 #include <opencv2/core/mat.hpp>
 #include <opencv2/core/matx.hpp>
+#include <vector>
 
 namespace octacut {
 
@@ -16,5 +17,11 @@ using PixelFeature = cv::Vec4f;
 // s. So it does not grow at the border of a smooth object, where windows around
 // the pixel would hold some of both sides.
 cv::Mat PixelFeatures(const cv::Mat& image);
+
+// Features (as PixelFeatures has them) of the pixels that are set in `chosen`
+// (CV_8UC1), at most `limit`, evenly taken.
+std::vector<PixelFeature> SampleFeatures(const cv::Mat& features,
+                                         const cv::Mat& chosen,
+                                         size_t limit);
 
 }  // namespace octacut

@@ -17,7 +17,6 @@
 #include "core/segment/labels.h"
 #include "core/segment/occupancy.h"
 #include "core/segment/pixel_features.h"
-#include "core/segment/stand_pixels.h"
 #include "core/segment/view_confidence.h"
 
 namespace octacut {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/base/ramp.h"
 
 namespace octacut {
 namespace {
@@ -125,11 +126,11 @@ CarriedView CarryByWayOf(const Eigen::Hyperplane<double, 3>& plane,
   return {Texture(carried), is_outside};
 }
 
-// Values from 0 up to `zero` to 1 from `one` on.
 cv::Mat RampOf(const cv::Mat& values, float zero, float one) {
-  cv::Mat result = (values - zero) / (one - zero);
-  cv::max(result, 0, result);
-  cv::min(result, 1, result);
+  cv::Mat result = values.clone();
+  for (float& value : cv::Mat_<float>(result)) {
+    value = Ramp(value, zero, one);
+  }
   return result;
 }
 

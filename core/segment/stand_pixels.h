@@ -31,8 +31,8 @@ std::vector<cv::Mat> FindStandPixels(std::span<const cv::Mat> images,
                                      const Context& context);
 
 // Whether the plane is a stand by its pixels: it goes on away from the middle
-// of the views, and something is in front of it, unlike of a flat side of the
-// object.
+// of the views, and something is in front of it. Nothing is in front of a flat
+// top of the object.
 bool IsStand(std::span<const cv::Mat> stand,
              std::span<const Pose> poses,
              const SearchRegion& region);

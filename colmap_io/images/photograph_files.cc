@@ -13,6 +13,7 @@
 
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_file.h"
+#include "colmap_io/images/missing_files.h"
 #include "colmap_io/images/most_pixels.h"
 #include "colmap_io/images/undistort.h"
 #include "colmap_io/images/view_files.h"
@@ -104,7 +105,7 @@ void FindFiles(const PhotographOptions& options,
                PhotographSummary* summary) {
   const Workspace& workspace = reader->Parts();
   const std::set<std::string> names(options.names.begin(), options.names.end());
-  fs::path first_missing;
+  MissingFiles missing{.what = "image"};
   for (const SparseImage& image : workspace.model.images) {
     if (!names.empty() && !names.contains(image.name)) {
       continue;
@@ -113,8 +114,7 @@ void FindFiles(const PhotographOptions& options,
     const fs::path path = workspace.image_path / image.name;
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored)) {
-      first_missing = first_missing.empty() ? path : first_missing;
-      ++summary->num_missing;
+      missing.Add(path);
       continue;
     }
     PhotographFile file;
@@ -127,18 +127,8 @@ void FindFiles(const PhotographOptions& options,
     summary->num_without_mask += file.mask_file ? 0 : 1;
     reader->Files().push_back(file);
   }
-  if (summary->num_missing > 0) {
-    const std::string message =
-        fmt::format("{}: no such image; missing for {} of {} images",
-                    first_missing.string(),
-                    summary->num_missing,
-                    summary->num_images);
-    if (!options.skip_missing_images) {
-      throw InputError(message +
-                       " (--skip_missing_images 1 leaves out these images)");
-    }
-    context.Warn(message + "; these are left out");
-  }
+  summary->num_missing = missing.count;
+  missing.Report(options.skip_missing_images, summary->num_images, context);
   if (reader->Files().empty()) {
     throw InputError(fmt::format("{}: none of {} images is in {}",
                                  workspace.model_path.string(),

@@ -12,6 +12,7 @@
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_file.h"
 #include "colmap_io/images/mask_list.h"
+#include "colmap_io/images/missing_files.h"
 #include "colmap_io/images/most_pixels.h"
 #include "colmap_io/images/reduced_view.h"
 #include "colmap_io/images/view_files.h"
@@ -69,7 +70,7 @@ std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
       options.strokes_path.empty() ? std::nullopt
                                    : ReadMaskList(options.strokes_path);
   std::vector<SegmentationFile> files;
-  size_t num_missing = 0;
+  MissingFiles missing{.what = "image"};
   size_t num_given = 0;
   size_t num_strokes = 0;
   for (const SparseImage& image : workspace.model.images) {
@@ -79,13 +80,7 @@ std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
     file.photograph = workspace.image_path / image.name;
     std::error_code ignored;
     if (!fs::is_regular_file(file.photograph, ignored)) {
-      if (!options.skip_missing_images) {
-        throw InputError(
-            fmt::format("{}: no such image (--skip_missing_images "
-                        "1 leaves out such images)",
-                        file.photograph.string()));
-      }
-      ++num_missing;
+      missing.Add(file.photograph);
       continue;
     }
     file.given_mask = FindIn(options.given_masks_path, image, workspace);
@@ -100,11 +95,8 @@ std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
     num_strokes += file.strokes.empty() ? 0 : 1;
     files.push_back(std::move(file));
   }
-  if (num_missing > 0) {
-    context.Warn(fmt::format("{} of {} images are missing and left out",
-                             num_missing,
-                             workspace.model.images.size()));
-  }
+  missing.Report(
+      options.skip_missing_images, workspace.model.images.size(), context);
   RequireUse(options.given_masks_path, "given_masks_path", num_given);
   RequireUse(options.strokes_path, "strokes_path", num_strokes);
   RequireEnoughViews(workspace, files.size());

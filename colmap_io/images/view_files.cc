@@ -6,11 +6,11 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <system_error>
 
 #include "colmap_io/images/mask_file.h"
 #include "colmap_io/images/mask_list.h"
+#include "colmap_io/images/missing_files.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -19,35 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr size_t kMinViews = 3;
-
-// Files of one kind that are not there.
-struct Missing {
-  std::string_view what;
-  size_t count = 0;
-  fs::path first;
-
-  void Add(const fs::path& path) {
-    if (count++ == 0) {
-      first = path;
-    }
-  }
-  void Report(bool skip, size_t num_images, const Context& context) const {
-    if (count == 0) {
-      return;
-    }
-    const std::string message =
-        fmt::format("{}: no such {}; missing for {} of {} images",
-                    first.string(),
-                    what,
-                    count,
-                    num_images);
-    if (!skip) {
-      throw InputError(fmt::format(
-          "{} (--skip_missing_{}s 1 leaves out these images)", message, what));
-    }
-    context.Warn(message + "; these are left out");
-  }
-};
 
 bool IsUnsure(const std::optional<MaskList>& list, const std::string& image) {
   const ListedMask* const listed = list ? list->Find(image) : nullptr;
@@ -91,8 +62,8 @@ FoundViewFiles FindViewFiles(const Workspace& workspace,
   }
   const std::optional<MaskList> list = ReadMaskList(workspace.mask_path);
   FoundViewFiles found;
-  Missing images{"image", 0, {}};
-  Missing masks{"mask", 0, {}};
+  MissingFiles images{.what = "image"};
+  MissingFiles masks{.what = "mask"};
   for (const SparseImage& image : workspace.model.images) {
     const fs::path path = workspace.image_path / image.name;
     std::error_code ignored;

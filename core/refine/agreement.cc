@@ -64,14 +64,14 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
                            const AgreementInputs& inputs,
                            const Context& context,
                            IndexedMesh* mesh) {
-  SeenSurface seen =
-      LookAtPoints(std::move(points),
-                   inputs.views,
-                   inputs.neighbors,
-                   {.pixel = inputs.pixel, .scale = inputs.scale},
-                   inputs.options,
-                   context,
-                   mesh);
+  SeenSurface seen = LookAtPoints(std::move(points),
+                                  {.views = inputs.views,
+                                   .neighbors = inputs.neighbors,
+                                   .options = inputs.options,
+                                   .pixel = inputs.pixel,
+                                   .scale = inputs.scale},
+                                  context,
+                                  mesh);
   Phase phase(context, inputs.phase, seen.surfaces.size());
   const OffsetSearch search = MakeOffsetSearch(inputs.options, 0, inputs.scale);
   SurfaceAgreement agreement;

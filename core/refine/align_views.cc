@@ -154,7 +154,6 @@ void Move(const Vector6d& step,
   projection->linear = linear.cast<float>();
   projection->center = center.cast<float>();
   projection->offset = (-linear * center).cast<float>();
-  projection->optical_axis = projection->linear.row(2).transpose().normalized();
 }
 
 }  // namespace

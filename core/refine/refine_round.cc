@@ -178,12 +178,12 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   const std::vector<Eigen::Vector3d> before = mesh->positions;
   Stopwatch stopwatch;
   SeenSurface seen =
-      LookAtSurface(*views,
-                    inputs.neighbors,
-                    {.pixel = pixel,
+      LookAtSurface({.views = *views,
+                     .neighbors = inputs.neighbors,
+                     .options = options,
+                     .pixel = pixel,
                      .scale = plan.scale,
                      .spacing = options.measure_spacing * plan.scale * pixel},
-                    options,
                     context,
                     mesh);
   summary.num_points = seen.choices.size();

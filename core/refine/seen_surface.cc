@@ -23,15 +23,14 @@ constexpr double kMinFitEdges = 2.5;
 // would level what coarse rounds must see.
 constexpr double kMaxFitScale = 2.7;
 
-LinesOfSight MakeLines(double edge,
-                       const Look& look,
-                       const RefineOptions& options) {
+LinesOfSight MakeLines(double edge, const Look& look) {
+  const double patch_radius = look.options.patch.radius;
   LinesOfSight lines;
   lines.pixel = look.pixel * look.scale;
   lines.clearance = kClearance * edge;
-  lines.patch_radius = options.patch.radius * look.scale * look.pixel;
+  lines.patch_radius = patch_radius * look.scale * look.pixel;
   if (look.scale == 1) {
-    lines.ring_radius = options.patch.radius + kRingMargin;
+    lines.ring_radius = patch_radius + kRingMargin;
     lines.ring_clearance = kRingClearance * std::max(edge, look.pixel);
   }
   return lines;
@@ -43,47 +42,40 @@ size_t SeenSurface::NumSeen() const {
   return size_t(std::count(is_seen.begin(), is_seen.end(), 1));
 }
 
-SeenSurface LookAtSurface(const ViewSet& views,
-                          const VertexCorners& neighbors,
-                          const Look& look,
-                          const RefineOptions& options,
+SeenSurface LookAtSurface(const Look& look,
                           const Context& context,
                           IndexedMesh* mesh) {
   Stopwatch stopwatch;
-  SurfacePoints points = SpreadPoints(*mesh, neighbors, look.spacing);
+  SurfacePoints points = SpreadPoints(*mesh, look.neighbors, look.spacing);
   const double spread_seconds = stopwatch.Lap();
-  SeenSurface seen = LookAtPoints(
-      std::move(points), views, neighbors, look, options, context, mesh);
+  SeenSurface seen = LookAtPoints(std::move(points), look, context, mesh);
   seen.fit_seconds += spread_seconds;
   return seen;
 }
 
 SeenSurface LookAtPoints(SurfacePoints points,
-                         const ViewSet& views,
-                         const VertexCorners& neighbors,
                          const Look& look,
-                         const RefineOptions& options,
                          const Context& context,
                          IndexedMesh* mesh) {
   Stopwatch stopwatch;
   mesh->normals = ComputeVertexNormals(*mesh, context);
-  const double edge = MeanEdge(*mesh, neighbors);
+  const double edge = MeanEdge(*mesh, look.neighbors);
   const double fit_radius =
-      options.fit_radius * look.pixel * std::min(look.scale, kMaxFitScale);
+      look.options.fit_radius * look.pixel * std::min(look.scale, kMaxFitScale);
   std::vector<LocalSurface> surfaces =
       FitLocalSurfaces(*mesh,
-                       neighbors,
+                       look.neighbors,
                        points.vertices,
                        std::max(fit_radius, kMinFitEdges * edge),
                        context);
   SeenSurface seen{
       edge, std::move(points), std::move(surfaces), RayScene(*mesh), {}, {}};
   seen.fit_seconds = stopwatch.Lap();
-  seen.choices = ChooseViews(views,
+  seen.choices = ChooseViews(look.views,
                              seen.rays,
                              seen.surfaces,
-                             MakeLines(edge, look, options),
-                             options.views,
+                             MakeLines(edge, look),
+                             look.options.views,
                              context);
   for (const ChosenViews& chosen : seen.choices) {
     seen.is_seen.push_back(chosen.count >= 2);

@@ -18,8 +18,11 @@
 
 namespace octacut {
 
-// What a round looks at; lengths in unit coordinates.
+// What a round looks at, and how; lengths in unit coordinates.
 struct Look {
+  const ViewSet& views;
+  const VertexCorners& neighbors;  // those of FindVertexNeighbors
+  const RefineOptions& options;
   double pixel;        // of the views, at the surface
   double scale;        // pixels between the samples of a patch
   double spacing = 0;  // between points that are spread for it
@@ -38,22 +41,15 @@ struct SeenSurface {
   size_t NumSeen() const;
 };
 
-// `mesh` (unit coordinates) is given normals; `neighbors` are those of
-// FindVertexNeighbors.
-SeenSurface LookAtSurface(const ViewSet& views,
-                          const VertexCorners& neighbors,
-                          const Look& look,
-                          const RefineOptions& options,
+// `mesh` (unit coordinates) is given normals.
+SeenSurface LookAtSurface(const Look& look,
                           const Context& context,
                           IndexedMesh* mesh);
 
 // The same at points of another look at the mesh, whose vertices may have moved
 // since; `look.spacing` has no effect.
 SeenSurface LookAtPoints(SurfacePoints points,
-                         const ViewSet& views,
-                         const VertexCorners& neighbors,
                          const Look& look,
-                         const RefineOptions& options,
                          const Context& context,
                          IndexedMesh* mesh);
 

@@ -69,13 +69,14 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
   const VertexCorners neighbors =
       FindVertexNeighbors(mesh->positions.size(), mesh->triangles);
   const double pixel = PixelAt(views, *mesh);
-  SeenSurface seen = LookAtSurface(
-      views,
-      neighbors,
-      {.pixel = pixel, .scale = 1, .spacing = options.spacing * pixel},
-      options.refinement,
-      context,
-      mesh);
+  SeenSurface seen = LookAtSurface({.views = views,
+                                    .neighbors = neighbors,
+                                    .options = options.refinement,
+                                    .pixel = pixel,
+                                    .scale = 1,
+                                    .spacing = options.spacing * pixel},
+                                   context,
+                                   mesh);
   const size_t count = seen.surfaces.size();
   Phase phase(context, "check of the surface against the photographs", count);
   const std::vector<OffsetMeasurement> offsets =

@@ -72,12 +72,4 @@ ImagePyramid::ImagePyramid(const cv::Mat& image, const cv::Mat& mask) {
   }
 }
 
-size_t ImagePyramid::MemoryBytes() const {
-  size_t bytes = 0;
-  for (const PyramidLevel& level : levels_) {
-    bytes += level.texels.size() * sizeof(uint32_t);
-  }
-  return bytes;
-}
-
 }  // namespace octacut

@@ -87,7 +87,6 @@ class ImagePyramid {
     const int level = int(std::lround(std::log2(std::max(footprint, 1.0f))));
     return levels_[std::min(level, NumLevels() - 1)];
   }
-  size_t MemoryBytes() const;
 
  private:
   std::vector<PyramidLevel> levels_;

@@ -17,7 +17,6 @@ ViewProjection MakeViewProjection(const View& view, const BoundingCube& cube) {
   projection.offset =
       (calibration * ((pose * cube.min_corner) / cube.edge)).cast<float>();
   projection.center = cube.ToUnit(view.Center()).cast<float>();
-  projection.optical_axis = pose.rotation.row(2).transpose().cast<float>();
   projection.focal_length = float((camera.fx + camera.fy) / 2);
   projection.width = camera.width;
   projection.height = camera.height;

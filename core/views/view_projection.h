@@ -27,7 +27,6 @@ struct ViewProjection {
   Eigen::Matrix3f linear;
   Eigen::Vector3f offset;
   Eigen::Vector3f center;  // of the camera
-  Eigen::Vector3f optical_axis;
   float focal_length = 0;  // pixels, mean of fx and fy
   int width = 0;
   int height = 0;

@@ -253,12 +253,12 @@ TEST(Silhouette, CubesThatReachBehindTheCameraTellNothing) {
     const PreparedRandomView view = PrepareRandomView(random);
     const float half = 0.05f;
     for (const float along : {-2.0f, -0.05f, 0.0f, 0.05f}) {
-      EXPECT_EQ(
-          view.silhouette.TestCube(
-              view.projection,
-              view.projection.center + along * view.projection.optical_axis,
-              half),
-          Containment::kMixed);
+      EXPECT_EQ(view.silhouette.TestCube(
+                    view.projection,
+                    view.projection.center +
+                        along * view.projection.linear.row(2).transpose(),
+                    half),
+                Containment::kMixed);
     }
   }
 }

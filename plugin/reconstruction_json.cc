@@ -50,6 +50,7 @@ Json ReconstructionToJson(const ReconstructionSummary& summary) {
             {"voxels", summary.hull.num_voxels},
             {"tested_voxels", summary.hull.tested_voxels},
             {"seconds", summary.hull_seconds}}},
+          {"moved_masks", summary.moved_masks},
           {"border_edges", BorderEdgesToJson(summary.border_edges)},
           {"evidence",
            {{"depths", summary.evidence.num_depths},

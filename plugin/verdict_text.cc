@@ -112,7 +112,7 @@ class Writer {
     const bool is_repaired = given.object != repaired.object;
     text_.findings.push_back(
         fmt::format("Silhouettes{}: {}",
-                    is_repaired ? " of the masks with filled gaps" : "",
+                    is_repaired ? " of the repaired masks" : "",
                     DescribeCounts(repaired)));
     if (is_repaired) {
       text_.findings.push_back("Silhouettes of the original masks: " +

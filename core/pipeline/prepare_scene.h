@@ -19,8 +19,9 @@ struct MaskOptions {
   // Fill gaps of masks that points or other views show to be false
   // (FillGapsAtPoints, FillFalseGaps).
   bool fill_false_gaps = true;
-  // Move the borders of the masks to the edges of the photographs
-  // (ShiftBordersToEdges), and in refinement also by the occluding contours.
+  // Move the borders of the masks to the edges of the photographs: those of
+  // single masks that are off (FindMaskShifts), then all by the same pixels
+  // (ShiftBordersToEdges), in refinement also by the occluding contours.
   bool move_mask_borders = true;
   void Check() const;
 };

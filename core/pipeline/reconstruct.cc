@@ -80,6 +80,9 @@ PreparedScene Prepare(const Scene& scene,
     PreparedScene prepared =
         PrepareScene(scene, region.cube, options.masks, context);
     summary->num_false_gaps = prepared.repaired.gaps.size();
+    for (const MaskShift& shift : prepared.repaired.shifts) {
+      summary->moved_masks[scene.views[shift.view].name] = shift.pixels;
+    }
     summary->border_edges = prepared.border_edges;
     return prepared;
   });

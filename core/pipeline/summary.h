@@ -3,7 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/consistency/photo_consistency.h"
@@ -45,6 +47,8 @@ struct LevelSummary {
 
 struct ReconstructionSummary {
   size_t num_false_gaps = 0;  // in masks, filled
+  // By view: pixels by which the borders of single masks were moved inwards.
+  std::map<std::string, double> moved_masks;
   std::optional<BorderEdges> border_edges;
   VisualHullSummary hull;
   InsideEvidenceSummary evidence;

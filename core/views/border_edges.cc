@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
 #include "core/base/parallel.h"
 #include "core/views/border_lines.h"
+#include "core/views/coarse_shift.h"
 #include "core/views/edge_offsets.h"
 #include "core/views/offset_peak.h"
 
@@ -17,12 +20,13 @@ namespace {
 // of one sixth.
 constexpr double kMinShare = 1.0 / 3;
 
-// The largest shift, in pixels, that edges may cause if the strongest ones and
-// the nearest ones do not agree to half a pixel: masks differ by it that cover
-// each pixel which the object touches, or only those that it fills. Larger
-// shifts are then left to the offsets of refinement.
+// The largest shift, in pixels from the coarse one, that edges may cause if the
+// shift is doubted, or the strongest and the nearest ones do not agree to half
+// a pixel: masks differ by it that cover each pixel which the object touches,
+// or only those that it fills. Larger shifts are then left to the offsets of
+// refinement.
 constexpr float kMaxDoubtfulShift = 1;
-// The largest shift at all. At the end of the range, edges of larger shifts are
+// The largest one at all. At the end of the range, edges of larger shifts are
 // cut off, so that the rest of them would be taken for a peak.
 constexpr float kMaxShift = kEdgeRange - 1;
 constexpr double kMaxDisagreement = 0.5;
@@ -32,28 +36,48 @@ constexpr double kMaxDisagreement = 0.5;
 constexpr double kMostEdges = 0.5;
 constexpr float kContourSlack = 0.1f;
 
-}  // namespace
+void Append(const std::vector<float>& from, std::vector<float>* to) {
+  to->insert(to->end(), from.begin(), from.end());
+}
 
-std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
-                                              const Context& context) {
-  const std::vector<OutlineFit> fits(kOutlineBlurs.begin(),
-                                     kOutlineBlurs.end());
-  std::vector<EdgeOffsets> of_views(views.size());
+void ForEachImage(const ViewSet& views,
+                  const Context& context,
+                  const std::function<void(size_t)>& body) {
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (views[i].pyramid.NumLevels() > 0) {
-        of_views[i] = FindEdgeOffsets(views[i], fits);
+        body(i);
       }
     }
   });
+}
+
+CoarseShift FindCommonShift(const ViewSet& views, const Context& context) {
+  std::vector<EdgePositions> of_views(views.size());
+  ForEachImage(
+      views, context, [&](size_t i) { of_views[i] = FindAllEdges(views[i]); });
+  EdgePositions edges;
+  for (const EdgePositions& of_view : of_views) {
+    Append(of_view.all, &edges.all);
+    Append(of_view.comparable, &edges.comparable);
+  }
+  return FindCoarseShift(edges);
+}
+
+// Around the borders after they have been moved inwards by `shift` pixels.
+std::optional<BorderEdges> MeasureAround(float shift,
+                                         const ViewSet& views,
+                                         const Context& context) {
+  const std::vector<OutlineFit> fits(kOutlineBlurs.begin(),
+                                     kOutlineBlurs.end());
+  std::vector<EdgeOffsets> of_views(views.size());
+  ForEachImage(views, context, [&](size_t i) {
+    of_views[i] = FindEdgeOffsets(views[i], shift, fits);
+  });
   EdgeOffsets offsets;
-  const auto append = [](const std::vector<float>& from,
-                         std::vector<float>* to) {
-    to->insert(to->end(), from.begin(), from.end());
-  };
   for (const EdgeOffsets& of_view : of_views) {
-    append(of_view.strongest, &offsets.strongest);
-    append(of_view.nearest, &offsets.nearest);
+    Append(of_view.strongest, &offsets.strongest);
+    Append(of_view.nearest, &offsets.nearest);
   }
   // The nearest of many random edges is near, so the strongest ones say whether
   // there is a peak.
@@ -64,28 +88,64 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
   if (!nearest) {
     return std::nullopt;
   }
-  return BorderEdges{.shift = nearest->center,
+  return BorderEdges{.shift = shift + nearest->center,
                      .deviation = nearest->deviation,
                      .share = strongest->share,
-                     .strongest_shift = strongest->center};
+                     .strongest_shift = shift + strongest->center,
+                     .coarse_shift = shift};
+}
+
+double Disagreement(const BorderEdges& edges) {
+  return std::abs(edges.shift - edges.strongest_shift);
+}
+
+// Whether the strongest edges and the nearest ones agree on less than `limit`.
+bool AgreeOnLessThan(float limit, const std::optional<BorderEdges>& edges) {
+  return edges && Disagreement(*edges) < kMaxDisagreement &&
+         std::abs(edges->shift) < limit;
+}
+
+}  // namespace
+
+std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
+                                              const Context& context) {
+  std::optional<BorderEdges> edges = MeasureAround(0, views, context);
+  if (AgreeOnLessThan(kMinCoarseShift, edges)) {
+    return edges;
+  }
+  const CoarseShift coarse = FindCommonShift(views, context);
+  if (std::abs(coarse.shift) > kMinCoarseShift &&
+      !AgreeOnLessThan(kMaxShift, edges)) {
+    return MeasureAround(coarse.shift, views, context);
+  }
+  if (edges) {
+    edges->is_doubted = coarse.is_doubted;
+  }
+  return edges;
 }
 
 std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
                                                ViewSet* views) {
   const std::optional<BorderEdges> edges = MeasureBorderEdges(*views, context);
-  const double disagreement =
-      edges ? std::abs(edges->shift - edges->strongest_shift) : 0;
-  const double limit =
-      disagreement < kMaxDisagreement ? kMaxShift : kMaxDoubtfulShift;
-  // The share is that of the strongest edges: it says nothing where those lie
-  // elsewhere.
-  const bool is_known = edges && edges->share >= kMostEdges &&
-                        disagreement < 1 && std::abs(edges->shift) < limit;
+  float shift = 0;
+  float slack = std::numeric_limits<float>::infinity();
+  if (edges) {
+    const double limit =
+        !edges->is_doubted && Disagreement(*edges) < kMaxDisagreement
+            ? kMaxShift
+            : kMaxDoubtfulShift;
+    const double coarse = edges->coarse_shift;
+    shift = float(std::clamp(edges->shift, coarse - limit, coarse + limit));
+    // The share is that of the strongest edges: it says nothing where those lie
+    // elsewhere.
+    if (edges->share >= kMostEdges && Disagreement(*edges) < 1 &&
+        std::abs(edges->shift - coarse) < limit) {
+      slack = kContourSlack;
+    }
+  }
   for (PreparedView& view : *views) {
-    view.border_shift =
-        edges ? float(std::clamp(edges->shift, -limit, limit)) : 0;
-    view.border_shift_slack =
-        is_known ? kContourSlack : std::numeric_limits<float>::infinity();
+    view.border_shift = shift;
+    view.border_shift_slack = slack;
   }
   return edges;
 }

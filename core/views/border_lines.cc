@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
+#include <utility>
 
 namespace octacut {
 namespace {
@@ -29,24 +32,27 @@ constexpr float kClippedReach = 2;
 // Points of a view are enough that its median is known to a hundredth.
 constexpr size_t kMaxPoints = 3000;
 
-constexpr int kNumSteps = int(2 * kEdgeRange / kEdgeStep) + 1;
 constexpr int kHalfEdge = int(kEdgeWidth / 2 / kEdgeStep);
 constexpr int kClippedSteps = int(kClippedReach / kEdgeStep);
 
 struct Profile {
-  std::array<Eigen::Vector3f, kLineSamples> linear;
-  std::array<Eigen::Vector3f, kLineSamples> grey;
-  std::array<float, kLineSamples> coverage;  // of the mask
-  std::array<uint8_t, kLineSamples> clipped;
+  std::vector<Eigen::Vector3f> linear;
+  std::vector<Eigen::Vector3f> grey;
+  std::vector<uint8_t> clipped;
 };
 
 // By step: the difference of the light half an edge before and behind it.
-using Contrast = std::array<float, kNumSteps>;
+using Contrast = std::vector<float>;
 
 class BorderLines {
  public:
-  explicit BorderLines(const PreparedView& view)
-      : view_(view), image_(view.pyramid.Level(0)) {
+  // Lines of `range` on both sides of the border after its `shift`.
+  BorderLines(const PreparedView& view, float range, float shift)
+      : view_(view),
+        image_(view.pyramid.Level(0)),
+        range_(range),
+        shift_(shift),
+        num_steps_(int(2 * range / kEdgeStep) + 1) {
     for (int i = 0; i < 256; ++i) {
       linear_[i] = float(255 * std::pow(i / 255.0, 2.2));
     }
@@ -54,12 +60,37 @@ class BorderLines {
 
   std::vector<BorderLine> Find() const {
     std::vector<BorderLine> lines;
-    const std::vector<Eigen::Vector2f> points = Points();
-    const size_t stride = points.size() / kMaxPoints + 1;
-    for (size_t i = 0; i < points.size(); i += stride) {
-      AddLine(points[i], &lines);
-    }
+    ForEachLine([&](const Profile& profile, float border) {
+      const Contrast contrast = EdgeContrast(profile);
+      BorderLine line{profile.linear,
+                      border,
+                      ClearEdge(StrongestEdge(contrast), contrast, profile),
+                      ClearEdge(NearestEdge(contrast), contrast, profile)};
+      if (line.strongest || line.nearest) {
+        lines.push_back(std::move(line));
+      }
+    });
     return lines;
+  }
+
+  EdgePositions FindAll() const {
+    EdgePositions positions;
+    ForEachLine([&](const Profile& profile, float border) {
+      const Contrast contrast = EdgeContrast(profile);
+      const float strongest = contrast[StrongestEdge(contrast)];
+      for (int i = 1; i + 1 < num_steps_; ++i) {
+        const auto edge = IsEdge(i, contrast) ? ClearEdge(i, contrast, profile)
+                                              : std::nullopt;
+        if (!edge) {
+          continue;
+        }
+        positions.all.push_back(edge->steepest - border);
+        if (contrast[i] >= kComparableContrast * strongest) {
+          positions.comparable.push_back(positions.all.back());
+        }
+      }
+    });
+    return positions;
   }
 
  private:
@@ -67,10 +98,16 @@ class BorderLines {
     return view_.silhouette.SignedDistance(float(x) + 0.5f, float(y) + 0.5f);
   }
 
+  // Pixels from the middle of a sample, which need not be a whole number.
+  float FromMiddle(float sample) const {
+    return (sample - float(kLineMargin)) * kEdgeStep - range_;
+  }
+
   // Pixels of the object beside background, clear of the frame.
   std::vector<Eigen::Vector2f> Points() const {
-    const int margin =
-        int(kEdgeRange + float(kLineMargin) * kEdgeStep + kNormalReach) + 1;
+    const int margin = int(range_ + std::abs(shift_) +
+                           float(kLineMargin) * kEdgeStep + kNormalReach) +
+                       1;
     std::vector<Eigen::Vector2f> points;
     for (int y = margin; y < image_.height - margin; ++y) {
       for (int x = margin; x < image_.width - margin; ++x) {
@@ -82,11 +119,21 @@ class BorderLines {
     return points;
   }
 
-  void AddLine(const Eigen::Vector2f& point,
-               std::vector<BorderLine>* lines) const {
-    const Silhouette& silhouette = view_.silhouette;
+  // Of what a line shows and where on it the shifted border is.
+  using LineFunction = std::function<void(const Profile&, float border)>;
+
+  void ForEachLine(const LineFunction& function) const {
+    const std::vector<Eigen::Vector2f> points = Points();
+    const size_t stride = points.size() / kMaxPoints + 1;
+    for (size_t i = 0; i < points.size(); i += stride) {
+      LookAt(points[i], function);
+    }
+  }
+
+  void LookAt(const Eigen::Vector2f& point,
+              const LineFunction& function) const {
     const auto at = [&](float du, float dv) {
-      return silhouette.SignedDistance(point.x() + du, point.y() + dv);
+      return view_.silhouette.SignedDistance(point.x() + du, point.y() + dv);
     };
     const Eigen::Vector2f slope(at(kNormalReach, 0) - at(-kNormalReach, 0),
                                 at(0, kNormalReach) - at(0, -kNormalReach));
@@ -94,78 +141,77 @@ class BorderLines {
       return;  // a thin structure, or a corner
     }
     const Eigen::Vector2f inward = slope.normalized();
-    const Profile profile = SampleLine(point - at(0, 0) * inward, inward);
-    if (const std::optional<float> border = MaskBorder(profile)) {
-      const Contrast contrast = EdgeContrast(profile);
-      const BorderLine line{
-          profile.linear,
-          *border,
-          ClearEdge(StrongestEdge(contrast), contrast, profile),
-          ClearEdge(NearestEdge(contrast), contrast, profile)};
-      if (line.strongest || line.nearest) {
-        lines->push_back(line);
-      }
+    const Eigen::Vector2f middle = point - at(0, 0) * inward;
+    if (const std::optional<float> border = MaskBorder(middle, inward)) {
+      function(SampleLine(middle + shift_ * inward, inward), *border);
     }
   }
 
-  Profile SampleLine(const Eigen::Vector2f& border,
+  Profile SampleLine(const Eigen::Vector2f& middle,
                      const Eigen::Vector2f& inward) const {
     Profile profile;
-    for (int i = 0; i < int(profile.linear.size()); ++i) {
-      const float t = PixelsFromMiddle(float(i));
-      const Eigen::Vector2f p =
-          border + t * inward - Eigen::Vector2f::Constant(0.5f);
-      Sample(p,
-             &profile.linear[i],
-             &profile.grey[i],
-             &profile.coverage[i],
-             &profile.clipped[i]);
+    for (int i = 0; i < num_steps_ + 2 * kLineMargin; ++i) {
+      AddSample(middle + FromMiddle(float(i)) * inward, &profile);
     }
     return profile;
   }
 
-  // Bilinear, at coordinates with the first pixel's centre at 0.
-  void Sample(const Eigen::Vector2f& p,
-              Eigen::Vector3f* linear,
-              Eigen::Vector3f* grey,
-              float* coverage,
-              uint8_t* clipped) const {
+  // Calls `add` with the weights and the values of the pixels around `point` in
+  // bilinear interpolation.
+  template <typename Add>
+  void AroundPoint(const Eigen::Vector2f& point, const Add& add) const {
+    const Eigen::Vector2f p = point - Eigen::Vector2f::Constant(0.5f);
     const int x = int(p.x());
     const int y = int(p.y());
     const float fx = p.x() - float(x);
     const float fy = p.y() - float(y);
-    linear->setZero();
-    grey->setZero();
-    *coverage = 0;
-    *clipped = 0;
     for (int k = 0; k < 4; ++k) {
       const float weight = ((k & 1) ? fx : 1 - fx) * ((k & 2) ? fy : 1 - fy);
-      const uint32_t texel =
-          image_.texels[size_t(y + (k >> 1)) * image_.width + x + (k & 1)];
-      *coverage += weight * float(texel >> 24);
-      for (int c = 0; c < 3; ++c) {
-        const int value = int((texel >> (8 * c)) & 255);
-        (*linear)[c] += weight * linear_[value];
-        (*grey)[c] += weight * float(value);
-        *clipped |= value >= kClipped ? 1 : 0;
-      }
+      add(weight,
+          image_.texels[size_t(y + (k >> 1)) * image_.width + x + (k & 1)]);
     }
   }
 
-  // Where the coverage rises through one half nearest to the middle, as
-  // refinement has it: distances to pixels' centres are off by a seventh of a
-  // pixel where borders are oblique.
-  static std::optional<float> MaskBorder(const Profile& profile) {
-    constexpr int kMiddle = kLineSamples / 2;
+  void AddSample(const Eigen::Vector2f& point, Profile* profile) const {
+    Eigen::Vector3f linear = Eigen::Vector3f::Zero();
+    Eigen::Vector3f grey = Eigen::Vector3f::Zero();
+    uint8_t clipped = 0;
+    AroundPoint(point, [&](float weight, uint32_t texel) {
+      for (int c = 0; c < 3; ++c) {
+        const int value = int((texel >> (8 * c)) & 255);
+        linear[c] += weight * linear_[value];
+        grey[c] += weight * float(value);
+        clipped |= value >= kClipped ? 1 : 0;
+      }
+    });
+    profile->linear.push_back(linear);
+    profile->grey.push_back(grey);
+    profile->clipped.push_back(clipped);
+  }
+
+  float Coverage(const Eigen::Vector2f& point) const {
+    float coverage = 0;
+    AroundPoint(point, [&](float weight, uint32_t texel) {
+      coverage += weight * float(texel >> 24);
+    });
+    return coverage;
+  }
+
+  // Where the coverage rises through one half nearest to `middle`, in pixels
+  // from there, as refinement has it: distances to pixels' centres are off by a
+  // seventh of a pixel where borders are oblique.
+  std::optional<float> MaskBorder(const Eigen::Vector2f& middle,
+                                  const Eigen::Vector2f& inward) const {
     constexpr int kReach = int(kBorderReach / kEdgeStep);
     std::optional<float> border;
-    for (int i = kMiddle - kReach; i < kMiddle + kReach; ++i) {
-      const float before = profile.coverage[i];
-      const float after = profile.coverage[i + 1];
+    float after = Coverage(middle - kBorderReach * inward);
+    for (int i = -kReach; i < kReach; ++i) {
+      const float before = after;
+      after = Coverage(middle + float(i + 1) * kEdgeStep * inward);
       if (before < kObjectCoverage && after >= kObjectCoverage) {
-        const float at = (float(i - kMiddle) +
-                          (kObjectCoverage - before) / (after - before)) *
-                         kEdgeStep;
+        const float at =
+            (float(i) + (kObjectCoverage - before) / (after - before)) *
+            kEdgeStep;
         if (!border || std::abs(at) < std::abs(*border)) {
           border = at;
         }
@@ -174,9 +220,9 @@ class BorderLines {
     return border;
   }
 
-  static Contrast EdgeContrast(const Profile& profile) {
-    Contrast contrast;
-    for (int i = 0; i < kNumSteps; ++i) {
+  Contrast EdgeContrast(const Profile& profile) const {
+    Contrast contrast(num_steps_);
+    for (int i = 0; i < num_steps_; ++i) {
       contrast[i] = (profile.linear[i + kLineMargin + kHalfEdge] -
                      profile.linear[i + kLineMargin - kHalfEdge])
                         .norm();
@@ -198,10 +244,11 @@ class BorderLines {
   static int NearestEdge(const Contrast& contrast) {
     const int strongest = StrongestEdge(contrast);
     int nearest = strongest;
-    for (int i = 1; i + 1 < kNumSteps; ++i) {
+    const int middle = int(contrast.size()) / 2;
+    for (int i = 1; i + 1 < int(contrast.size()); ++i) {
       if (IsEdge(i, contrast) &&
           contrast[i] >= kComparableContrast * contrast[strongest] &&
-          std::abs(i - kNumSteps / 2) < std::abs(nearest - kNumSteps / 2)) {
+          std::abs(i - middle) < std::abs(nearest - middle)) {
         nearest = i;
       }
     }
@@ -210,11 +257,11 @@ class BorderLines {
 
   // The edge at step `best`; none if it is at an end, too faint, or beside
   // clipped pixels.
-  static std::optional<BorderEdge> ClearEdge(int best,
-                                             const Contrast& contrast,
-                                             const Profile& profile) {
+  std::optional<BorderEdge> ClearEdge(int best,
+                                      const Contrast& contrast,
+                                      const Profile& profile) const {
     const int middle = best + kLineMargin;
-    if (best == 0 || best + 1 == kNumSteps ||
+    if (best == 0 || best + 1 == num_steps_ ||
         (profile.grey[middle + kHalfEdge] - profile.grey[middle - kHalfEdge])
                 .norm() < kMinContrast) {
       return std::nullopt;
@@ -226,14 +273,13 @@ class BorderLines {
     }
     const float shift = ParabolaExtremum(
         contrast[best - 1], contrast[best], contrast[best + 1]);
-    return BorderEdge{middle,
-                      PixelsFromMiddle(float(middle) + shift),
-                      StandsAlone(best, contrast)};
+    return BorderEdge{
+        middle, FromMiddle(float(middle) + shift), StandsAlone(best, contrast)};
   }
 
-  static bool StandsAlone(int best, const Contrast& contrast) {
+  bool StandsAlone(int best, const Contrast& contrast) const {
     const int begin = std::max(best - kOutlineWindow - kHalfEdge, 1);
-    const int end = std::min(best + kOutlineWindow + kHalfEdge, kNumSteps - 2);
+    const int end = std::min(best + kOutlineWindow + kHalfEdge, num_steps_ - 2);
     for (int i = begin; i <= end; ++i) {
       if (i != best && IsEdge(i, contrast) &&
           contrast[i] >= kComparableContrast * contrast[best]) {
@@ -245,13 +291,20 @@ class BorderLines {
 
   const PreparedView& view_;
   const PyramidLevel& image_;
+  const float range_;
+  const float shift_;
+  const int num_steps_;
   std::array<float, 256> linear_;
 };
 
 }  // namespace
 
-std::vector<BorderLine> FindBorderLines(const PreparedView& view) {
-  return BorderLines(view).Find();
+std::vector<BorderLine> FindBorderLines(const PreparedView& view, float shift) {
+  return BorderLines(view, kEdgeRange, shift).Find();
+}
+
+EdgePositions FindAllEdges(const PreparedView& view) {
+  return BorderLines(view, kWideEdgeRange, 0).FindAll();
 }
 
 }  // namespace octacut

@@ -1,7 +1,6 @@
 // Edges of a photograph on lines across the border of its mask.
 #pragma once
 
-#include <array>
 #include <Eigen/Core>
 #include <optional>
 #include <vector>
@@ -11,13 +10,13 @@
 
 namespace octacut {
 
-// Pixels from the border within which edges are looked for: masks that are
-// farther off are wrong, not shifted.
+// Pixels from the middle of a line within which its edges are looked for.
 inline constexpr float kEdgeRange = 6;
+// The same where it is not known yet where most edges are: masks that are
+// farther off are wrong, not shifted.
+inline constexpr float kWideEdgeRange = 16;
 // Samples of a line before and behind that range, for the fit of outlines.
 inline constexpr int kLineMargin = kOutlineSearch + kOutlineWindow;
-inline constexpr int kLineSamples =
-    int(2 * kEdgeRange / kEdgeStep) + 1 + 2 * kLineMargin;
 
 struct BorderEdge {
   int sample;
@@ -27,8 +26,8 @@ struct BorderEdge {
 
 // From outside to inside.
 struct BorderLine {
-  std::array<Eigen::Vector3f, kLineSamples> light;  // linear
-  float border;  // of the mask, pixels from the middle
+  std::vector<Eigen::Vector3f> light;  // linear
+  float border;  // of the mask, after its shift, pixels from the middle
   // None where it is at an end, too faint, or beside clipped pixels.
   std::optional<BorderEdge> strongest;
   // The nearest one to the middle that is comparable to the strongest.
@@ -40,8 +39,18 @@ inline float PixelsFromMiddle(float sample) {
   return (sample - float(kLineMargin)) * kEdgeStep - kEdgeRange;
 }
 
-// At the points of the mask's border that are clear of the frame, as far as
-// there are edges. `view` has an image.
-std::vector<BorderLine> FindBorderLines(const PreparedView& view);
+// Lines of kEdgeRange at the points of the mask's border that are clear of the
+// frame, as far as there are edges. Their middles are on the border after it
+// has been moved inwards by `shift` pixels. `view` has an image.
+std::vector<BorderLine> FindBorderLines(const PreparedView& view, float shift);
+
+// Pixels of edges from the mask's border, positive inside.
+struct EdgePositions {
+  std::vector<float> all;
+  std::vector<float> comparable;  // to the strongest edge of their line
+};
+
+// On lines of kWideEdgeRange. `view` has an image.
+EdgePositions FindAllEdges(const PreparedView& view);
 
 }  // namespace octacut

@@ -18,4 +18,18 @@ struct OffsetPeak {
 std::optional<OffsetPeak> FindOffsetPeak(const std::vector<float>& offsets,
                                          double min_share);
 
+// The most frequent of the offsets, which lie within `range`, to a quarter of a
+// pixel. None if there are fewer than a hundred, if it is not clearly more
+// frequent than those beside it, or if another peak is comparable to it.
+std::optional<float> FindLonePeak(const std::vector<float>& offsets,
+                                  float range);
+
+// By how many a quarter of a pixel the offsets, which lie within `range`, are
+// more frequent within `reach` of `center` than beside: at most, not less than
+// 0.
+float PeakHeight(const std::vector<float>& offsets,
+                 float range,
+                 float center,
+                 float reach);
+
 }  // namespace octacut

@@ -5,82 +5,37 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/core/views/disc_views.h"
 #include "tests/core/views/random_views.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
 namespace {
 
+using testing::DiscCoverage;
+using testing::Grey;
+using testing::kDiscImageSize;
+using testing::kDiscRadius;
+using testing::MakeDiscView;
 using testing::Random;
-
-constexpr int kSize = 240;
-constexpr double kRadius = 80;
-
-// The share of a pixel's area that a disc around the middle covers.
-double Coverage(int x, int y, double radius) {
-  constexpr int kSamples = 8;
-  int count = 0;
-  for (int i = 0; i < kSamples * kSamples; ++i) {
-    const double u = x + (i % kSamples + 0.5) / kSamples - kSize / 2.0;
-    const int row = i / kSamples;
-    const double v = y + (row + 0.5) / kSamples - kSize / 2.0;
-    count += u * u + v * v < radius * radius ? 1 : 0;
-  }
-  return double(count) / (kSamples * kSamples);
-}
-
-uint8_t Grey(double linear) {
-  return uint8_t(std::lround(255 * std::pow(linear, 1 / 2.2)));
-}
-
-PreparedView ViewOf(const cv::Mat& image, const cv::Mat& mask) {
-  PreparedView view;
-  view.silhouette = Silhouette(mask);
-  view.pyramid = ImagePyramid(image, mask);
-  return view;
-}
-
-// A disc of linear light `object` before `background`, and a mask whose disc is
-// larger by `shift` pixels; `noise` grey levels at most.
-PreparedView MakeView(double shift,
-                      double object,
-                      double background,
-                      int noise = 2) {
-  Random random(7);
-  cv::Mat image(kSize, kSize, CV_8UC3);
-  cv::Mat mask(kSize, kSize, CV_8UC1);
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
-      const double covered = Coverage(x, y, kRadius);
-      const double light =
-          std::min(1.0, covered * object + (1 - covered) * background);
-      for (int c = 0; c < 3; ++c) {
-        image.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uint8_t>(
-            Grey(light) + random.Integer(-noise, noise));
-      }
-      mask.at<uint8_t>(y, x) =
-          uint8_t(std::lround(255 * Coverage(x, y, kRadius + shift)));
-    }
-  }
-  return ViewOf(image, mask);
-}
+using testing::ViewOf;
 
 // The same of a photograph that is blurred by `kernel`, in linear light.
 PreparedView MakeBlurredView(double shift, const cv::Mat& kernel) {
   Random random(7);
-  cv::Mat light(kSize, kSize, CV_64FC1);
-  cv::Mat mask(kSize, kSize, CV_8UC1);
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
-      light.at<double>(y, x) = 0.2 + 0.5 * Coverage(x, y, kRadius);
+  cv::Mat light(kDiscImageSize, kDiscImageSize, CV_64FC1);
+  cv::Mat mask(kDiscImageSize, kDiscImageSize, CV_8UC1);
+  for (int y = 0; y < kDiscImageSize; ++y) {
+    for (int x = 0; x < kDiscImageSize; ++x) {
+      light.at<double>(y, x) = 0.2 + 0.5 * DiscCoverage(x, y, kDiscRadius);
       mask.at<uint8_t>(y, x) =
-          uint8_t(std::lround(255 * Coverage(x, y, kRadius + shift)));
+          uint8_t(std::lround(255 * DiscCoverage(x, y, kDiscRadius + shift)));
     }
   }
   cv::filter2D(light, light, -1, kernel / cv::sum(kernel)[0]);
-  cv::Mat image(kSize, kSize, CV_8UC3);
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
+  cv::Mat image(kDiscImageSize, kDiscImageSize, CV_8UC3);
+  for (int y = 0; y < kDiscImageSize; ++y) {
+    for (int x = 0; x < kDiscImageSize; ++x) {
       for (int c = 0; c < 3; ++c) {
         image.at<cv::Vec3b>(y, x)[c] = cv::saturate_cast<uint8_t>(
             Grey(light.at<double>(y, x)) + random.Integer(-1, 1));
@@ -105,13 +60,25 @@ cv::Mat Disc(int radius) {
 TEST(MeasureBorderEdges, FindsTheShiftOfMasks) {
   for (const double shift : {-2.3, -0.5, 0.0, 0.4, 3.6}) {
     for (const double object : {0.02, 0.7}) {
-      const ViewSet views = {MakeView(shift, object, 0.2)};
+      const ViewSet views = {MakeDiscView(shift, object, 0.2)};
       const auto edges = MeasureBorderEdges(views, Context(2));
       ASSERT_TRUE(edges) << shift;
       EXPECT_NEAR(edges->shift, shift, 0.05) << shift << " " << object;
       EXPECT_GT(edges->share, 0.9);
       EXPECT_LT(edges->deviation, 0.2);
     }
+  }
+}
+
+// At such distances the direction of a line counts.
+TEST(MeasureBorderEdges, FindsLargeShifts) {
+  for (const double shift : {-9.5, 8.0, 12.2}) {
+    const auto edges =
+        MeasureBorderEdges({MakeDiscView(shift, 0.7, 0.2)}, Context(2));
+    ASSERT_TRUE(edges) << shift;
+    EXPECT_NEAR(edges->shift, shift, 0.1);
+    EXPECT_NEAR(edges->coarse_shift, shift, 0.3);
+    EXPECT_GT(edges->share, 0.9);
   }
 }
 
@@ -134,24 +101,26 @@ TEST(MeasureBorderEdges, FindsTheShiftInBlurredPhotographs) {
 TEST(MeasureBorderEdges, DoesNotAskClippedEdges) {
   // Four times as bright as what is clipped: the disc looks half a pixel
   // larger.
-  const ViewSet views = {MakeView(0, 4, 0.1)};
+  const ViewSet views = {MakeDiscView(0, 4, 0.1)};
   EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
 }
 
 // A disc whose mask is too large by `shift` pixels, with a stronger edge so
 // many pixels inside its outline: porcelain mirrors the background at grazing
-// angles.
-PreparedView MakeViewWithReflection(double shift, double inside_pixels) {
-  cv::Mat image(kSize, kSize, CV_8UC3);
-  cv::Mat mask(kSize, kSize, CV_8UC1);
-  for (int y = 0; y < kSize; ++y) {
-    for (int x = 0; x < kSize; ++x) {
-      const double rim = Coverage(x, y, kRadius);
-      const double inside = Coverage(x, y, kRadius - inside_pixels);
+// angles. `rim_light` is the linear light between both, before 0.5 and 0.25.
+PreparedView MakeViewWithReflection(double shift,
+                                    double inside_pixels,
+                                    double rim_light = 0.4) {
+  cv::Mat image(kDiscImageSize, kDiscImageSize, CV_8UC3);
+  cv::Mat mask(kDiscImageSize, kDiscImageSize, CV_8UC1);
+  for (int y = 0; y < kDiscImageSize; ++y) {
+    for (int x = 0; x < kDiscImageSize; ++x) {
+      const double rim = DiscCoverage(x, y, kDiscRadius);
+      const double inside = DiscCoverage(x, y, kDiscRadius - inside_pixels);
       image.at<cv::Vec3b>(y, x) = cv::Vec3b::all(
-          Grey((1 - rim) * 0.5 + (rim - inside) * 0.4 + inside * 0.25));
+          Grey((1 - rim) * 0.5 + (rim - inside) * rim_light + inside * 0.25));
       mask.at<uint8_t>(y, x) =
-          uint8_t(std::lround(255 * Coverage(x, y, kRadius + shift)));
+          uint8_t(std::lround(255 * DiscCoverage(x, y, kDiscRadius + shift)));
     }
   }
   PreparedView view;
@@ -179,17 +148,17 @@ TEST(MeasureBorderEdges, FindsTheOutlineOfGlaze) {
 }
 
 TEST(MeasureBorderEdges, SeesNoPeakInNoise) {
-  const ViewSet views = {MakeView(0, 0.2, 0.2, 40)};
+  const ViewSet views = {MakeDiscView(0, 0.2, 0.2, 40)};
   EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
 }
 
 TEST(MeasureBorderEdges, SeesNothingWithoutContrast) {
-  const ViewSet views = {MakeView(0, 0.2, 0.2, 1)};
+  const ViewSet views = {MakeDiscView(0, 0.2, 0.2, 1)};
   EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
 }
 
 TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
-  ViewSet views = {MakeView(0.6, 0.6, 0.1), MakeView(0.6, 0.6, 0.1)};
+  ViewSet views = {MakeDiscView(0.6, 0.6, 0.1), MakeDiscView(0.6, 0.6, 0.1)};
   views[0].border_shift = 9;
   const auto edges = ShiftBordersToEdges(Context(2), &views);
   ASSERT_TRUE(edges);
@@ -197,15 +166,19 @@ TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
     EXPECT_FLOAT_EQ(view.border_shift, float(edges->shift));
     EXPECT_FLOAT_EQ(view.border_shift_slack, 0.1f);
   }
-  ViewSet large = {MakeView(3, 0.6, 0.1)};
+  ViewSet large = {MakeDiscView(3, 0.6, 0.1)};
   ShiftBordersToEdges(Context(1), &large);
   EXPECT_NEAR(large[0].border_shift, 3, 0.2);
   EXPECT_FLOAT_EQ(large[0].border_shift_slack, 0.1f);
-  // Beyond the largest shift.
-  ViewSet largest = {MakeView(5.6, 0.6, 0.1)};
+  ViewSet largest = {MakeDiscView(14.5, 0.6, 0.1)};
   ShiftBordersToEdges(Context(1), &largest);
-  EXPECT_EQ(largest[0].border_shift, 5);
-  EXPECT_TRUE(std::isinf(largest[0].border_shift_slack));
+  EXPECT_NEAR(largest[0].border_shift, 14.5, 0.05);
+  EXPECT_FLOAT_EQ(largest[0].border_shift_slack, 0.1f);
+  // Beyond the range.
+  ViewSet beyond = {MakeDiscView(22, 0.6, 0.1)};
+  EXPECT_FALSE(ShiftBordersToEdges(Context(1), &beyond));
+  EXPECT_EQ(beyond[0].border_shift, 0);
+  EXPECT_TRUE(std::isinf(beyond[0].border_shift_slack));
   views[0].pyramid = ImagePyramid();
   views[1].pyramid = ImagePyramid();
   EXPECT_FALSE(ShiftBordersToEdges(Context(1), &views));
@@ -225,11 +198,23 @@ TEST(ShiftBordersToEdges, MovesByAPixelWhereEdgesDisagree) {
   EXPECT_TRUE(std::isinf(views[0].border_shift_slack));
 }
 
+// A rim of nearly the background's colour: the masks are right, although most
+// edges lie elsewhere.
+TEST(ShiftBordersToEdges, KeepsAFaintRim) {
+  ViewSet wide = {MakeViewWithReflection(0, 8, 0.45)};
+  ShiftBordersToEdges(Context(1), &wide);
+  EXPECT_NEAR(wide[0].border_shift, 0, 0.1);
+  ViewSet narrow = {MakeViewWithReflection(0, 4, 0.45)};
+  ShiftBordersToEdges(Context(1), &narrow);
+  EXPECT_LE(narrow[0].border_shift, 1);
+  EXPECT_TRUE(std::isinf(narrow[0].border_shift_slack));
+}
+
 // Where texture has edges as strong as the outline, the peak is right, but
 // refinement is not bound to it.
 TEST(ShiftBordersToEdges, IsNotSureWhereFewEdgesAgree) {
-  const PreparedView clear = MakeView(0.6, 0.6, 0.1);
-  const PreparedView noise = MakeView(0, 0.2, 0.2, 40);
+  const PreparedView clear = MakeDiscView(0.6, 0.6, 0.1);
+  const PreparedView noise = MakeDiscView(0, 0.2, 0.2, 40);
   ViewSet most = {clear, clear, noise};
   const auto of_most = ShiftBordersToEdges(Context(1), &most);
   ASSERT_TRUE(of_most);
@@ -244,7 +229,7 @@ TEST(ShiftBordersToEdges, IsNotSureWhereFewEdgesAgree) {
 }
 
 TEST(KeepBorders, LeavesNothingOpen) {
-  ViewSet views = {MakeView(3, 0.6, 0.1)};
+  ViewSet views = {MakeDiscView(3, 0.6, 0.1)};
   KeepBorders(&views);
   EXPECT_EQ(views[0].border_shift, 0);
   EXPECT_EQ(views[0].border_shift_slack, 0);

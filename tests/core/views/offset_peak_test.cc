@@ -51,5 +51,23 @@ TEST(FindOffsetPeak, IsNoneForFewOffsetsOrASmallShare) {
   EXPECT_FALSE(FindOffsetPeak(Offsets(1000, 1, 0.2f), 0.7));
 }
 
+TEST(FindLonePeak, LiesWhereMostAgreeWhateverTheBorder) {
+  std::vector<float> offsets = Offsets(1000, 11.3f, 0.3f);
+  const auto peak = FindLonePeak(offsets, 16);
+  ASSERT_TRUE(peak);
+  EXPECT_NEAR(*peak, 11.3, 0.3);
+  EXPECT_GT(PeakHeight(offsets, 16, 11, 1), 10 * PeakHeight(offsets, 16, 0, 1));
+}
+
+TEST(FindLonePeak, IsNoneForFewOffsetsNoiseOrTwoPeaks) {
+  EXPECT_FALSE(FindLonePeak(Offsets(40, 9, 0.3f), 16));
+  EXPECT_FALSE(FindLonePeak(Offsets(2000, 0, 20), 6));
+  std::vector<float> two = Offsets(1000, 9, 0.3f);
+  for (const float offset : Offsets(800, -1, 0.3f)) {
+    two.push_back(offset);
+  }
+  EXPECT_FALSE(FindLonePeak(two, 16));
+}
+
 }  // namespace
 }  // namespace octacut

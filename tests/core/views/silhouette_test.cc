@@ -132,13 +132,13 @@ TEST(Silhouette, CoverageIsBilinear) {
 }
 
 TEST(Silhouette, SignedDistanceIsThatOfADiscToAQuarterOfAPixel) {
-  constexpr double kDiscRadius = 20.3;
+  constexpr double kRadius = 20.3;
   const Eigen::Vector2d center(40.6, 30.2);
   cv::Mat mask(60, 80, CV_8UC1);
   for (int y = 0; y < mask.rows; ++y) {
     for (int x = 0; x < mask.cols; ++x) {
       const double distance =
-          kDiscRadius - (Eigen::Vector2d(x + 0.5, y + 0.5) - center).norm();
+          kRadius - (Eigen::Vector2d(x + 0.5, y + 0.5) - center).norm();
       mask.at<uint8_t>(y, x) =
           uint8_t(std::lround(255 * std::clamp(distance + 0.5, 0.0, 1.0)));
     }
@@ -147,7 +147,7 @@ TEST(Silhouette, SignedDistanceIsThatOfADiscToAQuarterOfAPixel) {
   Random random(5);
   for (int i = 0; i < 500; ++i) {
     const Eigen::Vector2d p(random.Uniform(2, 78), random.Uniform(2, 58));
-    const double expected = kDiscRadius - (p - center).norm();
+    const double expected = kRadius - (p - center).norm();
     const double found = silhouette.SignedDistance(float(p.x()), float(p.y()));
     ASSERT_NEAR(found, expected, 0.6) << p.transpose();
     if (std::abs(expected) < 0.4) {

@@ -190,6 +190,7 @@ size_t AlignViews(const std::vector<LocalSurface>& surfaces,
     }
   }
   std::vector<Vector6d> steps;
+  steps.reserve(equations.size());
   for (const PoseEquations& of_view : equations) {
     steps.push_back(SolveMotion(of_view));
   }

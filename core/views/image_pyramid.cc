@@ -19,9 +19,9 @@ PyramidLevel PackFullResolution(const cv::Mat& image, const cv::Mat& mask) {
     const uint8_t* coverage = mask.ptr<uint8_t>(y);
     uint32_t* texels = level.texels.data() + size_t(y) * level.width;
     for (int x = 0; x < level.width; ++x) {
-      texels[x] = uint32_t(colors[3 * x]) | uint32_t(colors[3 * x + 1]) << 8 |
-                  uint32_t(colors[3 * x + 2]) << 16 |
-                  uint32_t(coverage[x]) << 24;
+      const uint8_t* const color = colors + 3 * size_t(x);
+      texels[x] = uint32_t(color[0]) | uint32_t(color[1]) << 8 |
+                  uint32_t(color[2]) << 16 | uint32_t(coverage[x]) << 24;
     }
   }
   return level;

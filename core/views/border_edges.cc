@@ -1,5 +1,7 @@
 #include "core/views/border_edges.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -35,6 +37,8 @@ constexpr double kMaxDisagreement = 0.5;
 // than edges do (docs/experiments/mask_borders.md).
 constexpr double kMostEdges = 0.5;
 constexpr float kContourSlack = 0.1f;
+// Edges a view that are enough to show an outline, if there is one.
+constexpr size_t kManyEdges = 100;
 
 void Append(const std::vector<float>& from, std::vector<float>* to) {
   to->insert(to->end(), from.begin(), from.end());
@@ -52,7 +56,7 @@ void ForEachImage(const ViewSet& views,
   });
 }
 
-CoarseShift FindCommonShift(const ViewSet& views, const Context& context) {
+EdgePositions EdgesOfAll(const ViewSet& views, const Context& context) {
   std::vector<EdgePositions> of_views(views.size());
   ForEachImage(
       views, context, [&](size_t i) { of_views[i] = FindAllEdges(views[i]); });
@@ -61,7 +65,7 @@ CoarseShift FindCommonShift(const ViewSet& views, const Context& context) {
     Append(of_view.all, &edges.all);
     Append(of_view.comparable, &edges.comparable);
   }
-  return FindCoarseShift(edges);
+  return edges;
 }
 
 // Around the borders after they have been moved inwards by `shift` pixels.
@@ -113,13 +117,21 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
   if (AgreeOnLessThan(kMinCoarseShift, edges)) {
     return edges;
   }
-  const CoarseShift coarse = FindCommonShift(views, context);
+  const EdgePositions all_edges = EdgesOfAll(views, context);
+  const CoarseShift coarse = FindCoarseShift(all_edges);
   if (std::abs(coarse.shift) > kMinCoarseShift &&
       !AgreeOnLessThan(kMaxShift, edges)) {
-    return MeasureAround(coarse.shift, views, context);
-  }
-  if (edges) {
+    edges = MeasureAround(coarse.shift, views, context);
+  } else if (edges) {
     edges->is_doubted = coarse.is_doubted;
+  }
+  if (!edges && all_edges.comparable.size() >= kManyEdges * views.size()) {
+    context.Warn(fmt::format(
+        "Look at the masks: within {} pixels of their borders, the photographs "
+        "show edges, but no outline of an object. If the masks are right, the "
+        "object looks much like its background, and the borders of the masks "
+        "cannot be checked.",
+        kWideEdgeRange));
   }
   return edges;
 }

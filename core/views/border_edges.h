@@ -30,11 +30,12 @@ struct BorderEdges {
 // value is the mean of what it covers; edges beside clipped pixels do not
 // count, since those look larger than they are. Most lines that hit texture or
 // background have their strongest edge anywhere; those that agree form a peak.
-// None where there is no such peak. The shift is that of the edges nearest to
-// the border which have half the contrast of the strongest or more: where gloss
-// mirrors the background at grazing angles, the outline of the object is
-// fainter than the edges of reflections inside it. An edge lies where the
-// change of the light begins (outline_fit.h), not where it is steepest.
+// None where there is no such peak, with a warning if there are many edges. The
+// shift is that of the edges nearest to the border which have half the contrast
+// of the strongest or more: where gloss mirrors the background at grazing
+// angles, the outline of the object is fainter than the edges of reflections
+// inside it. An edge lies where the change of the light begins (outline_fit.h),
+// not where it is steepest.
 std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
                                               const Context& context);
 

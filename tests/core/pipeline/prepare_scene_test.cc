@@ -4,27 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
-#include <string>
-#include <string_view>
 
+#include "tests/core/base/recorder.h"
 #include "tests/core/pipeline/reconstruction_checks.h"
 
 namespace octacut {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::PipelineSpec;
-
-class WarningSink : public ProgressSink {
- public:
-  void BeginPhase(std::string_view, size_t) override {}
-  void Advance(size_t) override {}
-  void EndPhase() override {}
-  void Info(std::string_view) override {}
-  void Warn(std::string_view message) override { warning = message; }
-
-  std::string warning;  // the last one
-};
 
 Scene LumpScene() {
   return ToScene(MakeScene(PipelineSpec("lump", 320, 240), Context(2)));
@@ -41,8 +31,8 @@ void GrowByADisc(int radius, cv::Mat* mask) {
 }
 
 TEST(PrepareScene, MovesTheBorderOfAMaskThatIsOff) {
-  WarningSink sink;
-  const Context context(2, &sink);
+  testing::Recorder recorder;
+  const Context context(2, &recorder);
   Scene scene = LumpScene();
   View& view = scene.views[5];
   const cv::Mat given = view.mask.clone();
@@ -52,9 +42,10 @@ TEST(PrepareScene, MovesTheBorderOfAMaskThatIsOff) {
   ASSERT_EQ(prepared.repaired.shifts.size(), 1u);
   EXPECT_EQ(prepared.repaired.shifts[0].view, 5u);
   EXPECT_NEAR(prepared.repaired.shifts[0].pixels, 6, 0.5);
-  EXPECT_THAT(sink.warning,
-              HasSubstr("1 of 24 masks are too large or too small"));
-  EXPECT_THAT(sink.warning, HasSubstr(view.name + " (6."));
+  EXPECT_THAT(
+      recorder.warnings,
+      ElementsAre(AllOf(HasSubstr("1 of 24 masks are too large or too small"),
+                        HasSubstr(view.name + " (6."))));
   // The moved mask is the right one to some pixels of its outline.
   const cv::Mat& moved = prepared.repaired.scene.views[5].mask;
   const double wrong = cv::norm(moved, given, cv::NORM_L1) / 255;
@@ -63,8 +54,8 @@ TEST(PrepareScene, MovesTheBorderOfAMaskThatIsOff) {
 }
 
 TEST(PrepareScene, LeavesMasksAloneThatAreRightOrMayNotBeMoved) {
-  WarningSink sink;
-  const Context context(2, &sink);
+  testing::Recorder recorder;
+  const Context context(2, &recorder);
   Scene scene = LumpScene();
   const BoundingCube cube = CubeOf(scene);
   EXPECT_TRUE(PrepareScene(scene, cube, {}, context).repaired.shifts.empty());
@@ -72,7 +63,7 @@ TEST(PrepareScene, LeavesMasksAloneThatAreRightOrMayNotBeMoved) {
   const PreparedScene kept =
       PrepareScene(scene, cube, {.move_mask_borders = false}, context);
   EXPECT_TRUE(kept.repaired.shifts.empty());
-  EXPECT_EQ(sink.warning, "");
+  EXPECT_TRUE(recorder.warnings.empty());
 }
 
 }  // namespace

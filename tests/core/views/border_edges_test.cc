@@ -1,10 +1,12 @@
 #include "core/views/border_edges.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "tests/core/base/recorder.h"
 #include "tests/core/views/disc_views.h"
 #include "tests/core/views/random_views.h"
 #include "tests/core/views/test_scene.h"
@@ -147,14 +149,20 @@ TEST(MeasureBorderEdges, FindsTheOutlineOfGlaze) {
   EXPECT_NEAR(edges->shift, 0, 0.1);
 }
 
-TEST(MeasureBorderEdges, SeesNoPeakInNoise) {
+TEST(MeasureBorderEdges, SeesNoPeakInNoiseAndSaysSo) {
+  testing::Recorder recorder;
   const ViewSet views = {MakeDiscView(0, 0.2, 0.2, 40)};
-  EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
+  EXPECT_FALSE(MeasureBorderEdges(views, Context(1, &recorder)));
+  EXPECT_THAT(
+      recorder.warnings,
+      ::testing::ElementsAre(::testing::HasSubstr("Look at the masks")));
 }
 
 TEST(MeasureBorderEdges, SeesNothingWithoutContrast) {
+  testing::Recorder recorder;
   const ViewSet views = {MakeDiscView(0, 0.2, 0.2, 1)};
-  EXPECT_FALSE(MeasureBorderEdges(views, Context(1)));
+  EXPECT_FALSE(MeasureBorderEdges(views, Context(1, &recorder)));
+  EXPECT_TRUE(recorder.warnings.empty());
 }
 
 TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {

@@ -37,7 +37,7 @@ constexpr double kMaxDisagreement = 0.5;
 // than edges do (docs/experiments/mask_borders.md).
 constexpr double kMostEdges = 0.5;
 constexpr float kContourSlack = 0.1f;
-// Edges a view that are enough to show an outline, if there is one.
+// Edges per view that are enough to show an outline, if there is one.
 constexpr size_t kManyEdges = 100;
 
 void Append(const std::vector<float>& from, std::vector<float>* to) {

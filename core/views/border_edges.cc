@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/base/parallel.h"
@@ -44,24 +44,9 @@ void Append(const std::vector<float>& from, std::vector<float>* to) {
   to->insert(to->end(), from.begin(), from.end());
 }
 
-void ForEachImage(const ViewSet& views,
-                  const Context& context,
-                  const std::function<void(size_t)>& body) {
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (views[i].pyramid.NumLevels() > 0) {
-        body(i);
-      }
-    }
-  });
-}
-
 EdgePositions EdgesOfAll(const ViewSet& views, const Context& context) {
-  std::vector<EdgePositions> of_views(views.size());
-  ForEachImage(
-      views, context, [&](size_t i) { of_views[i] = FindAllEdges(views[i]); });
   EdgePositions edges;
-  for (const EdgePositions& of_view : of_views) {
+  for (const EdgePositions& of_view : FindEdgesOfViews(views, context)) {
     Append(of_view.all, &edges.all);
     Append(of_view.comparable, &edges.comparable);
   }
@@ -75,8 +60,12 @@ std::optional<BorderEdges> MeasureAround(float shift,
   const std::vector<OutlineFit> fits(kOutlineBlurs.begin(),
                                      kOutlineBlurs.end());
   std::vector<EdgeOffsets> of_views(views.size());
-  ForEachImage(views, context, [&](size_t i) {
-    of_views[i] = FindEdgeOffsets(views[i], shift, fits);
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (views[i].pyramid.NumLevels() > 0) {
+        of_views[i] = FindEdgeOffsets(views[i], shift, fits);
+      }
+    }
   });
   EdgeOffsets offsets;
   for (const EdgeOffsets& of_view : of_views) {
@@ -119,9 +108,9 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
   }
   const EdgePositions all_edges = EdgesOfAll(views, context);
   const CoarseShift coarse = FindCoarseShift(all_edges);
-  if (std::abs(coarse.shift) > kMinCoarseShift &&
+  if (coarse.shift && std::abs(*coarse.shift) > kMinCoarseShift &&
       !AgreeOnLessThan(kMaxShift, edges)) {
-    edges = MeasureAround(coarse.shift, views, context);
+    edges = MeasureAround(*coarse.shift, views, context);
   } else if (edges) {
     edges->is_doubted = coarse.is_doubted;
   }

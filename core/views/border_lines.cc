@@ -98,11 +98,6 @@ class BorderLines {
     return view_.silhouette.SignedDistance(float(x) + 0.5f, float(y) + 0.5f);
   }
 
-  // Pixels from the middle of a sample, which need not be a whole number.
-  float FromMiddle(float sample) const {
-    return (sample - float(kLineMargin)) * kEdgeStep - range_;
-  }
-
   // Pixels of the object beside background, clear of the frame.
   std::vector<Eigen::Vector2f> Points() const {
     const int margin = int(range_ + std::abs(shift_) +
@@ -151,7 +146,7 @@ class BorderLines {
                      const Eigen::Vector2f& inward) const {
     Profile profile;
     for (int i = 0; i < num_steps_ + 2 * kLineMargin; ++i) {
-      AddSample(middle + FromMiddle(float(i)) * inward, &profile);
+      AddSample(middle + PixelsFromMiddle(float(i), range_) * inward, &profile);
     }
     return profile;
   }
@@ -273,8 +268,9 @@ class BorderLines {
     }
     const float shift = ParabolaExtremum(
         contrast[best - 1], contrast[best], contrast[best + 1]);
-    return BorderEdge{
-        middle, FromMiddle(float(middle) + shift), StandsAlone(best, contrast)};
+    return BorderEdge{middle,
+                      PixelsFromMiddle(float(middle) + shift, range_),
+                      StandsAlone(best, contrast)};
   }
 
   bool StandsAlone(int best, const Contrast& contrast) const {

@@ -34,9 +34,10 @@ struct BorderLine {
   std::optional<BorderEdge> nearest;
 };
 
-// Pixels from the middle of a sample, which need not be a whole number.
-inline float PixelsFromMiddle(float sample) {
-  return (sample - float(kLineMargin)) * kEdgeStep - kEdgeRange;
+// Pixels from the middle of a line of that range to a sample, which need not be
+// a whole number.
+inline float PixelsFromMiddle(float sample, float range = kEdgeRange) {
+  return (sample - float(kLineMargin)) * kEdgeStep - range;
 }
 
 // Lines of kEdgeRange at the points of the mask's border that are clear of the

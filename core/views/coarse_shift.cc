@@ -1,8 +1,10 @@
 #include "core/views/coarse_shift.h"
 
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
+#include "core/base/parallel.h"
 #include "core/views/offset_peak.h"
 
 namespace octacut {
@@ -16,6 +18,19 @@ constexpr float kMaxBorderPeak = 0.5f;
 
 }  // namespace
 
+std::vector<EdgePositions> FindEdgesOfViews(const ViewSet& views,
+                                            const Context& context) {
+  std::vector<EdgePositions> edges(views.size());
+  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (views[i].pyramid.NumLevels() > 0) {
+        edges[i] = FindAllEdges(views[i]);
+      }
+    }
+  });
+  return edges;
+}
+
 CoarseShift FindCoarseShift(const EdgePositions& edges) {
   const std::optional<float> shift =
       FindLonePeak(edges.comparable, kWideEdgeRange);
@@ -27,9 +42,9 @@ CoarseShift FindCoarseShift(const EdgePositions& edges) {
   };
   if (std::abs(*shift) > kMinCoarseShift &&
       height(0) > kMaxBorderPeak * height(*shift)) {
-    return {.is_doubted = true};
+    return {.shift = std::nullopt, .is_doubted = true};
   }
-  return {.shift = *shift, .is_known = true};
+  return {.shift = shift};
 }
 
 }  // namespace octacut

@@ -2,22 +2,30 @@
 // however far that is.
 #pragma once
 
+#include <optional>
+#include <vector>
+
+#include "core/base/context.h"
 #include "core/views/border_lines.h"
+#include "core/views/view_set.h"
 
 namespace octacut {
 
-// Pixels by which borders lie outside the edges of the photographs.
 struct CoarseShift {
-  // 0 where edges agree on nothing, or are doubted.
-  float shift = 0;
+  // Pixels by which borders lie outside the edges of the photographs. None
+  // where edges agree on nothing, or are doubted.
+  std::optional<float> shift;
   // Most edges agree on a shift of more than kMinCoarseShift, but others are at
   // the borders as they are.
   bool is_doubted = false;
-  bool is_known = false;  // edges agree, and are not doubted
 };
 
 // A shift that is less is found exactly around the borders as they are.
 inline constexpr float kMinCoarseShift = 2;
+
+// One element per view (FindAllEdges); empty for views without an image.
+std::vector<EdgePositions> FindEdgesOfViews(const ViewSet& views,
+                                            const Context& context);
 
 // Where the edges agree that are comparable to the strongest one of their line,
 // wherever that is: those at random are as frequent anywhere.

@@ -4,11 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <opencv2/core.hpp>
-#include <utility>
+#include <optional>
 
 #include "core/base/median.h"
-#include "core/base/parallel.h"
-#include "core/views/border_lines.h"
 #include "core/views/coarse_shift.h"
 
 namespace octacut {
@@ -18,25 +16,12 @@ namespace {
 // are to be moved to it.
 constexpr double kMostMasks = 0.75;
 
-std::vector<CoarseShift> FindShifts(const ViewSet& views,
-                                    const Context& context) {
-  std::vector<CoarseShift> shifts(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (views[i].pyramid.NumLevels() > 0) {
-        shifts[i] = FindCoarseShift(FindAllEdges(views[i]));
-      }
-    }
-  });
-  return shifts;
-}
-
 // What most masks have in common; 0 where they do not agree.
-float CommonShift(const std::vector<CoarseShift>& shifts) {
+float CommonShift(const std::vector<std::optional<float>>& shifts) {
   std::vector<float> known;
-  for (const CoarseShift& shift : shifts) {
-    if (shift.is_known) {
-      known.push_back(shift.shift);
+  for (const std::optional<float>& shift : shifts) {
+    if (shift) {
+      known.push_back(*shift);
     }
   }
   if (known.empty()) {
@@ -54,13 +39,15 @@ float CommonShift(const std::vector<CoarseShift>& shifts) {
 
 std::vector<MaskShift> FindMaskShifts(const ViewSet& views,
                                       const Context& context) {
-  const std::vector<CoarseShift> shifts = FindShifts(views, context);
+  std::vector<std::optional<float>> shifts;
+  for (const EdgePositions& edges : FindEdgesOfViews(views, context)) {
+    shifts.push_back(FindCoarseShift(edges).shift);
+  }
   const float common = CommonShift(shifts);
   std::vector<MaskShift> off;
   for (size_t i = 0; i < shifts.size(); ++i) {
-    const float pixels = shifts[i].shift - common;
-    if (shifts[i].is_known && std::abs(pixels) > kMinCoarseShift) {
-      off.push_back({i, pixels});
+    if (shifts[i] && std::abs(*shifts[i] - common) > kMinCoarseShift) {
+      off.push_back({i, *shifts[i] - common});
     }
   }
   return off;

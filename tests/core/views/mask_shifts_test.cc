@@ -92,12 +92,12 @@ TEST(FindCoarseShift, IsDoubtedWhereFaintEdgesAreAtTheBorder) {
   }
   const CoarseShift doubted = FindCoarseShift(edges);
   EXPECT_TRUE(doubted.is_doubted);
-  EXPECT_FALSE(doubted.is_known);
-  EXPECT_EQ(doubted.shift, 0);
+  EXPECT_FALSE(doubted.shift);
   edges.all = edges.comparable;
   const CoarseShift known = FindCoarseShift(edges);
-  EXPECT_TRUE(known.is_known);
-  EXPECT_NEAR(known.shift, 8, 0.5);
+  ASSERT_TRUE(known.shift);
+  EXPECT_FALSE(known.is_doubted);
+  EXPECT_NEAR(*known.shift, 8, 0.5);
 }
 
 }  // namespace

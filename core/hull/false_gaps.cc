@@ -141,7 +141,7 @@ RepairedScene FillFalseGaps(const Scene& scene,
                             const BoundingCube& cube,
                             double mask_tolerance,
                             const Context& context) {
-  RepairedScene filled{scene, {}, {}};
+  RepairedScene filled{scene, {}};
   Phase phase(context, "search for gaps in the masks", scene.views.size());
   std::vector<GapOfView> candidates =
       FindCandidates(scene, mask_tolerance, context, &phase);

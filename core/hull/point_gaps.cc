@@ -127,7 +127,7 @@ FilledView FillView(const std::vector<Eigen::Vector3d>& points,
 RepairedScene FillGapsAtPoints(const Scene& scene,
                                double mask_tolerance,
                                const Context& context) {
-  RepairedScene filled{scene, {}, {}};
+  RepairedScene filled{scene, {}};
   if (scene.points.empty()) {
     return filled;
   }

@@ -1,6 +1,6 @@
 // Masks whose false background is filled: shadows and highlights that a
 // threshold or a network takes for background. Each would be a tunnel through
-// the object or a bite out of it. And single masks whose borders are moved.
+// the object or a bite out of it.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,6 @@
 
 #include "core/base/context.h"
 #include "core/scene/scene.h"
-#include "core/views/mask_shifts.h"
 
 namespace octacut {
 
@@ -22,7 +21,6 @@ struct FalseGap {
 struct RepairedScene {
   Scene scene;  // shares images and masks that are as they were
   std::vector<FalseGap> gaps;
-  std::vector<MaskShift> shifts;  // by which borders were moved inwards
 };
 
 // Logs how many gaps were filled, for what reason ("other views show ..."), and

@@ -33,49 +33,80 @@ RepairedScene RepairMasks(const Scene& scene,
   return repaired;
 }
 
+std::string DescribeShift(double pixels) {
+  return fmt::format(
+      "{:.1f} pixels too {}", std::abs(pixels), pixels > 0 ? "large" : "small");
+}
+
 // Names the largest ones.
-void WarnOfMovedMasks(const RepairedScene& repaired, const Context& context) {
-  std::vector<MaskShift> shifts = repaired.shifts;
+void WarnOfSingleMasks(std::vector<MaskShift> shifts,
+                       const std::vector<View>& views,
+                       const Context& context) {
   std::stable_sort(
       shifts.begin(), shifts.end(), [](const MaskShift& a, const MaskShift& b) {
         return std::abs(a.pixels) > std::abs(b.pixels);
       });
   std::string named;
   for (size_t i = 0; i < std::min(shifts.size(), kMaxNamed); ++i) {
-    named += fmt::format("{}{} ({:.1f} pixels too {})",
+    named += fmt::format("{}{} ({})",
                          i == 0 ? "" : ", ",
-                         repaired.scene.views[shifts[i].view].name,
-                         std::abs(shifts[i].pixels),
-                         shifts[i].pixels > 0 ? "large" : "small");
+                         views[shifts[i].view].name,
+                         DescribeShift(shifts[i].pixels));
   }
   context.Warn(fmt::format(
       "{} of {} masks are too large or too small, by their photographs and in "
       "comparison with the other masks: {}{}. Their borders are moved to "
       "where the photographs show the object's outline.",
       shifts.size(),
-      repaired.scene.views.size(),
+      views.size(),
       named,
       shifts.size() > kMaxNamed ? " and others" : ""));
 }
 
-// Moves the borders of masks that are off by other pixels than most.
-void MoveSingleBorders(const BoundingCube& cube,
-                       const MaskOptions& options,
-                       const Context& context,
-                       PreparedScene* prepared) {
+void MoveMasks(const std::vector<MaskShift>& shifts,
+               const BoundingCube& cube,
+               const MaskOptions& options,
+               const Context& context,
+               PreparedScene* prepared) {
   RepairedScene& repaired = prepared->repaired;
-  repaired.shifts = FindMaskShifts(prepared->views, context);
-  if (repaired.shifts.empty()) {
-    return;
-  }
-  for (const MaskShift& shift : repaired.shifts) {
+  for (const MaskShift& shift : shifts) {
     View& view = repaired.scene.views[shift.view];
     view.mask = MoveBorderInside(
         prepared->views[shift.view].silhouette, view.mask.size(), shift.pixels);
+    prepared->moved_inwards[shift.view] += shift.pixels;
   }
   prepared->views =
       PrepareViews(repaired.scene, cube, context, options.mask_tolerance);
-  WarnOfMovedMasks(repaired, context);
+}
+
+// The masks that are off by other pixels than most, then all masks, if they are
+// far off, then all borders to what the edges say.
+void MoveBorders(const BoundingCube& cube,
+                 const MaskOptions& options,
+                 const Context& context,
+                 PreparedScene* prepared) {
+  ViewSet& views = prepared->views;
+  const std::vector<MaskShift> single = FindMaskShifts(views, context);
+  if (!single.empty()) {
+    MoveMasks(single, cube, options, context, prepared);
+    WarnOfSingleMasks(single, prepared->repaired.scene.views, context);
+  }
+  std::optional<BorderEdges>& edges = prepared->border_edges;
+  edges = MeasureBorderEdges(views, context);
+  const CoarseShift large = FindLargeShift(views, edges, context);
+  if (large.shift) {
+    std::vector<MaskShift> all;
+    for (size_t i = 0; i < views.size(); ++i) {
+      all.push_back({i, *large.shift});
+    }
+    MoveMasks(all, cube, options, context, prepared);
+    context.Warn(fmt::format(
+        "By the photographs, all masks are about {}. Their borders are moved "
+        "to where the photographs show the object's outline.",
+        DescribeShift(*large.shift)));
+    edges = MeasureBorderEdges(views, context);
+  }
+  ShiftBordersToEdges(edges, large.is_doubted, &views);
 }
 
 }  // namespace
@@ -95,12 +126,12 @@ PreparedScene PrepareScene(const Scene& scene,
   prepared.repaired =
       options.fill_false_gaps
           ? RepairMasks(scene, cube, options.mask_tolerance, context)
-          : RepairedScene{scene, {}, {}};
+          : RepairedScene{scene, {}};
   prepared.views = PrepareViews(
       prepared.repaired.scene, cube, context, options.mask_tolerance);
+  prepared.moved_inwards.resize(prepared.views.size());
   if (options.move_mask_borders) {
-    MoveSingleBorders(cube, options, context, &prepared);
-    prepared.border_edges = ShiftBordersToEdges(context, &prepared.views);
+    MoveBorders(cube, options, context, &prepared);
   } else {
     KeepBorders(&prepared.views);
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/base/context.h"
 #include "core/hull/repaired_scene.h"
@@ -21,13 +22,16 @@ struct MaskOptions {
   bool fill_false_gaps = true;
   // Move the borders of the masks to the edges of the photographs: those of
   // single masks that are off (FindMaskShifts), then all by the same pixels
-  // (ShiftBordersToEdges), in refinement also by the occluding contours.
+  // (FindLargeShift, ShiftBordersToEdges), in refinement also by the occluding
+  // contours.
   bool move_mask_borders = true;
   void Check() const;
 };
 
 struct PreparedScene {
   RepairedScene repaired;
+  // Pixels by which the borders of its masks were moved, one per view.
+  std::vector<double> moved_inwards;
   ViewSet views;  // of the repaired scene
   std::optional<BorderEdges> border_edges;
 };

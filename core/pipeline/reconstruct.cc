@@ -80,8 +80,10 @@ PreparedScene Prepare(const Scene& scene,
     PreparedScene prepared =
         PrepareScene(scene, region.cube, options.masks, context);
     summary->num_false_gaps = prepared.repaired.gaps.size();
-    for (const MaskShift& shift : prepared.repaired.shifts) {
-      summary->moved_masks[scene.views[shift.view].name] = shift.pixels;
+    for (size_t i = 0; i < scene.views.size(); ++i) {
+      if (prepared.moved_inwards[i] != 0) {
+        summary->moved_masks[scene.views[i].name] = prepared.moved_inwards[i];
+      }
     }
     summary->border_edges = prepared.border_edges;
     return prepared;
@@ -231,6 +233,7 @@ IndexedMesh Refine(IndexedMesh mesh,
 
 MeshVerdict Judge(const FinishedMesh& finished,
                   const JudgedScene& scene,
+                  const std::vector<double>& moved_inwards,
                   const ReconstructionOptions& options,
                   const Context& context,
                   const ReconstructionSummary& summary) {
@@ -241,6 +244,7 @@ MeshVerdict Judge(const FinishedMesh& finished,
       {.mask_tolerance = options.masks.mask_tolerance,
        .border_shift = summary.refinement ? summary.refinement->border_shift
                                           : scene.views.front().border_shift,
+       .moved_inwards = moved_inwards,
        .hull_level = options.hull.hull_level,
        .refinement = options.refinement,
        .confidence = options.confidence},
@@ -307,6 +311,7 @@ Reconstruction Reconstruct(const Scene& scene,
   result.verdict =
       Judge(finished,
             {scene.views, prepared.repaired.scene.views, views, region.cube},
+            prepared.moved_inwards,
             options,
             context,
             summary);

@@ -18,13 +18,17 @@ constexpr double kSpacing = 6;
 // The same where each vertex is asked about.
 constexpr double kFineSpacing = 4;
 
-std::vector<BorderUncertainty> UncertaintiesOf(const std::vector<View>& views,
-                                               const JudgeOptions& options) {
-  std::vector<BorderUncertainty> uncertainties;
+std::vector<MaskUncertainty> UncertaintiesOf(const std::vector<View>& views,
+                                             const JudgeOptions& options) {
+  std::vector<MaskUncertainty> uncertainties;
   uncertainties.reserve(views.size());
-  for (const View& view : views) {
-    uncertainties.push_back(UncertaintyOfBorders(
-        options.border_shift, options.mask_tolerance * view.scale));
+  for (size_t i = 0; i < views.size(); ++i) {
+    const double tolerance = options.mask_tolerance * views[i].scale;
+    const double moved =
+        options.moved_inwards.empty() ? 0 : options.moved_inwards[i];
+    uncertainties.push_back(
+        {.given = UncertaintyOfBorders(options.border_shift + moved, tolerance),
+         .repaired = UncertaintyOfBorders(options.border_shift, tolerance)});
   }
   return uncertainties;
 }

@@ -29,8 +29,12 @@ struct JudgedScene {
 struct JudgeOptions {
   // Pixels of the photographs by which masks may be too small.
   double mask_tolerance = 0;
-  // Pixels of the views by which they have been found to be too large.
+  // Pixels of the views by which the repaired masks have been found to be too
+  // large.
   double border_shift = 0;
+  // By which the borders of the given masks had been moved before, one per
+  // view; or empty.
+  std::vector<double> moved_inwards = {};
   // The level of the voxels in which the search began; 0 where there were none.
   int hull_level = 0;
   // How photographs are compared, as refinement does.

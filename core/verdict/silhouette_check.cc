@@ -122,7 +122,7 @@ SilhouetteCheck CheckSilhouettes(
     const std::vector<View>& given,
     const std::vector<View>& repaired,
     const ViewSet& views,
-    const std::vector<BorderUncertainty>& uncertainties,
+    const std::vector<MaskUncertainty>& uncertainties,
     const Context& context) {
   Phase phase(context, "comparison of mesh and masks", views.size());
   std::vector<CheckedView> of_given(views.size());
@@ -130,26 +130,31 @@ SilhouetteCheck CheckSilhouettes(
   SilhouetteCheck check;
   check.missed.resize(views.size());
   std::vector<double> margins;
-  for (const BorderUncertainty& uncertainty : uncertainties) {
-    margins.push_back(uncertainty.outward);
+  for (const MaskUncertainty& uncertainty : uncertainties) {
+    margins.push_back(uncertainty.repaired.outward);
   }
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const cv::Mat mesh = RenderHits(rays, views[i]);
-      const auto checked = [&](const Silhouette& silhouette, cv::Mat* missed) {
+      const auto checked = [&](const Silhouette& silhouette,
+                               const BorderUncertainty& uncertainty,
+                               cv::Mat* missed) {
         CheckedView view;
         view.counts = CountPixels(
-            silhouette, mesh, repaired[i].image, uncertainties[i], missed);
+            silhouette, mesh, repaired[i].image, uncertainty, missed);
         DeniedPixels denied = FindDeniedPixels(views, margins, i, *missed);
         view.counts.contradicted = denied.count;
         view.denied_by = std::move(denied.by_view);
         return view;
       };
-      of_repaired[i] = checked(views[i].silhouette, &check.missed[i]);
+      of_repaired[i] = checked(
+          views[i].silhouette, uncertainties[i].repaired, &check.missed[i]);
       cv::Mat missed;
-      of_given[i] = given[i].mask.data == repaired[i].mask.data
-                        ? of_repaired[i]
-                        : checked(Silhouette(given[i].mask), &missed);
+      of_given[i] =
+          given[i].mask.data == repaired[i].mask.data
+              ? of_repaired[i]
+              : checked(
+                    Silhouette(given[i].mask), uncertainties[i].given, &missed);
       phase.Advance();
     }
   });

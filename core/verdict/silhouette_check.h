@@ -32,6 +32,12 @@ struct BorderUncertainty {
 BorderUncertainty UncertaintyOfBorders(double border_shift,
                                        double mask_tolerance);
 
+// That of the mask as it was given, and as it was repaired.
+struct MaskUncertainty {
+  BorderUncertainty given;
+  BorderUncertainty repaired;
+};
+
 // Numbers of pixels of a view, or of several.
 struct PixelCounts {
   size_t object = 0;   // of the mask
@@ -70,7 +76,7 @@ PixelCounts CountPixels(const Silhouette& silhouette,
 
 struct SilhouetteCheck {
   MaskCheck given;
-  // Masks whose false gaps have been filled.
+  // Masks whose false gaps have been filled, and borders moved.
   MaskCheck repaired;
   // Missed pixels of the repaired masks (CV_8UC1, 255), one per view.
   std::vector<cv::Mat> missed;
@@ -85,7 +91,7 @@ SilhouetteCheck CheckSilhouettes(
     const std::vector<View>& given,
     const std::vector<View>& repaired,
     const ViewSet& views,
-    const std::vector<BorderUncertainty>& uncertainties,
+    const std::vector<MaskUncertainty>& uncertainties,
     const Context& context);
 
 }  // namespace octacut

@@ -11,7 +11,6 @@
 
 #include "core/base/parallel.h"
 #include "core/views/border_lines.h"
-#include "core/views/coarse_shift.h"
 #include "core/views/edge_offsets.h"
 #include "core/views/offset_peak.h"
 
@@ -22,11 +21,10 @@ namespace {
 // of one sixth.
 constexpr double kMinShare = 1.0 / 3;
 
-// The largest shift, in pixels from the coarse one, that edges may cause if the
-// shift is doubted, or the strongest and the nearest ones do not agree to half
-// a pixel: masks differ by it that cover each pixel which the object touches,
-// or only those that it fills. Larger shifts are then left to the offsets of
-// refinement.
+// The largest shift in pixels that edges may cause if it is doubted, or the
+// strongest and the nearest ones do not agree to half a pixel: masks differ by
+// it that cover each pixel which the object touches, or only those that it
+// fills. Larger shifts are then left to the offsets of refinement.
 constexpr float kMaxDoubtfulShift = 1;
 // The largest one at all. At the end of the range, edges of larger shifts are
 // cut off, so that the rest of them would be taken for a peak.
@@ -53,17 +51,27 @@ EdgePositions EdgesOfAll(const ViewSet& views, const Context& context) {
   return edges;
 }
 
-// Around the borders after they have been moved inwards by `shift` pixels.
-std::optional<BorderEdges> MeasureAround(float shift,
-                                         const ViewSet& views,
-                                         const Context& context) {
+double Disagreement(const BorderEdges& edges) {
+  return std::abs(edges.shift - edges.strongest_shift);
+}
+
+// Whether the strongest edges and the nearest ones agree on less than `limit`.
+bool AgreeOnLessThan(float limit, const std::optional<BorderEdges>& edges) {
+  return edges && Disagreement(*edges) < kMaxDisagreement &&
+         std::abs(edges->shift) < limit;
+}
+
+}  // namespace
+
+std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
+                                              const Context& context) {
   const std::vector<OutlineFit> fits(kOutlineBlurs.begin(),
                                      kOutlineBlurs.end());
   std::vector<EdgeOffsets> of_views(views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (views[i].pyramid.NumLevels() > 0) {
-        of_views[i] = FindEdgeOffsets(views[i], shift, fits);
+        of_views[i] = FindEdgeOffsets(views[i], fits);
       }
     }
   });
@@ -81,40 +89,26 @@ std::optional<BorderEdges> MeasureAround(float shift,
   if (!nearest) {
     return std::nullopt;
   }
-  return BorderEdges{.shift = shift + nearest->center,
+  return BorderEdges{.shift = nearest->center,
                      .deviation = nearest->deviation,
                      .share = strongest->share,
-                     .strongest_shift = shift + strongest->center,
-                     .coarse_shift = shift};
+                     .strongest_shift = strongest->center};
 }
 
-double Disagreement(const BorderEdges& edges) {
-  return std::abs(edges.shift - edges.strongest_shift);
-}
-
-// Whether the strongest edges and the nearest ones agree on less than `limit`.
-bool AgreeOnLessThan(float limit, const std::optional<BorderEdges>& edges) {
-  return edges && Disagreement(*edges) < kMaxDisagreement &&
-         std::abs(edges->shift) < limit;
-}
-
-}  // namespace
-
-std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
-                                              const Context& context) {
-  std::optional<BorderEdges> edges = MeasureAround(0, views, context);
+CoarseShift FindLargeShift(const ViewSet& views,
+                           const std::optional<BorderEdges>& edges,
+                           const Context& context) {
   if (AgreeOnLessThan(kMinCoarseShift, edges)) {
-    return edges;
+    return {};
   }
   const EdgePositions all_edges = EdgesOfAll(views, context);
-  const CoarseShift coarse = FindCoarseShift(all_edges);
-  if (coarse.shift && std::abs(*coarse.shift) > kMinCoarseShift &&
-      !AgreeOnLessThan(kMaxShift, edges)) {
-    edges = MeasureAround(*coarse.shift, views, context);
-  } else if (edges) {
-    edges->is_doubted = coarse.is_doubted;
+  CoarseShift coarse = FindCoarseShift(all_edges);
+  if (coarse.shift && (std::abs(*coarse.shift) <= kMinCoarseShift ||
+                       AgreeOnLessThan(kMaxShift, edges))) {
+    coarse.shift = std::nullopt;
   }
-  if (!edges && all_edges.comparable.size() >= kManyEdges * views.size()) {
+  if (!edges && !coarse.shift &&
+      all_edges.comparable.size() >= kManyEdges * views.size()) {
     context.Warn(fmt::format(
         "Look at the masks: within {} pixels of their borders, the photographs "
         "show edges, but no outline of an object. If the masks are right, the "
@@ -122,25 +116,23 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
         "cannot be checked.",
         kWideEdgeRange));
   }
-  return edges;
+  return coarse;
 }
 
-std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
-                                               ViewSet* views) {
-  const std::optional<BorderEdges> edges = MeasureBorderEdges(*views, context);
+void ShiftBordersToEdges(const std::optional<BorderEdges>& edges,
+                         bool is_doubted,
+                         ViewSet* views) {
   float shift = 0;
   float slack = std::numeric_limits<float>::infinity();
   if (edges) {
-    const double limit =
-        !edges->is_doubted && Disagreement(*edges) < kMaxDisagreement
-            ? kMaxShift
-            : kMaxDoubtfulShift;
-    const double coarse = edges->coarse_shift;
-    shift = float(std::clamp(edges->shift, coarse - limit, coarse + limit));
+    const double limit = !is_doubted && Disagreement(*edges) < kMaxDisagreement
+                             ? kMaxShift
+                             : kMaxDoubtfulShift;
+    shift = float(std::clamp(edges->shift, -limit, limit));
     // The share is that of the strongest edges: it says nothing where those lie
     // elsewhere.
     if (edges->share >= kMostEdges && Disagreement(*edges) < 1 &&
-        std::abs(edges->shift - coarse) < limit) {
+        std::abs(edges->shift) < limit) {
       slack = kContourSlack;
     }
   }
@@ -148,7 +140,6 @@ std::optional<BorderEdges> ShiftBordersToEdges(const Context& context,
     view.border_shift = shift;
     view.border_shift_slack = slack;
   }
-  return edges;
 }
 
 void KeepBorders(ViewSet* views) {

@@ -46,12 +46,11 @@ using Contrast = std::vector<float>;
 
 class BorderLines {
  public:
-  // Lines of `range` on both sides of the border after its `shift`.
-  BorderLines(const PreparedView& view, float range, float shift)
+  // Lines of `range` on both sides of the border.
+  BorderLines(const PreparedView& view, float range)
       : view_(view),
         image_(view.pyramid.Level(0)),
         range_(range),
-        shift_(shift),
         num_steps_(int(2 * range / kEdgeStep) + 1) {
     for (int i = 0; i < 256; ++i) {
       linear_[i] = float(255 * std::pow(i / 255.0, 2.2));
@@ -100,9 +99,8 @@ class BorderLines {
 
   // Pixels of the object beside background, clear of the frame.
   std::vector<Eigen::Vector2f> Points() const {
-    const int margin = int(range_ + std::abs(shift_) +
-                           float(kLineMargin) * kEdgeStep + kNormalReach) +
-                       1;
+    const int margin =
+        int(range_ + float(kLineMargin) * kEdgeStep + kNormalReach) + 1;
     std::vector<Eigen::Vector2f> points;
     for (int y = margin; y < image_.height - margin; ++y) {
       for (int x = margin; x < image_.width - margin; ++x) {
@@ -114,7 +112,7 @@ class BorderLines {
     return points;
   }
 
-  // Of what a line shows and where on it the shifted border is.
+  // Of what a line shows and where on it the border is.
   using LineFunction = std::function<void(const Profile&, float border)>;
 
   void ForEachLine(const LineFunction& function) const {
@@ -138,7 +136,7 @@ class BorderLines {
     const Eigen::Vector2f inward = slope.normalized();
     const Eigen::Vector2f middle = point - at(0, 0) * inward;
     if (const std::optional<float> border = MaskBorder(middle, inward)) {
-      function(SampleLine(middle + shift_ * inward, inward), *border);
+      function(SampleLine(middle, inward), *border);
     }
   }
 
@@ -288,19 +286,18 @@ class BorderLines {
   const PreparedView& view_;
   const PyramidLevel& image_;
   const float range_;
-  const float shift_;
   const int num_steps_;
   std::array<float, 256> linear_;
 };
 
 }  // namespace
 
-std::vector<BorderLine> FindBorderLines(const PreparedView& view, float shift) {
-  return BorderLines(view, kEdgeRange, shift).Find();
+std::vector<BorderLine> FindBorderLines(const PreparedView& view) {
+  return BorderLines(view, kEdgeRange).Find();
 }
 
 EdgePositions FindAllEdges(const PreparedView& view) {
-  return BorderLines(view, kWideEdgeRange, 0).FindAll();
+  return BorderLines(view, kWideEdgeRange).FindAll();
 }
 
 }  // namespace octacut

@@ -27,7 +27,7 @@ struct BorderEdge {
 // From outside to inside.
 struct BorderLine {
   std::vector<Eigen::Vector3f> light;  // linear
-  float border;  // of the mask, after its shift, pixels from the middle
+  float border;                        // of the mask, pixels from the middle
   // None where it is at an end, too faint, or beside clipped pixels.
   std::optional<BorderEdge> strongest;
   // The nearest one to the middle that is comparable to the strongest.
@@ -41,9 +41,8 @@ inline float PixelsFromMiddle(float sample, float range = kEdgeRange) {
 }
 
 // Lines of kEdgeRange at the points of the mask's border that are clear of the
-// frame, as far as there are edges. Their middles are on the border after it
-// has been moved inwards by `shift` pixels. `view` has an image.
-std::vector<BorderLine> FindBorderLines(const PreparedView& view, float shift);
+// frame, as far as there are edges. `view` has an image.
+std::vector<BorderLine> FindBorderLines(const PreparedView& view);
 
 // Pixels of edges from the mask's border, positive inside.
 struct EdgePositions {

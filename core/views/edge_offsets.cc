@@ -71,9 +71,8 @@ bool FitsMost(const OutlineFit& fit, const std::vector<BorderLine>& lines) {
 }  // namespace
 
 EdgeOffsets FindEdgeOffsets(const PreparedView& view,
-                            float shift,
                             std::span<const OutlineFit> fits) {
-  const std::vector<BorderLine> lines = FindBorderLines(view, shift);
+  const std::vector<BorderLine> lines = FindBorderLines(view);
   const OutlineFit& fit = FitOfBlur(lines, fits);
   const bool is_blur_known =
       fit.Blur() < kLeastUnknownBlur && FitsMost(fit, lines);

@@ -9,17 +9,15 @@
 
 namespace octacut {
 
-// Pixels by which shifted borders lie outside edges, line by line: outside the
+// Pixels by which borders lie outside edges, line by line: outside the
 // strongest edge, and outside the nearest one that is comparable to it.
 struct EdgeOffsets {
   std::vector<float> strongest;
   std::vector<float> nearest;
 };
 
-// `view` has an image; the border of its mask is moved inwards by `shift`
-// pixels. `fits`: of all blurs that it may have.
+// `view` has an image. `fits`: of all blurs that it may have.
 EdgeOffsets FindEdgeOffsets(const PreparedView& view,
-                            float shift,
                             std::span<const OutlineFit> fits);
 
 }  // namespace octacut

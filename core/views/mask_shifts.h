@@ -20,7 +20,7 @@ struct MaskShift {
 // The masks whose borders lie more than two pixels from where those of most
 // views lie, by the edges of their photographs within sixteen pixels; from
 // these edges themselves where fewer than three quarters of the masks agree.
-// What all masks have in common stays: see ShiftBordersToEdges.
+// What all masks have in common stays: see border_edges.h.
 std::vector<MaskShift> FindMaskShifts(const ViewSet& views,
                                       const Context& context);
 

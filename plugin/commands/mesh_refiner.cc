@@ -79,6 +79,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
                  loaded.region.cube},
                 {.mask_tolerance = masks_.mask_tolerance,
                  .border_shift = refined.summary.border_shift,
+                 .moved_inwards = prepared.moved_inwards,
                  .refinement = refinement_,
                  .confidence = workspace_.confidence},
                 context);

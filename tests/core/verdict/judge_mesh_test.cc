@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <vector>
 
 #include "core/verdict/removed_parts.h"
+#include "core/views/mask_shifts.h"
 #include "tests/core/verdict/sphere_views.h"
 
 namespace octacut {
@@ -54,6 +56,25 @@ TEST(JudgeMesh, MasksThatAreTooLargeExcuseASmallerMesh) {
       Judge(sphere, mesh, IndexedMesh(), {.border_shift = 3});
   EXPECT_EQ(excused.repaired_masks.total.missed, 0u);
   EXPECT_GT(excused.repaired_masks.total.unsure, 1000u);
+}
+
+TEST(JudgeMesh, GivenMasksAreExcusedByWhatTheirBordersWereMoved) {
+  SphereViews sphere = MakeSphereViews();
+  std::vector<View>& given = sphere.given;
+  for (View& view : given) {
+    view.mask = MoveBorderInside(Silhouette(view.mask), view.mask.size(), -4);
+  }
+  const MeshVerdict unknown = Judge(sphere, sphere.Ball(1));
+  EXPECT_GT(unknown.given_masks.total.missed, 1000u);
+  EXPECT_EQ(unknown.repaired_masks.total.missed, 0u);
+  const MeshVerdict excused =
+      Judge(sphere,
+            sphere.Ball(1),
+            IndexedMesh(),
+            {.moved_inwards = std::vector<double>(given.size(), 4)});
+  EXPECT_EQ(excused.given_masks.total.missed, 0u);
+  EXPECT_EQ(excused.repaired_masks.total.border,
+            unknown.repaired_masks.total.border);
 }
 
 TEST(JudgeMesh, MasksThatMayBeTooSmallExcuseALargerMesh) {

@@ -39,13 +39,14 @@ struct SphereViews {
   // Checks a mesh in world coordinates.
   SilhouetteCheck Check(const IndexedMesh& mesh,
                         const Context& context = Context(2)) const {
-    return CheckSilhouettes(RayScene(ToUnitMesh(mesh)),
-                            given,
-                            test.scene.views,
-                            test.views,
-                            std::vector<BorderUncertainty>(
-                                given.size(), UncertaintyOfBorders(0, 0)),
-                            context);
+    const BorderUncertainty known = UncertaintyOfBorders(0, 0);
+    return CheckSilhouettes(
+        RayScene(ToUnitMesh(mesh)),
+        given,
+        test.scene.views,
+        test.views,
+        std::vector<MaskUncertainty>(given.size(), {known, known}),
+        context);
   }
 };
 

@@ -72,16 +72,24 @@ TEST(MeasureBorderEdges, FindsTheShiftOfMasks) {
   }
 }
 
-// At such distances the direction of a line counts.
-TEST(MeasureBorderEdges, FindsLargeShifts) {
-  for (const double shift : {-9.5, 8.0, 12.2}) {
-    const auto edges =
-        MeasureBorderEdges({MakeDiscView(shift, 0.7, 0.2)}, Context(2));
-    ASSERT_TRUE(edges) << shift;
-    EXPECT_NEAR(edges->shift, shift, 0.1);
-    EXPECT_NEAR(edges->coarse_shift, shift, 0.3);
-    EXPECT_GT(edges->share, 0.9);
+std::optional<float> LargeShift(const ViewSet& views) {
+  return FindLargeShift(
+             views, MeasureBorderEdges(views, Context(2)), Context(2))
+      .shift;
+}
+
+TEST(FindLargeShift, FindsWhatIsOutOfReachOfTheFineMeasurement) {
+  for (const double shift : {-9.5, 8.0, 12.2, 14.5}) {
+    const auto found = LargeShift({MakeDiscView(shift, 0.7, 0.2)});
+    ASSERT_TRUE(found) << shift;
+    EXPECT_NEAR(*found, shift, 0.3);
   }
+  EXPECT_FALSE(LargeShift({MakeDiscView(22, 0.7, 0.2)}));
+}
+
+TEST(FindLargeShift, LeavesWhatTheFineMeasurementFinds) {
+  EXPECT_FALSE(LargeShift({MakeDiscView(1, 0.7, 0.2)}));
+  EXPECT_FALSE(LargeShift({MakeDiscView(4, 0.7, 0.2)}));
 }
 
 TEST(MeasureBorderEdges, FindsTheShiftInBlurredPhotographs) {
@@ -149,47 +157,57 @@ TEST(MeasureBorderEdges, FindsTheOutlineOfGlaze) {
   EXPECT_NEAR(edges->shift, 0, 0.1);
 }
 
-TEST(MeasureBorderEdges, SeesNoPeakInNoiseAndSaysSo) {
+TEST(FindLargeShift, SeesNoPeakInNoiseAndSaysSo) {
   testing::Recorder recorder;
+  const Context context(1, &recorder);
   const ViewSet views = {MakeDiscView(0, 0.2, 0.2, 40)};
-  EXPECT_FALSE(MeasureBorderEdges(views, Context(1, &recorder)));
+  const auto edges = MeasureBorderEdges(views, context);
+  EXPECT_FALSE(edges);
+  EXPECT_FALSE(FindLargeShift(views, edges, context).shift);
   EXPECT_THAT(
       recorder.warnings,
       ::testing::ElementsAre(::testing::HasSubstr("Look at the masks")));
 }
 
-TEST(MeasureBorderEdges, SeesNothingWithoutContrast) {
+TEST(FindLargeShift, SeesNothingWithoutContrast) {
   testing::Recorder recorder;
+  const Context context(1, &recorder);
   const ViewSet views = {MakeDiscView(0, 0.2, 0.2, 1)};
-  EXPECT_FALSE(MeasureBorderEdges(views, Context(1, &recorder)));
+  const auto edges = MeasureBorderEdges(views, context);
+  EXPECT_FALSE(edges);
+  EXPECT_FALSE(FindLargeShift(views, edges, context).shift);
   EXPECT_TRUE(recorder.warnings.empty());
+}
+
+// Returns the edges that were measured.
+std::optional<BorderEdges> Shift(ViewSet* views) {
+  const auto edges = MeasureBorderEdges(*views, Context(2));
+  const CoarseShift large = FindLargeShift(*views, edges, Context(2));
+  ShiftBordersToEdges(edges, large.is_doubted, views);
+  return edges;
 }
 
 TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
   ViewSet views = {MakeDiscView(0.6, 0.6, 0.1), MakeDiscView(0.6, 0.6, 0.1)};
   views[0].border_shift = 9;
-  const auto edges = ShiftBordersToEdges(Context(2), &views);
+  const auto edges = Shift(&views);
   ASSERT_TRUE(edges);
   for (const PreparedView& view : views) {
     EXPECT_FLOAT_EQ(view.border_shift, float(edges->shift));
     EXPECT_FLOAT_EQ(view.border_shift_slack, 0.1f);
   }
   ViewSet large = {MakeDiscView(3, 0.6, 0.1)};
-  ShiftBordersToEdges(Context(1), &large);
+  Shift(&large);
   EXPECT_NEAR(large[0].border_shift, 3, 0.2);
   EXPECT_FLOAT_EQ(large[0].border_shift_slack, 0.1f);
-  ViewSet largest = {MakeDiscView(14.5, 0.6, 0.1)};
-  ShiftBordersToEdges(Context(1), &largest);
-  EXPECT_NEAR(largest[0].border_shift, 14.5, 0.05);
-  EXPECT_FLOAT_EQ(largest[0].border_shift_slack, 0.1f);
   // Beyond the range.
   ViewSet beyond = {MakeDiscView(22, 0.6, 0.1)};
-  EXPECT_FALSE(ShiftBordersToEdges(Context(1), &beyond));
+  EXPECT_FALSE(Shift(&beyond));
   EXPECT_EQ(beyond[0].border_shift, 0);
   EXPECT_TRUE(std::isinf(beyond[0].border_shift_slack));
   views[0].pyramid = ImagePyramid();
   views[1].pyramid = ImagePyramid();
-  EXPECT_FALSE(ShiftBordersToEdges(Context(1), &views));
+  EXPECT_FALSE(Shift(&views));
   EXPECT_EQ(views[0].border_shift, 0);
   EXPECT_TRUE(std::isinf(views[0].border_shift_slack));
 }
@@ -198,7 +216,7 @@ TEST(ShiftBordersToEdges, GivesTheShiftToAllViews) {
 // the masks are too large.
 TEST(ShiftBordersToEdges, MovesByAPixelWhereEdgesDisagree) {
   ViewSet views = {MakeViewWithReflection(1.8, 3)};
-  const auto edges = ShiftBordersToEdges(Context(1), &views);
+  const auto edges = Shift(&views);
   ASSERT_TRUE(edges);
   EXPECT_NEAR(edges->shift, 1.8, 0.1);
   EXPECT_NEAR(edges->strongest_shift, 4.8, 0.2);
@@ -210,10 +228,10 @@ TEST(ShiftBordersToEdges, MovesByAPixelWhereEdgesDisagree) {
 // edges lie elsewhere.
 TEST(ShiftBordersToEdges, KeepsAFaintRim) {
   ViewSet wide = {MakeViewWithReflection(0, 8, 0.45)};
-  ShiftBordersToEdges(Context(1), &wide);
+  Shift(&wide);
   EXPECT_NEAR(wide[0].border_shift, 0, 0.1);
   ViewSet narrow = {MakeViewWithReflection(0, 4, 0.45)};
-  ShiftBordersToEdges(Context(1), &narrow);
+  Shift(&narrow);
   EXPECT_LE(narrow[0].border_shift, 1);
   EXPECT_TRUE(std::isinf(narrow[0].border_shift_slack));
 }
@@ -224,12 +242,12 @@ TEST(ShiftBordersToEdges, IsNotSureWhereFewEdgesAgree) {
   const PreparedView clear = MakeDiscView(0.6, 0.6, 0.1);
   const PreparedView noise = MakeDiscView(0, 0.2, 0.2, 40);
   ViewSet most = {clear, clear, noise};
-  const auto of_most = ShiftBordersToEdges(Context(1), &most);
+  const auto of_most = Shift(&most);
   ASSERT_TRUE(of_most);
   EXPECT_GT(of_most->share, 0.5);
   EXPECT_FLOAT_EQ(most[0].border_shift_slack, 0.1f);
   ViewSet few = {clear, noise, noise};
-  const auto of_few = ShiftBordersToEdges(Context(1), &few);
+  const auto of_few = Shift(&few);
   ASSERT_TRUE(of_few);
   EXPECT_LT(of_few->share, 0.5);
   EXPECT_NEAR(few[0].border_shift, 0.6, 0.2);

@@ -79,6 +79,7 @@ class Extractor {
  private:
   void Propose();
   void RefineAll();
+  cv::Mat FullLabels(size_t view) const;
   cv::Mat RefinedMask(size_t view) const;
   void Judge();
   void Write();
@@ -128,6 +129,41 @@ void Extractor::Propose() {
                   network.InputSize().height));
 }
 
+// What is known for sure in the photograph; empty where nothing is.
+cv::Mat Extractor::FullLabels(size_t view) const {
+  const UnsegmentedView& input = files_.input.views[view];
+  const SegmentationFile& file = files_.files[view];
+  const bool has_strokes =
+      !file.strokes.empty() && !file.strokes_are_turntable_mask;
+  if (!has_strokes && !input.is_turntable && input.stand.empty()) {
+    return {};
+  }
+  cv::Mat labels = has_strokes ? ReadStrokes(file)
+                               : cv::Mat(int(file.camera->height),
+                                         int(file.camera->width),
+                                         CV_8U,
+                                         cv::Scalar(kNoLabel));
+  const auto set_surroundings = [&](const cv::Mat& pixels) {
+    cv::Mat values;
+    pixels.convertTo(values, CV_32F);
+    labels.setTo(
+        kSurroundingsLabel,
+        CarryBack(values, input.pose.camera, *file.camera) >= kObjectThreshold);
+  };
+  if (!input.stand.empty()) {
+    // Windows reach across the border of the object.
+    cv::Mat stand;
+    cv::erode(input.stand >= 1,
+              stand,
+              cv::Mat::ones(kStandWindow, kStandWindow, CV_8U));
+    set_surroundings(stand);
+  }
+  if (input.is_turntable) {
+    set_surroundings(input.labels == kSurroundingsLabel);
+  }
+  return labels;
+}
+
 cv::Mat Extractor::RefinedMask(size_t view) const {
   const SegmentationFile& file = files_.files[view];
   const PinholeCamera& camera = files_.input.views[view].pose.camera;
@@ -135,20 +171,11 @@ cv::Mat Extractor::RefinedMask(size_t view) const {
   segmentation_.views[view].mask.convertTo(mask, CV_32F);
   const cv::Mat full =
       CarryBack(mask, camera, *file.camera) >= kObjectThreshold;
-  cv::Mat stand;
-  if (!files_.input.views[view].stand.empty()) {
-    // Windows reach across the border of the object.
-    cv::erode(files_.input.views[view].stand >= 1,
-              stand,
-              cv::Mat::ones(kStandWindow, kStandWindow, CV_8U));
-    stand.convertTo(stand, CV_32F);
-    stand = CarryBack(stand, camera, *file.camera) >= kObjectThreshold;
-  }
   const double scale = double(file.camera->width) / camera.width;
   return RefineBorder(ReadPhotograph(file.photograph),
                       full,
                       kReach * std::max(1.0, scale),
-                      stand);
+                      FullLabels(view));
 }
 
 void Extractor::RefineAll() {

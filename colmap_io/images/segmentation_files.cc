@@ -29,7 +29,7 @@ constexpr size_t kDecodedBytes = 8;
 // Part of a reduced pixel that a stroke must cover to count.
 constexpr int kStrokeCoverage = 64;
 // Reduced pixels by which the border of a turntable's mask may be off.
-constexpr int kNearTurning = 3;
+constexpr int kNearTurning = 1;
 
 void RequireFolder(const fs::path& path, std::string_view option) {
   std::error_code ignored;
@@ -123,9 +123,9 @@ cv::Mat OutsideOf(const cv::Mat& turning,
   return labels;
 }
 
-cv::Mat ReadStrokes(const SegmentationFile& file,
-                    const PinholeCamera& reduced) {
-  const cv::Mat strokes =
+// CV_8UC1, as the file has it.
+cv::Mat ReadStrokesFile(const SegmentationFile& file) {
+  cv::Mat strokes =
       cv::imread(file.strokes.string(),
                  cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
   if (strokes.empty()) {
@@ -133,18 +133,21 @@ cv::Mat ReadStrokes(const SegmentationFile& file,
         fmt::format("{}: the strokes cannot be read", file.strokes.string()));
   }
   RequireSize(file.strokes, strokes, *file.camera);
+  return strokes;
+}
+
+cv::Mat ReducedStrokes(const SegmentationFile& file,
+                       const PinholeCamera& reduced) {
   if (file.strokes_are_turntable_mask) {
-    return OutsideOf(strokes, *file.camera, reduced);
+    return OutsideOf(ReadStrokesFile(file), *file.camera, reduced);
   }
+  const cv::Mat strokes = ReadStrokes(file);
   cv::Mat labels(reduced.height, reduced.width, CV_8U, cv::Scalar(kNoLabel));
-  // A JPEG file does not keep the values to the last bit.
-  constexpr int kMiddle = kNoLabel / 2;
-  const cv::Mat background =
-      ReduceView(strokes < kMiddle, *file.camera, reduced);
-  const cv::Mat object =
-      ReduceView(strokes > kNoLabel + kMiddle, *file.camera, reduced);
-  labels.setTo(kSurroundingsLabel, background > kStrokeCoverage);
-  labels.setTo(kObjectLabel, object > kStrokeCoverage);
+  for (const uint8_t label : {kSurroundingsLabel, kObjectLabel}) {
+    labels.setTo(
+        label,
+        ReduceView(strokes == label, *file.camera, reduced) > kStrokeCoverage);
+  }
   return labels;
 }
 
@@ -164,13 +167,23 @@ UnsegmentedView ReadView(const SegmentationFile& file, int longest_side) {
     view.labels.setTo(kSurroundingsLabel);
     view.labels.setTo(kObjectLabel, reduced >= kObjectThreshold);
   } else if (!file.strokes.empty()) {
-    view.labels = ReadStrokes(file, view.pose.camera);
+    view.labels = ReducedStrokes(file, view.pose.camera);
     view.is_turntable = file.strokes_are_turntable_mask;
   }
   return view;
 }
 
 }  // namespace
+
+cv::Mat ReadStrokes(const SegmentationFile& file) {
+  const cv::Mat strokes = ReadStrokesFile(file);
+  cv::Mat labels(strokes.size(), CV_8U, cv::Scalar(kNoLabel));
+  // A JPEG file does not keep the values to the last bit.
+  constexpr int kMiddle = kNoLabel / 2;
+  labels.setTo(kSurroundingsLabel, strokes < kMiddle);
+  labels.setTo(kObjectLabel, strokes > kNoLabel + kMiddle);
+  return labels;
+}
 
 size_t BytesOfLargest(const std::vector<SegmentationFile>& files,
                       size_t bytes_per_pixel) {

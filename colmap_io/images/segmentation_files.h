@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <opencv2/core/mat.hpp>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,11 @@ struct SegmentationFiles {
 SegmentationFiles ReadSegmentationFiles(const Workspace& workspace,
                                         const SegmentationFilesOptions& options,
                                         const Context& context);
+
+// The strokes of `file`, which has some that are no turntable's mask, as labels
+// (core/segment/labels.h, CV_8UC1) of the photograph's size. Throws InputError
+// where they cannot be read or are of another size.
+cv::Mat ReadStrokes(const SegmentationFile& file);
 
 // For loops over the photographs at full size with `bytes_per_pixel` each.
 size_t BytesOfLargest(const std::vector<SegmentationFile>& files,

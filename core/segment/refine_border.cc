@@ -44,6 +44,23 @@ struct BorderDistances {
   cv::Mat outside;
 };
 
+void ApplyLabels(const cv::Mat& labels, cv::Mat* mask) {
+  if (!labels.empty()) {
+    labels.copyTo(*mask, labels != kNoLabel);
+  }
+}
+
+// Labels of which most of a pixel of the smaller size has the same.
+cv::Mat ReduceLabels(const cv::Mat& labels, const cv::Size& size) {
+  cv::Mat reduced(size, CV_8U, cv::Scalar(kNoLabel));
+  for (const uint8_t label : {kSurroundingsLabel, kObjectLabel}) {
+    cv::Mat part;
+    cv::resize(labels == label, part, size, 0, 0, cv::INTER_AREA);
+    reduced.setTo(label, part > 127);
+  }
+  return reduced;
+}
+
 // The colours to either side of a border, and the cut between them.
 class BandCutter {
  public:
@@ -57,19 +74,17 @@ class BandCutter {
         colours_(features_, distances.inside, distances.outside, reach) {}
 
   // Cuts the band around the border of `mask`, whose distances are given, but
-  // for what is `background` (may be empty). Returns whether pixels at the
-  // limits of the band change sides: then the border may lie beyond it.
+  // for what has `labels` (may be empty). Returns whether pixels at the limits
+  // of the band change sides: then the border may lie beyond it.
   bool Cut(const BorderDistances& distances,
-           const cv::Mat& background,
+           const cv::Mat& labels,
            cv::Mat* mask) const {
     const cv::Mat to_border = cv::max(distances.inside, distances.outside);
     const cv::Mat band = to_border <= reach_;
     const cv::Mat limits = band & (to_border > reach_ - 1);
     const cv::Mat before = mask->clone();
     mask->setTo(kNoLabel, band);
-    if (!background.empty()) {
-      mask->setTo(kSurroundingsLabel, background);
-    }
+    ApplyLabels(labels, mask);
     CutLabels(image_, LogOdds(band), kSmoothness, mask);
     return cv::countNonZero((*mask != before) & limits) > 0;
   }
@@ -101,7 +116,7 @@ class BandCutter {
 cv::Mat RefineBorder(const cv::Mat& image,
                      const cv::Mat& mask,
                      double reach,
-                     const cv::Mat& background) {
+                     const cv::Mat& labels) {
   cv::Mat result = mask.clone();
   if (reach > kWidestBand && std::min(image.rows, image.cols) >= kReduction) {
     const cv::Size size(image.cols / kReduction, image.rows / kReduction);
@@ -109,13 +124,11 @@ cv::Mat RefineBorder(const cv::Mat& image,
     cv::Mat small_mask;
     cv::resize(image, small_image, size, 0, 0, cv::INTER_AREA);
     cv::resize(mask, small_mask, size, 0, 0, cv::INTER_AREA);
-    cv::Mat small_background;
-    if (!background.empty()) {
-      cv::resize(background, small_background, size, 0, 0, cv::INTER_AREA);
-      small_background = small_background > 127;
-    }
-    const cv::Mat small = RefineBorder(
-        small_image, small_mask > 127, reach / kReduction, small_background);
+    const cv::Mat small =
+        RefineBorder(small_image,
+                     small_mask > 127,
+                     reach / kReduction,
+                     labels.empty() ? cv::Mat() : ReduceLabels(labels, size));
     cv::resize(small, result, image.size(), 0, 0, cv::INTER_LINEAR);
     result = result > 127;
     reach = kReducedReach * kReduction;
@@ -125,18 +138,15 @@ cv::Mat RefineBorder(const cv::Mat& image,
   }
   const cv::Rect window = WindowAround(result, reach);
   cv::Mat inner = result(window);
-  cv::Mat inner_background;
-  if (!background.empty()) {
-    inner_background = background(window);
-    inner.setTo(kSurroundingsLabel, inner_background);
-  }
+  const cv::Mat inner_labels = labels.empty() ? cv::Mat() : labels(window);
+  ApplyLabels(inner_labels, &inner);
   BorderDistances distances(inner);
   const BandCutter cutter(image(window), distances, reach);
   for (int pass = 0; pass < kMaxPasses; ++pass) {
     if (pass > 0) {
       distances = BorderDistances(inner);
     }
-    if (!cutter.Cut(distances, inner_background, &inner)) {
+    if (!cutter.Cut(distances, inner_labels, &inner)) {
       break;
     }
   }

@@ -10,11 +10,11 @@ namespace octacut {
 // `reach` pixels to either side, between the colours just inside and just
 // outside of the first band. Where the new border ends at the limits of its
 // band, a band around it is cut again. Large reaches are worked off from coarse
-// to fine. What is set in `background` (CV_8UC1 of that size, or empty) is
-// never object.
+// to fine. `labels` (CV_8UC1 of that size, or empty) say which pixels are
+// surroundings or object for sure.
 cv::Mat RefineBorder(const cv::Mat& image,
                      const cv::Mat& mask,
                      double reach,
-                     const cv::Mat& background = {});
+                     const cv::Mat& labels = {});
 
 }  // namespace octacut

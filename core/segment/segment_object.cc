@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/segment/above_plate.h"
 #include "core/segment/appearance.h"
 #include "core/segment/label_cut.h"
 #include "core/segment/labels.h"
@@ -100,6 +101,7 @@ class Segmenter {
   bool IsObjectOrStand(size_t view) const {
     return input_.floor && input_.views[view].is_turntable;
   }
+  std::vector<cv::Mat> FindAbovePlate() const;
   void Learn(bool own_objects);
   bool Round(const BoundingCube& cube, int resolution);
   void Relabel(size_t view);
@@ -122,6 +124,29 @@ cv::Mat Segmenter::FirstLabels(size_t view, double middle) const {
   labels.setTo(kObjectLabel, distances < middle);
   labels.setTo(kSurroundingsLabel, distances >= 2 * middle);
   return labels;
+}
+
+// Of views where IsObjectOrStand: pixels that show no stand.
+std::vector<cv::Mat> Segmenter::FindAbovePlate() const {
+  std::vector<size_t> views;
+  std::vector<cv::Mat> labels;
+  std::vector<Pose> poses;
+  for (size_t i = 0; i < poses_.size(); ++i) {
+    if (IsObjectOrStand(i)) {
+      views.push_back(i);
+      labels.push_back(input_.views[i].labels);
+      poses.push_back(poses_[i]);
+    }
+  }
+  std::vector<cv::Mat> above(poses_.size());
+  if (!views.empty()) {
+    std::vector<cv::Mat> found =
+        FindPixelsAbovePlate(labels, poses, *input_.floor, context_);
+    for (size_t k = 0; k < views.size(); ++k) {
+      above[views[k]] = std::move(found[k]);
+    }
+  }
+  return above;
 }
 
 void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
@@ -231,6 +256,7 @@ bool Segmenter::IsObjectSaid() const {
 bool Segmenter::FindObject(double middle) {
   Phase phase(context_, "finding the object", kCoarseRounds + kFineRounds);
   const bool is_said = IsObjectSaid();
+  const std::vector<cv::Mat> above_plate = FindAbovePlate();
   ForEachView([&](size_t i) {
     const cv::Mat& proposal = input_.views[i].proposal;
     labels_[i] = proposal.empty() ? FirstLabels(i, middle) : proposal.clone();
@@ -239,6 +265,7 @@ bool Segmenter::FindObject(double middle) {
     }
     if (IsObjectOrStand(i)) {
       labels_[i].setTo(kNoLabel, labels_[i] == kSurroundingsLabel);
+      labels_[i].setTo(kObjectLabel, above_plate[i]);
     }
     ApplySaid(i, &labels_[i]);
   });

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 #include <vector>
 
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 
 namespace octacut {
@@ -20,6 +22,13 @@ constexpr float kDeviations = 3.5f;
 // JPEG's own errors, and strong noise, in 8 bits.
 constexpr float kLeastTolerance = 8;
 constexpr float kMostTolerance = 25;
+// Noise makes the colours of the background scatter; those of a surface that
+// changes within the tolerance scatter up to three times as much.
+constexpr float kVaries = 2;
+// The least noise in 8 bits, by rounding.
+constexpr float kLeastNoise = 0.5f;
+// Part of the photographs that show what is surely background.
+constexpr float kMostPhotographs = 0.5f;
 // Pixels of a window that must show the background.
 constexpr float kMostOfWindow = 0.85f;
 // Least light in a shadow; L + 16 goes with its cube root.
@@ -87,6 +96,49 @@ cv::Vec3f MostFrequent(std::span<const cv::Mat> labs,
   return best;
 }
 
+// CV_32F: how far the photographs that show the background scatter about it,
+// the mean of windows.
+cv::Mat Scatter(std::span<const cv::Mat> labs,
+                const StillBackground& background,
+                const Context& context) {
+  cv::Mat scatter(background.color.size(), CV_32F);
+  ParallelFor(context, size_t(scatter.rows), 8, [&](size_t begin, size_t end) {
+    for (int y = int(begin); y < int(end); ++y) {
+      for (int x = 0; x < scatter.cols; ++x) {
+        float sum = 0;
+        int count = 0;
+        for (const cv::Mat& lab : labs) {
+          const float distance = Distance(lab.at<cv::Vec3b>(y, x),
+                                          background.color.at<cv::Vec3f>(y, x));
+          if (distance < background.tolerance) {
+            sum += distance * distance;
+            ++count;
+          }
+        }
+        scatter.at<float>(y, x) = std::sqrt(sum / float(std::max(count, 1)));
+      }
+    }
+  });
+  cv::boxFilter(scatter, scatter, CV_32F, {kStillWindow, kStillWindow});
+  return scatter;
+}
+
+// Where that is more than the noise of what most photographs show.
+cv::Mat WhatVaries(const cv::Mat& scatter, const cv::Mat& support) {
+  std::vector<float> noise;
+  for (int y = 0; y < scatter.rows; ++y) {
+    for (int x = 0; x < scatter.cols; ++x) {
+      if (support.at<float>(y, x) > kMostPhotographs) {
+        noise.push_back(scatter.at<float>(y, x));
+      }
+    }
+  }
+  return noise.empty()
+             ? cv::Mat::zeros(scatter.size(), CV_8U)
+             : cv::Mat(scatter > kVaries * std::max(Median(std::move(noise)),
+                                                    kLeastNoise));
+}
+
 // The share of the masks that are set, for each pixel.
 cv::Mat PartOf(const std::vector<cv::Mat>& masks) {
   cv::Mat sum = cv::Mat::zeros(masks.front().size(), CV_32F);
@@ -144,6 +196,8 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
   });
   background.support = PartOf(shown);
   background.wide_support = PartOf(widely_shown);
+  background.varies =
+      WhatVaries(Scatter(labs, background, context), background.support);
   return background;
 }
 

@@ -21,6 +21,9 @@ struct StillBackground {
   // or a small window, but hardly a wide one.
   cv::Mat support;
   cv::Mat wide_support;
+  // CV_8U, 255 where the photographs that show this differ by more than noise:
+  // a plain surface that turns in the light, and not the background.
+  cv::Mat varies;
   // Distance in Lab from which on two pixels differ by more than noise.
   float tolerance = 0;
 };

@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
-#include "core/segment/colour_mixture.h"
+#include "core/segment/colour_contrast.h"
 #include "core/segment/label_cut.h"
 #include "core/segment/labels.h"
 #include "core/segment/pixel_features.h"
@@ -20,8 +20,6 @@ namespace {
 constexpr double kLeastPart = 5e-4;
 constexpr int kRounds = 4;
 constexpr size_t kSamples = 6000;
-constexpr int kComponents = 8;
-constexpr float kMostOdds = 4;
 constexpr float kSmoothness = 8;
 constexpr double kLeastContrast = 0.6;
 // Log odds below which colours tell nothing.
@@ -47,40 +45,6 @@ cv::Mat BetweenTurning(const cv::Mat& turning) {
     }
   }
   return between;
-}
-
-std::vector<PixelFeature> Samples(const cv::Mat& features,
-                                  const cv::Mat& chosen) {
-  const size_t count = size_t(cv::countNonZero(chosen));
-  std::vector<PixelFeature> samples;
-  size_t next = 0;
-  size_t index = 0;
-  const size_t wanted = std::min(count, kSamples);
-  for (int y = 0; y < chosen.rows; ++y) {
-    for (int x = 0; x < chosen.cols; ++x) {
-      if (chosen.at<uint8_t>(y, x) != 0 && index++ == next * count / wanted) {
-        samples.push_back(features.at<PixelFeature>(y, x));
-        ++next;
-      }
-    }
-  }
-  return samples;
-}
-
-cv::Mat LogOdds(const cv::Mat& features,
-                const ColourMixture& object,
-                const ColourMixture& surroundings) {
-  cv::Mat log_odds(features.size(), CV_32F);
-  for (int y = 0; y < features.rows; ++y) {
-    for (int x = 0; x < features.cols; ++x) {
-      const PixelFeature& feature = features.at<PixelFeature>(y, x);
-      log_odds.at<float>(y, x) = std::clamp(
-          std::log(object.Density(feature) / surroundings.Density(feature)),
-          -kMostOdds,
-          kMostOdds);
-    }
-  }
-  return log_odds;
 }
 
 cv::Mat ToBgr(const cv::Mat& lab) {
@@ -119,8 +83,8 @@ StillObject FindStillObject(const StillBackground& background,
   if (cv::countNonZero(solid) == 0) {
     return result;
   }
-  cv::Mat seeds =
-      BetweenTurning(solid) & ~turning & (background.support > 0.9f);
+  cv::Mat seeds = BetweenTurning(solid) & ~turning &
+                  ((background.support > 0.9f) | background.varies);
   cv::erode(seeds, seeds, cv::Mat::ones(kStillWindow, kStillWindow, CV_8U));
   const double frame = double(turning.total());
   if (cv::countNonZero(seeds) < kLeastPart * frame) {
@@ -129,13 +93,15 @@ StillObject FindStillObject(const StillBackground& background,
   const cv::Mat sure = SureBackground(solid) & ~turning;
   const cv::Mat image = ToBgr(background.color);
   const cv::Mat features = PixelFeatures(image);
-  const ColourMixture surroundings(Samples(features, sure), kComponents);
-  cv::Mat object = seeds;
+  const cv::Mat all(turning.size(), CV_8U, cv::Scalar(255));
+  const std::vector<PixelFeature> surroundings =
+      SampleFeatures(features, sure, kSamples);
+  cv::Mat object = seeds.clone();
   cv::Mat log_odds;
   for (int round = 0; round < kRounds; ++round) {
-    log_odds = LogOdds(features,
-                       ColourMixture(Samples(features, object), kComponents),
-                       surroundings);
+    log_odds =
+        ColourContrast(SampleFeatures(features, object, kSamples), surroundings)
+            .LogOdds(features, all);
     cv::Mat labels(turning.size(), CV_8U, cv::Scalar(kNoLabel));
     labels.setTo(kSurroundingsLabel, sure);
     labels.setTo(kObjectLabel, turning);
@@ -147,7 +113,7 @@ StillObject FindStillObject(const StillBackground& background,
   // background, and so must the border that is not with what turns.
   cv::Mat clear = log_odds.clone();
   clear.setTo(0, cv::abs(log_odds) < kClear);
-  clear.setTo(-kMostOdds, turning);
+  clear.setTo(-ColourContrast::kMostOdds, turning);
   const double told =
       double(cv::countNonZero((clear > 0) & seeds)) / cv::countNonZero(seeds);
   const double contrast = std::min(told, BorderContrast(object, clear));
@@ -159,6 +125,8 @@ StillObject FindStillObject(const StillBackground& background,
         100 * (1 - contrast));
   }
   result.mask = object;
+  result.sure = seeds;
+  result.sure_background = sure;
   return result;
 }
 

@@ -5,12 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/segment/colour_contrast.h"
 #include "core/segment/label_cut.h"
 #include "core/segment/labels.h"
+#include "core/segment/pixel_features.h"
 #include "core/segment/still_background.h"
 #include "core/segment/still_object.h"
 #include "core/segment/view_confidence.h"
@@ -28,6 +32,12 @@ constexpr float kMostOdds = 4;
 constexpr float kSmoothness = 4;
 constexpr float kUnreliable = 0.25f;
 constexpr double kLeastConfidence = 0.5;
+// Log odds of a plain object where it is most of the time: what is taken for
+// background is lost, and pieces of the background are found later.
+constexpr float kObjectOdds = 3;
+constexpr size_t kSamples = 6000;
+// Part of what turns that is in one piece, since the plate holds it together.
+constexpr double kLeastPart = 0.5;
 
 // Windows around points beside it show it as well, up to a third of their size
 // away.
@@ -36,6 +46,19 @@ cv::Mat CoreOf(const cv::Mat& windows, int window) {
   const int reach = int(std::lround(0.3 * window));
   cv::erode(windows, core, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
   return core;
+}
+
+double PartOfLargest(const cv::Mat& mask) {
+  cv::Mat labels;
+  cv::Mat stats;
+  cv::Mat centroids;
+  const int count =
+      cv::connectedComponentsWithStats(mask, labels, stats, centroids);
+  int largest = 0;
+  for (int i = 1; i < count; ++i) {
+    largest = std::max(largest, stats.at<int>(i, cv::CC_STAT_AREA));
+  }
+  return double(largest) / std::max(cv::countNonZero(mask), 1);
 }
 
 class TurntableSegmenter {
@@ -62,15 +85,17 @@ class TurntableSegmenter {
       cv::bitwise_or(unreliable_, wide, unreliable_);
       cv::bitwise_or(
           always_, CoreOf(wide, WideWindow(always_.size())), always_);
+      cv::bitwise_or(unreliable_, background_.varies, unreliable_);
       const StillObject still = FindStillObject(of_all, always_);
       doubt_ = still.doubt;
-      cv::bitwise_or(always_, still.mask, always_);
+      Learn(still);
     }
     ParallelFor(context_, labs.size(), 1, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         CutView(i, labs[i]);
       }
     });
+    DoubtPieces();
     return std::move(result_);
   }
 
@@ -86,6 +111,9 @@ class TurntableSegmenter {
   }
   void RequireTurntable(const StillBackground& of_all) const;
   void CutView(size_t i, const cv::Mat& lab);
+  void Learn(const StillObject& still);
+  void FillPieces(cv::Mat* mask) const;
+  void DoubtPieces();
 
   const TurntableInput& input_;
   const Context& context_;
@@ -95,6 +123,10 @@ class TurntableSegmenter {
   // CV_8U, 255 where the background may be the most frequent colour of plate or
   // object.
   cv::Mat unreliable_;
+  // CV_8U, 255 where a plain object hides the background most of the time; the
+  // colours decide.
+  cv::Mat mostly_;
+  std::optional<ColourContrast> contrast_;
   std::string doubt_;
 };
 
@@ -113,12 +145,61 @@ void TurntableSegmenter::RequireTurntable(const StillBackground& of_all) const {
   }
 }
 
+// What a plain object looks like in all photographs, and the background.
+void TurntableSegmenter::Learn(const StillObject& still) {
+  if (still.sure.empty()) {
+    return;
+  }
+  cv::bitwise_or(always_, still.sure, always_);
+  mostly_ = still.mask & ~always_;
+  const size_t share = kSamples / input_.images.size() + 1;
+  std::vector<PixelFeature> object;
+  std::vector<PixelFeature> surroundings;
+  for (const cv::Mat& image : input_.images) {
+    const cv::Mat features = PixelFeatures(image);
+    for (const auto& [chosen, samples] :
+         {std::pair(still.sure, &object),
+          std::pair(still.sure_background, &surroundings)}) {
+      const auto of_view = SampleFeatures(features, chosen, share);
+      samples->insert(samples->end(), of_view.begin(), of_view.end());
+    }
+  }
+  contrast_.emplace(object, surroundings);
+}
+
+// Background that only colours show, and that is not connected with other
+// background, is object.
+void TurntableSegmenter::FillPieces(cv::Mat* mask) const {
+  cv::Mat labels;
+  const int count = cv::connectedComponents(*mask == 0, labels);
+  std::vector<uint8_t> is_known(count);
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) {
+      if (mostly_.at<uint8_t>(y, x) == 0) {
+        is_known[labels.at<int>(y, x)] = 1;
+      }
+    }
+  }
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) {
+      if (is_known[labels.at<int>(y, x)] == 0) {
+        mask->at<uint8_t>(y, x) = kObjectLabel;
+      }
+    }
+  }
+}
+
 void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
   const cv::Mat distance = DistanceFromBackground(lab, background_);
   cv::Mat log_odds = kMostOdds * (distance - 1);
   cv::min(log_odds, kMostOdds, log_odds);
   cv::max(log_odds, -kMostOdds, log_odds);
   cv::Mat(log_odds * kUnreliable).copyTo(log_odds, unreliable_);
+  if (contrast_) {
+    cv::Mat(contrast_->LogOdds(PixelFeatures(input_.images[i]), mostly_) +
+            kObjectOdds)
+        .copyTo(log_odds, mostly_);
+  }
   log_odds.setTo(kMostOdds, always_);
   // Where a whole neighbourhood is background, or object, there is nothing to
   // decide.
@@ -132,6 +213,9 @@ void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
   view.mask.setTo(kSurroundingsLabel, largest < 0);
   view.mask.setTo(kObjectLabel, least > 0);
   CutLabels(input_.images[i], log_odds, kSmoothness, &view.mask);
+  if (contrast_) {
+    FillPieces(&view.mask);
+  }
   // Specks are smaller than the window.
   cv::Mat opened;
   cv::morphologyEx(
@@ -146,6 +230,25 @@ void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
     view.doubt = fmt::format(
         "object and background look alike along {:.0f} % of the border",
         100 * (1 - view.confidence));
+  }
+}
+
+// Pieces in most views are what differs on an object that is taken for
+// background.
+void TurntableSegmenter::DoubtPieces() {
+  const auto in_pieces =
+      std::count_if(result_.begin(), result_.end(), [](const auto& view) {
+        return PartOfLargest(view.mask) < kLeastPart;
+      });
+  if (2 * size_t(in_pieces) <= result_.size()) {
+    return;
+  }
+  for (TurntableView& view : result_) {
+    view.doubt = fmt::format(
+        "in {} of {} photographs, what differs from the background falls into "
+        "pieces; object and plate may look the same from all sides",
+        in_pieces,
+        result_.size());
   }
 }
 

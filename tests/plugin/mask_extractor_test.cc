@@ -144,6 +144,24 @@ TEST_F(MaskExtractorTest, UnsureViewsGetNoMask) {
               HasSubstr("view_007.jpg.png: no such mask; missing for 1"));
 }
 
+TEST_F(MaskExtractorTest, StrokesAreKeptToThePixel) {
+  const cv::Mat truth = cv::imread(Mask(2).string(), cv::IMREAD_GRAYSCALE);
+  const cv::Rect box = cv::boundingRect(truth);
+  const cv::Rect object(box.x - 3, box.y + box.height / 2, 40, 5);
+  const cv::Rect background(box.br().x - 5, box.y + box.height / 2, 3, 7);
+  cv::Mat strokes(truth.size(), CV_8U, cv::Scalar(128));
+  strokes(object).setTo(255);
+  strokes(background).setTo(0);
+  fs::create_directories(folder_ / "strokes");
+  cv::imwrite((folder_ / "strokes" / Mask(2).filename()).string(), strokes);
+  const ProgramResult result = Extract({"--strokes_path", folder_ / "strokes"});
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const cv::Mat found = cv::imread(Found(2).string(), cv::IMREAD_GRAYSCALE);
+  EXPECT_EQ(cv::countNonZero(found(object) != 255), 0);
+  EXPECT_EQ(cv::countNonZero(found(background)), 0);
+  EXPECT_GT(Overlap(Found(2), Mask(2)), 0.95);
+}
+
 TEST_F(MaskExtractorTest, MesherMakesTheMasksIfAsked) {
   fs::remove_all(Workspace() / "masks");
   EXPECT_THAT(RunCut().err,

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/segment/labels.h"
 #include "tests/core/segment/ring_scene.h"
 
 namespace octacut {
@@ -74,13 +75,22 @@ TEST(RefineBorder, ColoursAreThoseNearby) {
   EXPECT_GT(Overlap(RefineBorder(image, mask, 5), truth), 0.99);
 }
 
-TEST(RefineBorder, KnownBackgroundStaysOutside) {
+TEST(RefineBorder, KeepsWhatIsKnown) {
   const cv::Mat disc = Disc({200, 160}, 50);
-  cv::Mat background = cv::Mat::zeros(disc.size(), CV_8U);
-  background.rowRange(120, 160).setTo(255);
-  EXPECT_GT(Overlap(RefineBorder(PictureOf(disc), disc, 7, background),
-                    disc & ~background),
-            0.99);
+  const cv::Rect outside(0, 110, 200, 50);
+  const cv::Rect inside(90, 20, 20, 20);
+  cv::Mat labels(disc.size(), CV_8U, cv::Scalar(kNoLabel));
+  labels(outside).setTo(kSurroundingsLabel);
+  labels(inside).setTo(kObjectLabel);
+  cv::Mat truth = disc.clone();
+  truth(outside).setTo(0);
+  truth(inside).setTo(255);
+  for (const double reach : {7.0, 20.0}) {
+    const cv::Mat refined = RefineBorder(PictureOf(disc), disc, reach, labels);
+    EXPECT_GT(Overlap(refined, truth), 0.99) << reach;
+    EXPECT_EQ(cv::countNonZero(refined(outside)), 0);
+    EXPECT_EQ(cv::countNonZero(refined(inside)), inside.area());
+  }
 }
 
 TEST(RefineBorder, LeavesARightBorderAsItIs) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/error.h"
@@ -96,6 +97,49 @@ TEST_F(TurntableTest, FindsAnObjectThatLooksTheSameFromAllSides) {
   for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
     EXPECT_EQ(view.doubt, "");
     EXPECT_GT(Overlap(view.mask, truth), 0.95);
+  }
+}
+
+// The shades of a plain vase pass into each other, and many photographs agree
+// on each.
+TEST_F(TurntableTest, FindsAPlainObjectThatTurnsInTheLight) {
+  const cv::Rect vase(80, 25, 40, 105);
+  cv::Mat truth = PlateMask();
+  truth(vase).setTo(255);
+  TurntableInput input;
+  for (int i = 0; i < 24; ++i) {
+    cv::Mat image = Photograph(i, true);
+    for (int y = vase.y; y < vase.br().y; ++y) {
+      for (int x = vase.x; x < vase.br().x; ++x) {
+        const double shade =
+            190 + 25 * std::cos(2 * CV_PI * i / 24 + 0.05 * (x - vase.x));
+        image.at<cv::Vec3b>(y, x) =
+            cv::Vec3b::all(cv::saturate_cast<uint8_t>(shade));
+      }
+    }
+    input.images.push_back(image);
+  }
+  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
+    EXPECT_EQ(view.doubt, "");
+    EXPECT_GT(Overlap(view.mask, truth), 0.95);
+  }
+}
+
+// Of a vase and a plate that look the same from all sides, only highlights
+// differ.
+TEST_F(TurntableTest, DoubtsPieces) {
+  TurntableInput input;
+  for (int i = 0; i < 12; ++i) {
+    cv::Mat image = Photograph(i, false);
+    image(cv::Rect(80, 25, 40, 105)).setTo(cv::Scalar(40, 40, 40));
+    for (int k = 0; k < 4; ++k) {
+      image(cv::Rect(82 + 2 * i, 30 + 24 * k, 10, 10))
+          .setTo(cv::Scalar(220, 220, 220));
+    }
+    input.images.push_back(image);
+  }
+  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
+    EXPECT_NE(view.doubt.find("falls into pieces"), std::string::npos);
   }
 }
 

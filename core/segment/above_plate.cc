@@ -1,0 +1,79 @@
+#include "core/segment/above_plate.h"
+
+#include <cstddef>
+#include <Eigen/Core>
+#include <optional>
+
+#include "core/base/parallel.h"
+#include "core/segment/labels.h"
+
+namespace octacut {
+namespace {
+
+// Part of the views in which a point of the plate may be taken for background,
+// because it looks like it.
+constexpr double kMostStill = 0.25;
+
+// Where a ray from `origin` meets the plane.
+std::optional<Eigen::Vector3d> MeetPlane(
+    const Eigen::Vector3d& origin,
+    const Eigen::Vector3d& direction,
+    const Eigen::Hyperplane<double, 3>& plane) {
+  const double depth =
+      -plane.signedDistance(origin) / plane.normal().dot(direction);
+  if (!(depth > 0)) {
+    return std::nullopt;
+  }
+  return origin + depth * direction;
+}
+
+bool IsOfPlate(const Eigen::Vector3d& point,
+               std::span<const cv::Mat> labels,
+               std::span<const Pose> poses) {
+  size_t num_shown = 0;
+  size_t num_still = 0;
+  for (size_t i = 0; i < poses.size(); ++i) {
+    if (IsShown(poses[i], point)) {
+      const Eigen::Vector2d pixel =
+          poses[i].camera.Project(poses[i].cam_from_world * point);
+      ++num_shown;
+      num_still += labels[i].at<uint8_t>(int(pixel.y()), int(pixel.x())) ==
+                   kSurroundingsLabel;
+    }
+  }
+  return 2 * num_shown > poses.size() &&
+         double(num_still) <= kMostStill * double(num_shown);
+}
+
+}  // namespace
+
+std::vector<cv::Mat> FindPixelsAbovePlate(
+    std::span<const cv::Mat> labels,
+    std::span<const Pose> poses,
+    const Eigen::Hyperplane<double, 3>& plane,
+    const Context& context) {
+  std::vector<cv::Mat> above(poses.size());
+  ParallelFor(context, poses.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Rigid3d world_from_cam = poses[i].cam_from_world.Inverse();
+      above[i] = cv::Mat::zeros(labels[i].size(), CV_8U);
+      for (int y = 0; y < above[i].rows; ++y) {
+        for (int x = 0; x < above[i].cols; ++x) {
+          if (labels[i].at<uint8_t>(y, x) == kSurroundingsLabel) {
+            continue;
+          }
+          const Eigen::Vector3d direction =
+              world_from_cam.rotation *
+              poses[i].camera.Unproject({x + 0.5, y + 0.5});
+          const std::optional<Eigen::Vector3d> point =
+              MeetPlane(world_from_cam.translation, direction, plane);
+          above[i].at<uint8_t>(y, x) =
+              point && IsOfPlate(*point, labels, poses) ? 0 : 255;
+        }
+      }
+    }
+  });
+  return above;
+}
+
+}  // namespace octacut

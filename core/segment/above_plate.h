@@ -1,0 +1,26 @@
+// Pixels of a turntable's views that can show nothing but the object.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <opencv2/core/mat.hpp>
+#include <span>
+#include <vector>
+
+#include "core/base/context.h"
+#include "core/segment/search_region.h"
+
+namespace octacut {
+
+// For each view, CV_8UC1 of its size: 255 for pixels that turn and whose rays
+// do not meet the plate. A point of `plane` is of the plate if most views show
+// it, and at most a quarter of these see background there that stands still.
+//
+// `labels` (CV_8UC1 of the views' sizes) are kSurroundingsLabel for what stands
+// still and kNoLabel for what turns.
+std::vector<cv::Mat> FindPixelsAbovePlate(
+    std::span<const cv::Mat> labels,
+    std::span<const Pose> poses,
+    const Eigen::Hyperplane<double, 3>& plane,
+    const Context& context);
+
+}  // namespace octacut

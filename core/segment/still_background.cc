@@ -203,14 +203,14 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
 
 cv::Mat DistanceFromBackground(const cv::Mat& lab,
                                const StillBackground& background) {
-  static const float least = std::cbrt(kLeastLight);
+  static const float kLeast = std::cbrt(kLeastLight);
   cv::Mat distance(lab.size(), CV_32F);
   for (int y = 0; y < lab.rows; ++y) {
     for (int x = 0; x < lab.cols; ++x) {
       const auto& value = lab.at<cv::Vec3b>(y, x);
       const auto& color = background.color.at<cv::Vec3f>(y, x);
       const float light = std::clamp(
-          (float(value[0]) + kBlack) / (color[0] + kBlack), least, 1.0f);
+          (float(value[0]) + kBlack) / (color[0] + kBlack), kLeast, 1.0f);
       const cv::Vec3f shaded((color[0] + kBlack) * light - kBlack,
                              (color[1] - kNeutral) * light + kNeutral,
                              (color[2] - kNeutral) * light + kNeutral);

@@ -130,6 +130,7 @@ SilhouetteCheck CheckSilhouettes(
   SilhouetteCheck check;
   check.missed.resize(views.size());
   std::vector<double> margins;
+  margins.reserve(views.size());
   for (const MaskUncertainty& uncertainty : uncertainties) {
     margins.push_back(uncertainty.repaired.outward);
   }

@@ -41,9 +41,9 @@ class TurntableTest : public ::testing::Test {
     return mask;
   }
   static cv::Mat Photograph(int i, bool with_plate) {
-    cv::Mat image = Textured(1, {150, 90, 60}, uint64_t(100 + i));
+    cv::Mat image = Textured(1, {150, 90, 60}, 100 + uint64_t(i));
     if (with_plate) {
-      Textured(uint64_t(1000 + i), {60, 90, 120}, uint64_t(200 + i))
+      Textured(1000 + uint64_t(i), {60, 90, 120}, 200 + uint64_t(i))
           .copyTo(image, PlateMask());
     }
     return image;
@@ -62,7 +62,7 @@ TEST_F(TurntableTest, FindsWhatTurns) {
     // An arm that swings from one side to the other.
     cv::Mat arm = cv::Mat::zeros(kHeight, kWidth, CV_8U);
     cv::line(arm, {100, 110}, {40 + 8 * i, 40}, 255, 14);
-    Textured(uint64_t(3000 + i), {40, 160, 160}, 7).copyTo(image, arm);
+    Textured(3000 + uint64_t(i), {40, 160, 160}, 7).copyTo(image, arm);
     truths.push_back(truth | arm);
     input.images.push_back(image);
   }
@@ -150,7 +150,7 @@ TEST_F(TurntableTest, DoubtsWhatLooksLikeTheBackground) {
   TurntableInput input;
   for (int i = 0; i < 12; ++i) {
     cv::Mat image = Photograph(i, true);
-    Textured(77, {150, 90, 60}, uint64_t(300 + i))(vase).copyTo(image(vase));
+    Textured(77, {150, 90, 60}, 300 + uint64_t(i))(vase).copyTo(image(vase));
     input.images.push_back(image);
   }
   for (const TurntableView& view : SegmentTurntable(input, Context(2))) {

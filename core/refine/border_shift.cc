@@ -9,14 +9,16 @@ namespace {
 
 constexpr size_t kMinContourTargets = 100;
 constexpr size_t kMinShare = 10;  // one in so many of all occluding contours
+constexpr double kShareOfBites = 0.01;
 
 struct ContourExcess {
   float pixels;
   double weight;
 };
 
-// By weight; in any order of `values`.
-float WeightedMedian(std::vector<ContourExcess> values) {
+// The value that `share` of the weight does not exceed; in any order of
+// `values`.
+float WeightedQuantile(std::vector<ContourExcess> values, double share) {
   std::sort(values.begin(),
             values.end(),
             [](const ContourExcess& one, const ContourExcess& other) {
@@ -32,14 +34,14 @@ float WeightedMedian(std::vector<ContourExcess> values) {
                       values.end() - 1,
                       [&](const ContourExcess& value) {
                         below += value.weight;
-                        return 2 * below >= sum;
+                        return below >= share * sum;
                       })
       ->pixels;
 }
 
 }  // namespace
 
-std::optional<BorderExcess> MedianExcess(
+std::optional<BorderExcess> MeasureExcess(
     const std::vector<ContourTarget>& contours,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,
@@ -64,11 +66,13 @@ std::optional<BorderExcess> MedianExcess(
       std::max(kMinContourTargets, contours.size() / kMinShare)) {
     return std::nullopt;
   }
-  const float median = WeightedMedian(excesses);
+  const float median = WeightedQuantile(excesses, 0.5);
+  const float bites = -WeightedQuantile(excesses, kShareOfBites);
   for (ContourExcess& excess : excesses) {
     excess.pixels = std::abs(excess.pixels - median);
   }
-  return BorderExcess{median, WeightedMedian(std::move(excesses))};
+  return BorderExcess{
+      median, WeightedQuantile(std::move(excesses), 0.5), bites};
 }
 
 double ShrinkShift(double measured, double noise) {

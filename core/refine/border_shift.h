@@ -16,16 +16,19 @@ namespace octacut {
 struct BorderExcess {
   double median = 0;
   double deviation = 0;  // the median distance from it
+  // A hundredth of the borders lie at least so far inside of where the
+  // photographs put the outlines: bites of the masks.
+  double bites = 0;
 };
 
 // By how many pixels of their views `contours` lead farther outward than the
-// offsets measured at their points, where `surfaces` are: the median, weighted
-// by the fourth power of the offsets' weights, since badly measured ones lie
-// too far inside. So do those of thin structures: only points whose radius of
-// curvature is at least `min_radius` pixels count, and `curvature_bias` over
-// that radius (pixels^2) is taken off. None where fewer than a hundred
-// occluding contours, or than a tenth of them, could tell.
-std::optional<BorderExcess> MedianExcess(
+// offsets measured at their points, where `surfaces` are; weighted by the
+// fourth power of the offsets' weights, since badly measured ones lie too far
+// inside. So do those of thin structures: only points whose radius of curvature
+// is at least `min_radius` pixels count, and `curvature_bias` over that radius
+// (pixels^2) is taken off. None where fewer than a hundred occluding contours,
+// or than a tenth of them, could tell.
+std::optional<BorderExcess> MeasureExcess(
     const std::vector<ContourTarget>& contours,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,

@@ -1,6 +1,7 @@
 #include "core/refine/border_terms.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/refine/border_shift.h"
@@ -31,6 +32,9 @@ constexpr double kThinStructureNoise = 2;
 // twice the usual distance of contours from borders, which is 1.3 standard
 // deviations.
 constexpr double kLeastTolerance = 0.25;
+// A hundredth of what is normally distributed lies farther out on one side than
+// so many median distances.
+constexpr double kNormalTail = 3.45;
 constexpr double kToleratedDistance = 2;
 
 // Pixels to which what the occluding contours say can be known: no better than
@@ -40,34 +44,48 @@ double NoiseOf(const BorderExcess& excess) {
   return std::max(share * kBorderNoise, excess.deviation);
 }
 
-// The shift of the masks' borders, pixels, in all: the plan's, and what the
-// occluding contours say of the rest.
-double FindBorderShift(const std::vector<ContourTarget>& contours,
-                       const std::vector<LocalSurface>& surfaces,
-                       const std::vector<OffsetMeasurement>& measurements,
-                       const RoundPlan& plan) {
+// Whether the borders are where the photographs put the outlines as a whole,
+// and more of them lie farther inside than by noise.
+bool HasBites(const BorderExcess& excess) {
+  return std::abs(excess.median) < excess.deviation &&
+         excess.bites > kNormalTail * excess.deviation;
+}
+
+// What the occluding contours say of the masks' borders.
+struct BorderFindings {
+  double shift = 0;  // pixels, in all
+  double bites = 0;  // BorderExcess; 0 where there are none
+};
+
+// The shift is the plan's, and what is left of it.
+BorderFindings FindBorders(const std::vector<ContourTarget>& contours,
+                           const std::vector<LocalSurface>& surfaces,
+                           const std::vector<OffsetMeasurement>& measurements,
+                           const RoundPlan& plan) {
   if (plan.scale > kMaxBorderScale) {
-    return plan.border_shift;
+    return {.shift = plan.border_shift};
   }
-  if (const std::optional<BorderExcess> excess = MedianExcess(
-          contours, surfaces, measurements, kMinBorderRadius * plan.scale, 0)) {
+  const auto shift = [&](double median, double noise) {
     return plan.edge_shift +
-           ShrinkShift(plan.border_shift + excess->median - plan.edge_shift,
-                       NoiseOf(*excess));
+           ShrinkShift(plan.border_shift + median - plan.edge_shift, noise);
+  };
+  if (const std::optional<BorderExcess> excess = MeasureExcess(
+          contours, surfaces, measurements, kMinBorderRadius * plan.scale, 0)) {
+    return {.shift = shift(excess->median, NoiseOf(*excess)),
+            .bites = HasBites(*excess) ? excess->bites : 0};
   }
   // Only thin structures are there to tell.
   if (const std::optional<BorderExcess> excess =
-          MedianExcess(contours,
-                       surfaces,
-                       measurements,
-                       0,
-                       kThinStructureBias * plan.scale)) {
-    return plan.edge_shift +
-           ShrinkShift(
-               plan.border_shift + excess->median - plan.edge_shift,
-               kThinStructureNoise * std::max(kBorderNoise, excess->deviation));
+          MeasureExcess(contours,
+                        surfaces,
+                        measurements,
+                        0,
+                        kThinStructureBias * plan.scale)) {
+    return {.shift = shift(excess->median,
+                           kThinStructureNoise *
+                               std::max(kBorderNoise, excess->deviation))};
   }
-  return plan.border_shift;
+  return {.shift = plan.border_shift};
 }
 
 // In addition to the pixels by which masks are too small. In coarse rounds
@@ -92,10 +110,13 @@ void JudgeBorders(const std::vector<ContourTarget>& contours,
   if (summary->KnowsMost()) {
     // Offsets on dark and ruffled surfaces lie too far inside, and claim shifts
     // that the edges contradict (docs/experiments/mask_borders.md).
-    summary->border_shift =
-        std::clamp(FindBorderShift(contours, surfaces, measurements, plan),
-                   plan.edge_shift - plan.edge_shift_slack,
-                   plan.edge_shift + plan.edge_shift_slack);
+    const BorderFindings borders =
+        FindBorders(contours, surfaces, measurements, plan);
+    summary->border_shift = std::clamp(borders.shift,
+                                       plan.edge_shift - plan.edge_shift_slack,
+                                       plan.edge_shift + plan.edge_shift_slack);
+    summary->hull_tolerance = std::clamp(
+        borders.bites, summary->hull_tolerance, kLargestHullTolerance);
   }
 }
 

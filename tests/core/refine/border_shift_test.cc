@@ -30,10 +30,10 @@ std::optional<BorderExcess> Excess(
     const std::vector<ContourTarget>& contours,
     const std::vector<OffsetMeasurement>& measurements) {
   const std::vector<LocalSurface> surfaces(measurements.size());
-  return MedianExcess(contours, surfaces, measurements, 4, 1);
+  return MeasureExcess(contours, surfaces, measurements, 4, 1);
 }
 
-TEST(MedianExcess, IsWhatContoursLeadFartherOutward) {
+TEST(MeasureExcess, IsWhatContoursLeadFartherOutward) {
   const std::vector<OffsetMeasurement> measurements = {Measured(0.3f, 4),
                                                        Measured(0.6f, 5)};
   EXPECT_NEAR(
@@ -42,7 +42,7 @@ TEST(MedianExcess, IsWhatContoursLeadFartherOutward) {
       Excess(Contours(100, -0.2f), measurements).value().median, -0.6, 1e-6);
 }
 
-TEST(MedianExcess, IsThatOfTheBestMeasuredMajority) {
+TEST(MeasureExcess, IsThatOfTheBestMeasuredMajority) {
   std::vector<OffsetMeasurement> measurements = {
       Measured(0, 4), Measured(0, 8), Measured(0, 2), Measured(0, 8)};
   std::vector<ContourTarget> contours = Contours(101, 0.5f);
@@ -64,7 +64,19 @@ TEST(MedianExcess, IsThatOfTheBestMeasuredMajority) {
   EXPECT_NEAR(Excess(contours, measurements).value().median, 3, 1e-6);
 }
 
-TEST(MedianExcess, SaysHowWellContoursAgree) {
+TEST(MeasureExcess, SaysHowFarAHundredthLiesInside) {
+  const std::vector<OffsetMeasurement> measurements = {Measured(0.1f, 8),
+                                                       Measured(0.1f, 8)};
+  std::vector<ContourTarget> contours = Contours(1000, 0);
+  for (const ContourTarget& contour : Contours(30, -1.7f)) {
+    contours.push_back(contour);
+  }
+  EXPECT_NEAR(Excess(contours, measurements).value().bites, 1.8, 1e-6);
+  contours.resize(1005);
+  EXPECT_NEAR(Excess(contours, measurements).value().bites, 0.1, 1e-6);
+}
+
+TEST(MeasureExcess, SaysHowWellContoursAgree) {
   const std::vector<OffsetMeasurement> measurements = {
       Measured(0, 8), Measured(0, 8), Measured(0, 2)};
   EXPECT_NEAR(
@@ -85,7 +97,7 @@ TEST(MedianExcess, SaysHowWellContoursAgree) {
   EXPECT_NEAR(Excess(contours, measurements).value().deviation, 0.1, 1e-6);
 }
 
-TEST(MedianExcess, IsInPixelsOfEachView) {
+TEST(MeasureExcess, IsInPixelsOfEachView) {
   std::vector<ContourTarget> contours = Contours(100, 0.8f);
   for (ContourTarget& contour : contours) {
     contour.pixels_per_unit = 2 * kScale;
@@ -96,28 +108,28 @@ TEST(MedianExcess, IsInPixelsOfEachView) {
       1e-6);
 }
 
-TEST(MedianExcess, LeavesOutThinStructures) {
+TEST(MeasureExcess, LeavesOutThinStructures) {
   std::vector<LocalSurface> surfaces(2);
   surfaces[1].uu = -0.5f * kScale / 5;  // a cylinder of radius 5 pixels
   const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
                                                        Measured(0, 1)};
-  EXPECT_TRUE(MedianExcess(Contours(100, 1), surfaces, measurements, 4.9, 0));
-  EXPECT_FALSE(MedianExcess(Contours(100, 1), surfaces, measurements, 5.1, 0));
+  EXPECT_TRUE(MeasureExcess(Contours(100, 1), surfaces, measurements, 4.9, 0));
+  EXPECT_FALSE(MeasureExcess(Contours(100, 1), surfaces, measurements, 5.1, 0));
 }
 
-TEST(MedianExcess, TakesOffWhatCurvaturePretends) {
+TEST(MeasureExcess, TakesOffWhatCurvaturePretends) {
   std::vector<LocalSurface> surfaces(2);
   surfaces[0].vv = 0.5f * kScale / 4;
   const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
                                                        Measured(0, 1)};
-  EXPECT_NEAR(MedianExcess(Contours(100, 1), surfaces, measurements, 0, 2)
+  EXPECT_NEAR(MeasureExcess(Contours(100, 1), surfaces, measurements, 0, 2)
                   .value()
                   .median,
               1 - 2.0 / 4,
               1e-6);
 }
 
-TEST(MedianExcess, NeedsContoursWithOffsets) {
+TEST(MeasureExcess, NeedsContoursWithOffsets) {
   std::vector<ContourTarget> contours = Contours(200, 1);
   const std::vector<OffsetMeasurement> few = {
       Measured(0, 1), Measured(0, 1), Measured(0, 0)};

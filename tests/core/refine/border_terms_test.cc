@@ -1,0 +1,60 @@
+#include "core/refine/border_terms.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace octacut {
+namespace {
+
+// Pixels a unit.
+constexpr float kPixelsPerUnit = 200;
+constexpr int kCount = 2000;
+
+// Occluding contours between two planes, whose borders the masks have
+// `distances` pixels outside, while photographs find the surface where it is,
+// but for `offset` pixels.
+RoundSummary JudgeAt(float (*distance)(int),
+                     float offset = 0,
+                     size_t num_seen = 2) {
+  std::vector<ContourTarget> contours;
+  for (int i = 0; i < kCount; ++i) {
+    contours.push_back(
+        {{{0, 1}, 0.5f, distance(i) / kPixelsPerUnit, 1}, kPixelsPerUnit});
+  }
+  OffsetMeasurement measured;
+  measured.offset = offset / kPixelsPerUnit;
+  measured.weight = 4;
+  RoundSummary summary;
+  summary.num_seen = num_seen;
+  summary.num_measured = 2;
+  JudgeBorders(contours,
+               std::vector<LocalSurface>(2),
+               {measured, measured},
+               {.scale = 1},
+               &summary);
+  return summary;
+}
+
+float SmallNoise(int i) { return 0.2f * std::sin(float(i)); }
+
+float NoiseAndBites(int i) { return i % 40 == 0 ? -1.2f : SmallNoise(i); }
+
+TEST(JudgeBorders, LetsVerticesLeaveMasksByTheUsualDistance) {
+  EXPECT_NEAR(JudgeAt(SmallNoise).hull_tolerance, 0.28, 0.02);
+}
+
+TEST(JudgeBorders, LetsVerticesLeaveBitesOfMasks) {
+  EXPECT_NEAR(JudgeAt(NoiseAndBites).hull_tolerance, 1.2, 0.01);
+  EXPECT_NEAR(JudgeAt(NoiseAndBites).border_shift, 0, 0.01);
+}
+
+// Where offsets say that the masks are wrong as a whole, or most points have
+// none, there may be no bites.
+TEST(JudgeBorders, DoesNotTakeWrongOffsetsForBites) {
+  EXPECT_NEAR(JudgeAt(NoiseAndBites, -1).hull_tolerance, 0.28, 0.02);
+  EXPECT_NEAR(JudgeAt(NoiseAndBites, 0, 5).hull_tolerance, 0.28, 0.02);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -18,6 +18,7 @@ RoundSummary JudgeAt(float (*distance)(int),
                      float offset = 0,
                      size_t num_seen = 2) {
   std::vector<ContourTarget> contours;
+  contours.reserve(kCount);
   for (int i = 0; i < kCount; ++i) {
     contours.push_back(
         {{{0, 1}, 0.5f, distance(i) / kPixelsPerUnit, 1}, kPixelsPerUnit});

@@ -93,7 +93,7 @@ class Segmenter {
     });
   }
   cv::Mat FirstLabels(size_t view, double middle) const;
-  bool FindObject(double middle);
+  bool FindObject(double middle, const std::vector<cv::Mat>& above_plate);
   size_t CountDoubts() const;
   bool IsObjectSaid() const;
   // Whether what turns in a view is known, and where the stand is: all else
@@ -253,10 +253,10 @@ bool Segmenter::IsObjectSaid() const {
       });
 }
 
-bool Segmenter::FindObject(double middle) {
+bool Segmenter::FindObject(double middle,
+                           const std::vector<cv::Mat>& above_plate) {
   Phase phase(context_, "finding the object", kCoarseRounds + kFineRounds);
   const bool is_said = IsObjectSaid();
-  const std::vector<cv::Mat> above_plate = FindAbovePlate();
   ForEachView([&](size_t i) {
     const cv::Mat& proposal = input_.views[i].proposal;
     labels_[i] = proposal.empty() ? FirstLabels(i, middle) : proposal.clone();
@@ -302,10 +302,11 @@ size_t Segmenter::CountDoubts() const {
 Segmentation Segmenter::Run() {
   ForEachView(
       [&](size_t i) { features_[i] = PixelFeatures(input_.views[i].image); });
+  const std::vector<cv::Mat> above_plate = FindAbovePlate();
   std::optional<Segmentation> best;
   size_t fewest = 0;
   for (const double middle : kMiddles) {
-    if (!FindObject(middle)) {
+    if (!FindObject(middle, above_plate)) {
       continue;
     }
     ForEachView([&](size_t i) { CutView(i); });

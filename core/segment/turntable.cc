@@ -152,19 +152,25 @@ void TurntableSegmenter::Learn(const StillObject& still) {
   }
   cv::bitwise_or(always_, still.sure, always_);
   mostly_ = still.mask & ~always_;
-  const size_t share = kSamples / input_.images.size() + 1;
-  std::vector<PixelFeature> object;
-  std::vector<PixelFeature> surroundings;
-  for (const cv::Mat& image : input_.images) {
-    const cv::Mat features = PixelFeatures(image);
-    for (const auto& [chosen, samples] :
-         {std::pair(still.sure, &object),
-          std::pair(still.sure_background, &surroundings)}) {
-      const auto of_view = SampleFeatures(features, chosen, share);
-      samples->insert(samples->end(), of_view.begin(), of_view.end());
+  const size_t count = input_.images.size();
+  const size_t share = kSamples / count + 1;
+  std::vector<std::vector<PixelFeature>> objects(count);
+  std::vector<std::vector<PixelFeature>> backgrounds(count);
+  ParallelFor(context_, count, 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const cv::Mat features = PixelFeatures(input_.images[i]);
+      objects[i] = SampleFeatures(features, still.sure, share);
+      backgrounds[i] = SampleFeatures(features, still.sure_background, share);
     }
+  });
+  std::vector<PixelFeature> object;
+  std::vector<PixelFeature> background;
+  for (size_t i = 0; i < count; ++i) {
+    object.insert(object.end(), objects[i].begin(), objects[i].end());
+    background.insert(
+        background.end(), backgrounds[i].begin(), backgrounds[i].end());
   }
-  contrast_.emplace(object, surroundings);
+  contrast_.emplace(object, background);
 }
 
 // Background that only colours show, and that is not connected with other

@@ -11,9 +11,9 @@ namespace {
 constexpr float kPixelsPerUnit = 200;
 constexpr int kCount = 2000;
 
-// Occluding contours between two planes, whose borders the masks have
-// `distances` pixels outside, while photographs find the surface where it is,
-// but for `offset` pixels.
+// Occluding contours between two planes. The border of the mask is
+// `distance(i)` pixels outside of the i-th one, and photographs find the
+// surface `offset` pixels outside.
 RoundSummary JudgeAt(float (*distance)(int),
                      float offset = 0,
                      size_t num_seen = 2) {

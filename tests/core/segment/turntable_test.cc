@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kWidth = 200;
 constexpr int kHeight = 150;
+// What a vase in front of the plate covers.
+const cv::Rect kVase(80, 25, 40, 105);
 
 // Patches of four by four pixels and noise of two grey levels.
 cv::Mat Textured(uint64_t seed, const cv::Vec3b& base, uint64_t noise_seed) {
@@ -51,6 +53,15 @@ class TurntableTest : public ::testing::Test {
   static double Overlap(const cv::Mat& a, const cv::Mat& b) {
     return double(cv::countNonZero(a & b)) / cv::countNonZero(a | b);
   }
+  // In all photographs, without a doubt.
+  static void ExpectVaseAndPlate(const TurntableInput& input) {
+    cv::Mat truth = PlateMask();
+    truth(kVase).setTo(255);
+    for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
+      EXPECT_EQ(view.doubt, "");
+      EXPECT_GT(Overlap(view.mask, truth), 0.95);
+    }
+  }
 };
 
 TEST_F(TurntableTest, FindsWhatTurns) {
@@ -78,51 +89,36 @@ TEST_F(TurntableTest, FindsWhatTurns) {
 
 // A grey vase that never changes stands in front of the plate.
 TEST_F(TurntableTest, FindsAnObjectThatLooksTheSameFromAllSides) {
-  const cv::Rect vase(80, 25, 40, 105);
-  cv::Mat truth = PlateMask();
-  truth(vase).setTo(255);
   TurntableInput input;
   for (int i = 0; i < 12; ++i) {
     cv::Mat image = Photograph(i, true);
-    image(vase).setTo(cv::Scalar(170, 170, 170));
+    image(kVase).setTo(cv::Scalar(170, 170, 170));
     input.images.push_back(image);
   }
-  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
-    EXPECT_EQ(view.doubt, "");
-    EXPECT_GT(Overlap(view.mask, truth), 0.95);
-  }
+  ExpectVaseAndPlate(input);
   // With photographs of the empty set it may look like the background
   // elsewhere.
   input.empty_set = {Photograph(50, true), Photograph(51, true)};
-  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
-    EXPECT_EQ(view.doubt, "");
-    EXPECT_GT(Overlap(view.mask, truth), 0.95);
-  }
+  ExpectVaseAndPlate(input);
 }
 
 // The shades of a plain vase pass into each other, and many photographs agree
 // on each.
 TEST_F(TurntableTest, FindsAPlainObjectThatTurnsInTheLight) {
-  const cv::Rect vase(80, 25, 40, 105);
-  cv::Mat truth = PlateMask();
-  truth(vase).setTo(255);
   TurntableInput input;
   for (int i = 0; i < 24; ++i) {
     cv::Mat image = Photograph(i, true);
-    for (int y = vase.y; y < vase.br().y; ++y) {
-      for (int x = vase.x; x < vase.br().x; ++x) {
+    for (int y = kVase.y; y < kVase.br().y; ++y) {
+      for (int x = kVase.x; x < kVase.br().x; ++x) {
         const double shade =
-            190 + 25 * std::cos(2 * CV_PI * i / 24 + 0.05 * (x - vase.x));
+            190 + 25 * std::cos(2 * CV_PI * i / 24 + 0.05 * (x - kVase.x));
         image.at<cv::Vec3b>(y, x) =
             cv::Vec3b::all(cv::saturate_cast<uint8_t>(shade));
       }
     }
     input.images.push_back(image);
   }
-  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
-    EXPECT_EQ(view.doubt, "");
-    EXPECT_GT(Overlap(view.mask, truth), 0.95);
-  }
+  ExpectVaseAndPlate(input);
 }
 
 // Of a vase and a plate that look the same from all sides, only highlights
@@ -131,7 +127,7 @@ TEST_F(TurntableTest, DoubtsPieces) {
   TurntableInput input;
   for (int i = 0; i < 12; ++i) {
     cv::Mat image = Photograph(i, false);
-    image(cv::Rect(80, 25, 40, 105)).setTo(cv::Scalar(40, 40, 40));
+    image(kVase).setTo(cv::Scalar(40, 40, 40));
     for (int k = 0; k < 4; ++k) {
       image(cv::Rect(82 + 2 * i, 30 + 24 * k, 10, 10))
           .setTo(cv::Scalar(220, 220, 220));
@@ -146,11 +142,10 @@ TEST_F(TurntableTest, DoubtsPieces) {
 // What stands still in front of the plate and looks like the background is not
 // decided in silence.
 TEST_F(TurntableTest, DoubtsWhatLooksLikeTheBackground) {
-  const cv::Rect vase(80, 25, 40, 105);
   TurntableInput input;
   for (int i = 0; i < 12; ++i) {
     cv::Mat image = Photograph(i, true);
-    Textured(77, {150, 90, 60}, 300 + uint64_t(i))(vase).copyTo(image(vase));
+    Textured(77, {150, 90, 60}, 300 + uint64_t(i))(kVase).copyTo(image(kVase));
     input.images.push_back(image);
   }
   for (const TurntableView& view : SegmentTurntable(input, Context(2))) {

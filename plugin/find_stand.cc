@@ -12,6 +12,7 @@
 #include "core/segment/search_region.h"
 #include "core/segment/stand_pixels.h"
 #include "core/segment/stand_plane.h"
+#include "core/segment/turntable_views.h"
 
 namespace octacut {
 namespace {
@@ -77,21 +78,30 @@ void FindStand(const SparseModel& model,
   if (!stand) {
     return;
   }
-  const std::vector<cv::Mat> pixels =
-      FindStandPixels(images, poses, stand->plane, region.center, context);
-  if (!is_required && !IsStand(pixels, poses, region)) {
-    return;
-  }
-  for (size_t i = 0; i < pixels.size(); ++i) {
-    // Of a turntable, what does not show the stand is object or background that
-    // stands still; chance matches there would be learned as the stand's.
-    if (!input.views[i].is_turntable) {
-      input.views[i].stand = pixels[i];
+  const auto find_pixels = [&] {
+    return FindStandPixels(images, poses, stand->plane, region.center, context);
+  };
+  std::vector<cv::Mat> pixels;
+  if (!is_required) {
+    pixels = find_pixels();
+    if (!IsStand(pixels, poses, region)) {
+      return;
     }
   }
   // What is left of the stand's surface by noise is cut off as well.
   input.floor = stand->plane;
   input.floor->offset() -= stand->tolerance;
+  UseTurntable(region, context, &input);
+  for (size_t i = 0; i < poses.size(); ++i) {
+    // Of a turntable, what does not show the stand is object or background that
+    // stands still; chance matches there would be learned as the stand's.
+    if (!input.views[i].is_turntable) {
+      if (pixels.empty()) {
+        pixels = find_pixels();
+      }
+      input.views[i].stand = pixels[i];
+    }
+  }
   std::erase_if(sparse_points, [&](const SparsePoint* point) {
     return std::abs(stand->plane.signedDistance(point->xyz)) > stand->tolerance;
   });

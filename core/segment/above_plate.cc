@@ -1,11 +1,15 @@
 #include "core/segment/above_plate.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <Eigen/Core>
+#include <opencv2/imgproc.hpp>
 #include <optional>
+#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/segment/labels.h"
+#include "core/segment/occupancy.h"
 
 namespace octacut {
 namespace {
@@ -13,6 +17,12 @@ namespace {
 // Part of the views in which a point of the plate may be taken for background,
 // because it looks like it.
 constexpr double kMostStill = 0.25;
+// Voxels along an edge of the region.
+constexpr int kVoxelsAcross = 96;
+// Pixels by which borders may be off.
+constexpr int kBorderError = 2;
+// The word of more than one view, whatever the sampling.
+constexpr float kWordOfTwo = -1.5f * kOneViewsWord;
 
 // Where a ray from `origin` meets the plane.
 std::optional<Eigen::Vector3d> MeetPlane(
@@ -74,6 +84,45 @@ std::vector<cv::Mat> FindPixelsAbovePlate(
     }
   });
   return above;
+}
+
+double ContradictedPart(std::span<const cv::Mat> labels,
+                        std::span<const cv::Mat> above,
+                        std::span<const Pose> poses,
+                        const Eigen::Hyperplane<double, 3>& plane,
+                        const SearchRegion& region,
+                        const Context& context) {
+  const cv::Mat window =
+      cv::Mat::ones(2 * kBorderError + 1, 2 * kBorderError + 1, CV_8U);
+  std::vector<cv::Mat> log_odds;
+  log_odds.reserve(labels.size());
+  for (const cv::Mat& of_view : labels) {
+    cv::Mat still;
+    cv::erode(of_view == kSurroundingsLabel, still, window);
+    cv::Mat& odds =
+        log_odds.emplace_back(cv::Mat::zeros(of_view.size(), CV_32F));
+    odds.setTo(-2 * kOneViewsWord, still);
+  }
+  const OccupancyGrid grid(region.cube,
+                           kVoxelsAcross,
+                           {region.box, plane},
+                           poses,
+                           log_odds,
+                           context);
+  std::vector<int> num_contradicted(poses.size());
+  int num_above = 0;
+  ParallelFor(context, poses.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      num_contradicted[i] =
+          cv::countNonZero((grid.WordOfOthers(i) < kWordOfTwo) & above[i]);
+    }
+  });
+  int sum = 0;
+  for (size_t i = 0; i < poses.size(); ++i) {
+    sum += num_contradicted[i];
+    num_above += cv::countNonZero(above[i]);
+  }
+  return double(sum) / std::max(num_above, 1);
 }
 
 }  // namespace octacut

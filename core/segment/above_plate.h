@@ -23,4 +23,16 @@ std::vector<cv::Mat> FindPixelsAbovePlate(
     const Eigen::Hyperplane<double, 3>& plane,
     const Context& context);
 
+// Part of those pixels (`above`, as FindPixelsAbovePlate returns them) that
+// other views contradict: two of them or more see still background at every
+// point of the pixel's ray within `region`. Silhouettes of one object have few
+// such pixels; if parts of it were taken for background in some views, the
+// other views show them against this.
+double ContradictedPart(std::span<const cv::Mat> labels,
+                        std::span<const cv::Mat> above,
+                        std::span<const Pose> poses,
+                        const Eigen::Hyperplane<double, 3>& plane,
+                        const SearchRegion& region,
+                        const Context& context);
+
 }  // namespace octacut

@@ -12,7 +12,6 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/segment/above_plate.h"
 #include "core/segment/appearance.h"
 #include "core/segment/label_cut.h"
 #include "core/segment/labels.h"
@@ -93,15 +92,14 @@ class Segmenter {
     });
   }
   cv::Mat FirstLabels(size_t view, double middle) const;
-  bool FindObject(double middle, const std::vector<cv::Mat>& above_plate);
+  bool FindObject(double middle);
   size_t CountDoubts() const;
   bool IsObjectSaid() const;
   // Whether what turns in a view is known, and where the stand is: all else
   // that turns is object, whatever the surroundings look like.
   bool IsObjectOrStand(size_t view) const {
-    return input_.floor && input_.views[view].is_turntable;
+    return !input_.views[view].above_plate.empty();
   }
-  std::vector<cv::Mat> FindAbovePlate() const;
   void Learn(bool own_objects);
   bool Round(const BoundingCube& cube, int resolution);
   void Relabel(size_t view);
@@ -124,29 +122,6 @@ cv::Mat Segmenter::FirstLabels(size_t view, double middle) const {
   labels.setTo(kObjectLabel, distances < middle);
   labels.setTo(kSurroundingsLabel, distances >= 2 * middle);
   return labels;
-}
-
-// Of views where IsObjectOrStand: pixels that show no stand.
-std::vector<cv::Mat> Segmenter::FindAbovePlate() const {
-  std::vector<size_t> views;
-  std::vector<cv::Mat> labels;
-  std::vector<Pose> poses;
-  for (size_t i = 0; i < poses_.size(); ++i) {
-    if (IsObjectOrStand(i)) {
-      views.push_back(i);
-      labels.push_back(input_.views[i].labels);
-      poses.push_back(poses_[i]);
-    }
-  }
-  std::vector<cv::Mat> above(poses_.size());
-  if (!views.empty()) {
-    std::vector<cv::Mat> found =
-        FindPixelsAbovePlate(labels, poses, *input_.floor, context_);
-    for (size_t k = 0; k < views.size(); ++k) {
-      above[views[k]] = std::move(found[k]);
-    }
-  }
-  return above;
 }
 
 void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
@@ -253,8 +228,7 @@ bool Segmenter::IsObjectSaid() const {
       });
 }
 
-bool Segmenter::FindObject(double middle,
-                           const std::vector<cv::Mat>& above_plate) {
+bool Segmenter::FindObject(double middle) {
   Phase phase(context_, "finding the object", kCoarseRounds + kFineRounds);
   const bool is_said = IsObjectSaid();
   ForEachView([&](size_t i) {
@@ -265,7 +239,7 @@ bool Segmenter::FindObject(double middle,
     }
     if (IsObjectOrStand(i)) {
       labels_[i].setTo(kNoLabel, labels_[i] == kSurroundingsLabel);
-      labels_[i].setTo(kObjectLabel, above_plate[i]);
+      labels_[i].setTo(kObjectLabel, input_.views[i].above_plate);
     }
     ApplySaid(i, &labels_[i]);
   });
@@ -302,11 +276,10 @@ size_t Segmenter::CountDoubts() const {
 Segmentation Segmenter::Run() {
   ForEachView(
       [&](size_t i) { features_[i] = PixelFeatures(input_.views[i].image); });
-  const std::vector<cv::Mat> above_plate = FindAbovePlate();
   std::optional<Segmentation> best;
   size_t fewest = 0;
   for (const double middle : kMiddles) {
-    if (!FindObject(middle, above_plate)) {
+    if (!FindObject(middle)) {
       continue;
     }
     ForEachView([&](size_t i) { CutView(i); });

@@ -74,6 +74,7 @@ TEST(SegmentObject, WhatTurnsAboveTheStandIsObject) {
     view.labels.setTo(kSurroundingsLabel);
     view.labels.setTo(kNoLabel, foot_pixels | scene.truth[i]);
     view.is_turntable = true;
+    view.above_plate = scene.truth[i];
     std::vector<cv::Point> points;
     cv::findNonZero(foot_pixels, points);
     for (size_t k = 0; k < points.size(); k += 40) {

@@ -1,0 +1,64 @@
+#include "core/segment/turntable_views.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+#include "core/segment/labels.h"
+#include "tests/core/base/recorder.h"
+#include "tests/core/segment/plate_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::RingScene;
+
+// Returns how many warnings there are.
+size_t UseTurntableOf(RingScene* scene) {
+  std::vector<Pose> poses;
+  for (const UnsegmentedView& view : scene->input.views) {
+    poses.push_back(view.pose);
+  }
+  testing::Recorder recorder;
+  UseTurntable(
+      FindSearchRegion(poses, {}), Context(2, &recorder), &scene->input);
+  return recorder.warnings.size();
+}
+
+// The upper half of the ball looks like the background.
+void LoseTop(UnsegmentedView* view) {
+  view->labels.rowRange(0, view->labels.rows / 2).setTo(kSurroundingsLabel);
+}
+
+TEST(UseTurntable, KnowsWhatIsAboveThePlate) {
+  RingScene scene = testing::MakePlateScene(12);
+  scene.input.views[3].labels.release();
+  scene.input.views[3].is_turntable = false;
+  LoseTop(&scene.input.views[7]);  // a single view is not enough
+  EXPECT_EQ(UseTurntableOf(&scene), 0u);
+  for (size_t i = 0; i < scene.truth.size(); ++i) {
+    const UnsegmentedView& view = scene.input.views[i];
+    EXPECT_EQ(view.is_turntable, i != 3);
+    EXPECT_EQ(view.above_plate.empty(), i == 3);
+    if (i != 3 && i != 7) {
+      EXPECT_GT(cv::countNonZero(view.above_plate), 200) << i;
+    }
+  }
+}
+
+TEST(UseTurntable, DropsMasksThatContradictEachOther) {
+  RingScene scene = testing::MakePlateScene(12);
+  for (size_t i = 0; i < scene.truth.size(); i += 3) {
+    LoseTop(&scene.input.views[i]);
+  }
+  EXPECT_EQ(UseTurntableOf(&scene), 1u);
+  for (const UnsegmentedView& view : scene.input.views) {
+    EXPECT_FALSE(view.is_turntable);
+    EXPECT_TRUE(view.labels.empty());
+    EXPECT_TRUE(view.above_plate.empty());
+  }
+}
+
+}  // namespace
+}  // namespace octacut

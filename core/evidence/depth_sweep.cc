@@ -54,17 +54,18 @@ SweptDepthMap PickDepths(const SweepView& view,
   map.width = view.grey.cols;
   map.height = view.grey.rows;
   map.scale = view.scale;
-  const size_t size = size_t(map.width) * map.height;
-  map.depths.assign(size, 0);
-  if (volume.num_planes == 0) {
-    return map;
-  }
+  map.depths.assign(size_t(map.width) * map.height, 0);
   std::vector<float> scores(volume.num_planes);
-  for (size_t ray = 0; ray < size; ++ray) {
-    for (int plane = 0; plane < volume.num_planes; ++plane) {
-      scores[plane] = volume.scores[plane * volume.num_rays + ray];
+  const cv::Rect& frame = volume.frame;
+  size_t ray = 0;
+  for (int y = frame.y; y < frame.y + frame.height; ++y) {
+    for (int x = frame.x; x < frame.x + frame.width; ++x, ++ray) {
+      for (int plane = 0; plane < volume.num_planes; ++plane) {
+        scores[plane] = volume.scores[plane * volume.num_rays + ray];
+      }
+      map.depths[size_t(y) * map.width + x] =
+          PickDepth(scores, volume, min_score);
     }
-    map.depths[ray] = PickDepth(scores, volume, min_score);
   }
   return map;
 }

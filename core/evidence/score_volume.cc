@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "core/evidence/window_sums.h"
 
@@ -15,19 +16,33 @@ constexpr float kPlainVariance = 4;
 // a variance needs.
 constexpr float kMiddleGrey = 128;
 
-// Samples [begin, end) of a row whose rays meet the hull.
+// The samples whose windows hold rays that meet the hull. The first row is a
+// multiple of the windows' side: sums over windows are then rounded as if the
+// frame was the whole view, wherever the hull is.
+cv::Rect FrameOfHull(const SweepView& view, int radius) {
+  const cv::Rect hull = cv::boundingRect(view.far_depth > 0);
+  const int side = 2 * radius + 1;
+  const int top = std::max(hull.y - radius, 0) / side * side;
+  const cv::Rect frame(hull.x - radius,
+                       top,
+                       hull.width + 2 * radius,
+                       hull.y + hull.height + radius - top);
+  return frame & cv::Rect(cv::Point(0, 0), view.grey.size());
+}
+
+// Samples [begin, end) of a row of the frame whose rays meet the hull.
 struct RowRange {
   int begin = 0;
   int end = 0;
 };
 
-std::vector<RowRange> HullRanges(const SweepView& view) {
-  std::vector<RowRange> ranges(view.grey.rows);
-  for (int y = 0; y < view.grey.rows; ++y) {
-    const float* far = view.far_depth[y];
-    int begin = view.grey.cols;
+std::vector<RowRange> HullRanges(const SweepView& view, const cv::Rect& frame) {
+  std::vector<RowRange> ranges(frame.height);
+  for (int y = 0; y < frame.height; ++y) {
+    const float* far = view.far_depth[frame.y + y] + frame.x;
+    int begin = frame.width;
     int end = 0;
-    for (int x = 0; x < view.grey.cols; ++x) {
+    for (int x = 0; x < frame.width; ++x) {
       if (far[x] > 0) {
         begin = std::min(begin, x);
         end = x + 1;
@@ -49,6 +64,7 @@ class PlaneWarp {
     epipole_ = neighbor.projection->Homogeneous(reference.projection->center);
   }
 
+  // Of samples [begin, end).
   void Row(int y, int begin, int end, float* out) const {
     const float max_x = float(neighbor_.grey.cols - 1) - 0.001f;
     const float max_y = float(neighbor_.grey.rows - 1) - 0.001f;
@@ -75,7 +91,7 @@ class PlaneWarp {
       const float* bottom = top + stride;
       const float upper = top[0] + (top[1] - top[0]) * fx;
       const float lower = bottom[0] + (bottom[1] - bottom[0]) * fx;
-      out[x] = upper + (lower - upper) * fy - kMiddleGrey;
+      *out++ = upper + (lower - upper) * fy - kMiddleGrey;
     }
   }
 
@@ -86,10 +102,10 @@ class PlaneWarp {
   Eigen::Vector3f epipole_;
 };
 
-// The reference's grey values from the middle, with their window sums.
+// The reference's grey values from the middle in its frame, with their window
+// sums.
 struct Reference {
-  int rows = 0;
-  int cols = 0;
+  cv::Rect frame;
   std::vector<float> grey;
   std::vector<float> mean;
   std::vector<float> inverse_deviation;
@@ -98,19 +114,19 @@ struct Reference {
 
 Reference PrepareReference(const SweepView& view, int radius) {
   Reference reference;
-  reference.rows = view.grey.rows;
-  reference.cols = view.grey.cols;
-  const size_t size = size_t(reference.rows) * reference.cols;
+  const cv::Rect frame = FrameOfHull(view, radius);
+  reference.frame = frame;
+  const size_t size = size_t(frame.area());
   reference.grey.resize(size);
   reference.mean.resize(size);
   reference.inverse_deviation.resize(size);
-  reference.ranges = HullRanges(view);
-  WindowSums sums(reference.cols, radius);
-  for (int y = 0; y < reference.rows + radius; ++y) {
-    const int in = std::min(y, reference.rows - 1);
-    float* grey = reference.grey.data() + size_t(in) * reference.cols;
-    for (int x = 0; x < reference.cols; ++x) {
-      grey[x] = view.grey(in, x) - kMiddleGrey;
+  reference.ranges = HullRanges(view, frame);
+  WindowSums sums(frame.width, radius);
+  for (int y = 0; y < frame.height + radius; ++y) {
+    const int in = std::min(y, frame.height - 1);
+    float* grey = reference.grey.data() + size_t(in) * frame.width;
+    for (int x = 0; x < frame.width; ++x) {
+      grey[x] = view.grey(frame.y + in, frame.x + x) - kMiddleGrey;
     }
     sums.Push(grey, grey);
     const int out = y - radius;
@@ -118,8 +134,8 @@ Reference PrepareReference(const SweepView& view, int radius) {
       continue;
     }
     sums.Sum();
-    for (int x = 0; x < reference.cols; ++x) {
-      const size_t i = size_t(out) * reference.cols + x;
+    for (int x = 0; x < frame.width; ++x) {
+      const size_t i = size_t(out) * frame.width + x;
       const float mean = sums.Values()[x] * sums.InverseCount();
       const float variance =
           sums.Squares()[x] * sums.InverseCount() - mean * mean;
@@ -138,14 +154,18 @@ void CorrelatePlane(const Reference& reference,
                     std::vector<float>* warped,
                     std::vector<float>* scores) {
   const int radius = sums->Radius();
+  const cv::Rect& frame = reference.frame;
   sums->Clear();
-  for (int y = 0; y < reference.rows + radius; ++y) {
-    const int in = std::min(y, reference.rows - 1);
+  for (int y = 0; y < frame.height + radius; ++y) {
+    const int in = std::min(y, frame.height - 1);
     const RowRange range = reference.ranges[in];
     std::fill(warped->begin(), warped->end(), 0.0f);
-    warp.Row(in, range.begin, range.end, warped->data());
+    warp.Row(frame.y + in,
+             frame.x + range.begin,
+             frame.x + range.end,
+             warped->data() + range.begin);
     sums->Push(warped->data(),
-               reference.grey.data() + size_t(in) * reference.cols);
+               reference.grey.data() + size_t(in) * frame.width);
     const int out = y - radius;
     if (out < 0 || reference.ranges[out].begin == reference.ranges[out].end) {
       continue;
@@ -155,12 +175,12 @@ void CorrelatePlane(const Reference& reference,
     const float* values = sums->Values();
     const float* squares = sums->Squares();
     const float* products = sums->Products();
-    const size_t offset = size_t(out) * reference.cols;
+    const size_t offset = size_t(out) * frame.width;
     const float* mean = reference.mean.data() + offset;
     const float* inverse_deviation =
         reference.inverse_deviation.data() + offset;
     float* row = scores->data() + offset;
-    for (int x = 0; x < reference.cols; ++x) {
+    for (int x = 0; x < frame.width; ++x) {
       const float own_mean = values[x] * inverse_count;
       const float variance = squares[x] * inverse_count - own_mean * own_mean;
       const float covariance = products[x] * inverse_count - own_mean * mean[x];
@@ -213,10 +233,11 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
   volume.spacing = plane_spacing;
   volume.first_depth = float(near);
   volume.num_planes = int((far - near) / plane_spacing) + 1;
+  volume.frame = reference.frame;
   volume.num_rays = reference.grey.size();
   volume.scores.resize(volume.num_rays * volume.num_planes);
-  WindowSums sums(reference.cols, window_radius);
-  std::vector<float> warped(reference.cols);
+  WindowSums sums(volume.frame.width, window_radius);
+  std::vector<float> warped(volume.frame.width);
   std::vector<std::vector<float>> scores(
       neighbors.size(), std::vector<float>(volume.num_rays, -1.0f));
   for (int plane = 0; plane < volume.num_planes; ++plane) {
@@ -233,11 +254,15 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
     for (size_t ray = 0; one_is_enough && ray < volume.num_rays; ++ray) {
       out[ray] = std::max(out[ray], scores[0][ray] - kBestAlone);
     }
-    const float* near_depth = view.near_depth[0];
-    const float* far_depth = view.far_depth[0];
-    for (size_t ray = 0; ray < volume.num_rays; ++ray) {
-      if (depth < near_depth[ray] || depth > far_depth[ray]) {
-        out[ray] = -1;
+    for (int y = 0; y < volume.frame.height; ++y) {
+      const float* near_depth =
+          view.near_depth[volume.frame.y + y] + volume.frame.x;
+      const float* far_depth =
+          view.far_depth[volume.frame.y + y] + volume.frame.x;
+      for (int x = 0; x < volume.frame.width; ++x, ++out) {
+        if (depth < near_depth[x] || depth > far_depth[x]) {
+          *out = -1;
+        }
       }
     }
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <opencv2/core/types.hpp>
 #include <vector>
 
 #include "core/evidence/sweep_view.h"
@@ -12,6 +13,7 @@ namespace octacut {
 // Scores of all planes of one view: scores[plane * num_rays + ray]; -1 where
 // the plane is not in the hull. Empty when the view does not see it.
 struct ScoreVolume {
+  cv::Rect frame;  // samples whose rays there are, row by row
   int num_planes = 0;
   size_t num_rays = 0;
   float first_depth = 0;  // unit coordinates

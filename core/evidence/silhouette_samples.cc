@@ -1,11 +1,11 @@
 #include "core/evidence/silhouette_samples.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/base/parallel.h"
+#include "core/grid/count_bits.h"
 
 namespace octacut {
 namespace {
@@ -16,6 +16,30 @@ namespace {
 constexpr float kReach = 0.75f;
 // Faces from which on the surface passes the middle of a voxel or beyond.
 constexpr int kHalfInside = kNumFaces / 2;
+
+VoxelGrid MatterOf(const VoxelGrid& voxels,
+                   const std::vector<FaceLabels>& labels) {
+  std::vector<VoxelGrid::Brick> bricks;
+  for (VoxelGrid::Brick brick : voxels.Bricks()) {
+    VoxelGrid::Index index = brick.first;
+    for (uint64_t left = brick.mask; left != 0; left &= left - 1) {
+      if (CountBits(labels[index++]) < kHalfInside) {
+        brick.mask ^= left & -left;
+      }
+    }
+    if (brick.mask != 0) {
+      bricks.push_back(brick);
+    }
+  }
+  return VoxelGrid::FromBricks(voxels.Level(), std::move(bricks));
+}
+
+// Of a number that is not negative; faster than std::ceil where the processor
+// may be any that runs Debian.
+int RoundUp(float x) {
+  const int down = int(x);
+  return down + (float(down) < x ? 1 : 0);
+}
 
 void MarkCovered(const ViewProjection& projection,
                  const Eigen::Vector3f& center,
@@ -36,10 +60,10 @@ void MarkCovered(const ViewProjection& projection,
         y < float(map->height) + reach)) {
     return;
   }
-  const int x0 = std::max(0, int(std::ceil(x - reach)));
-  const int y0 = std::max(0, int(std::ceil(y - reach)));
-  const int x1 = std::min(map->width - 1, int(std::floor(x + reach)));
-  const int y1 = std::min(map->height - 1, int(std::floor(y + reach)));
+  const int x0 = RoundUp(std::max(0.0f, x - reach));
+  const int y0 = RoundUp(std::max(0.0f, y - reach));
+  const int x1 = std::min(map->width - 1, int(x + reach));
+  const int y1 = std::min(map->height - 1, int(y + reach));
   for (int row = y0; row <= y1; ++row) {
     for (int column = x0; column <= x1; ++column) {
       map->is_covered[size_t(row) * map->width + column] = 1;
@@ -58,6 +82,29 @@ bool IsSure(const PreparedView& view, const SampleMap& map, int x, int y) {
              view.SureDepth();
 }
 
+SampleMap MapView(const PreparedView& view, const VoxelGrid& matter) {
+  const ViewProjection& projection = view.projection;
+  const float voxel = 1.0f / float(matter.Resolution());
+  SampleMap map;
+  map.scale = std::min(1.0f, 1 / projection.CenterFootprint(voxel));
+  map.width = std::max(1, int(float(projection.width) * map.scale));
+  map.height = std::max(1, int(float(projection.height) * map.scale));
+  map.is_sure.resize(size_t(map.width) * map.height);
+  map.is_covered.resize(map.is_sure.size());
+  for (int y = 0; y < map.height; ++y) {
+    for (int x = 0; x < map.width; ++x) {
+      map.is_sure[size_t(y) * map.width + x] = IsSure(view, map, x, y);
+    }
+  }
+  matter.ForEach([&](VoxelGrid::Index, MortonCode code) {
+    MarkCovered(projection,
+                VoxelCenter(DecodeMorton(code), matter.Level()),
+                voxel,
+                &map);
+  });
+  return map;
+}
+
 }  // namespace
 
 int SampleMap::At(const ViewProjection& projection,
@@ -71,41 +118,15 @@ int SampleMap::At(const ViewProjection& projection,
   return y * width + x;
 }
 
-SampleMap MapSamples(const PreparedView& view,
-                     const VoxelGrid& voxels,
-                     const std::vector<FaceLabels>& labels) {
-  const ViewProjection& projection = view.projection;
-  const float voxel = 1.0f / float(voxels.Resolution());
-  SampleMap map;
-  map.scale = std::min(1.0f, 1 / projection.CenterFootprint(voxel));
-  map.width = std::max(1, int(float(projection.width) * map.scale));
-  map.height = std::max(1, int(float(projection.height) * map.scale));
-  map.is_sure.resize(size_t(map.width) * map.height);
-  map.is_covered.resize(map.is_sure.size());
-  for (int y = 0; y < map.height; ++y) {
-    for (int x = 0; x < map.width; ++x) {
-      map.is_sure[size_t(y) * map.width + x] = IsSure(view, map, x, y);
-    }
-  }
-  voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    if (std::popcount(labels[index]) >= kHalfInside) {
-      MarkCovered(projection,
-                  VoxelCenter(DecodeMorton(code), voxels.Level()),
-                  voxel,
-                  &map);
-    }
-  });
-  return map;
-}
-
 std::vector<SampleMap> MapSamples(const ViewSet& views,
                                   const VoxelGrid& voxels,
                                   const std::vector<FaceLabels>& labels,
                                   const Context& context) {
+  const VoxelGrid matter = MatterOf(voxels, labels);
   std::vector<SampleMap> maps(views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      maps[i] = MapSamples(views[i], voxels, labels);
+      maps[i] = MapView(views[i], matter);
     }
   });
   return maps;

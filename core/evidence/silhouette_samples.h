@@ -31,15 +31,10 @@ struct SampleMap {
   int At(const ViewProjection& projection, const Eigen::Vector3f& point) const;
 };
 
-// `labels` has one element per voxel, as SolveOctahedralCut gives them; matter
-// is where half of the faces are inside: the surface is there. Samples are sure
-// where the border of the object is farther than a sample and than the view's
-// SureDepth.
-SampleMap MapSamples(const PreparedView& view,
-                     const VoxelGrid& voxels,
-                     const std::vector<FaceLabels>& labels);
-
-// The samples of all views.
+// The samples of all views. `labels` has one element per voxel, as
+// SolveOctahedralCut gives them; matter is where half of the faces are inside:
+// the surface is there. Samples are sure where the border of the object is
+// farther than a sample and than the view's SureDepth.
 std::vector<SampleMap> MapSamples(const ViewSet& views,
                                   const VoxelGrid& voxels,
                                   const std::vector<FaceLabels>& labels,

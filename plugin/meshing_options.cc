@@ -35,13 +35,13 @@ void DeclareMainOptions(OptionManager& options,
       "deeper concavities, higher values keep untextured parts.");
   DeclareChromaWeight(options, &meshing->consistency.chroma_weight);
   options.Add("OctahedralMeshing.min_component",
-              &meshing->min_component,
+              &meshing->finish.min_component,
               "Remove components smaller than this fraction of the volume of "
               "the largest one, unless the masks of at least two images show "
               "them.");
   options.Add(
       "OctahedralMeshing.min_handle",
-      &meshing->min_handle,
+      &meshing->finish.min_handle,
       "In voxels (or pixels, if these are larger): remove bridges up to this "
       "circumference and fill tunnels up to twice it. Where no silhouette "
       "shows them, the limit is four times this value for both. 0 keeps all.");
@@ -134,12 +134,12 @@ void DeclareProjectKeys(OptionManager& options,
       .ForProjectFiles();
   options
       .Add("Smoothing.iterations",
-           &meshing->smoothing.iterations,
+           &meshing->finish.smoothing.iterations,
            "Number of smoothing iterations V <- V + lambda Laplacian(V).")
       .ForProjectFiles();
   options
       .Add("Smoothing.taubin_mu",
-           &meshing->smoothing.taubin_mu,
+           &meshing->finish.smoothing.taubin_mu,
            "Step size mu of the inverse step after each iteration, which "
            "restores the volume (Taubin smoothing); at most -lambda, or 0 for "
            "none.")
@@ -177,9 +177,9 @@ void DeclareConstants(OptionManager& options,
   options.AddConstant("DepthSweep.planes_per_voxel", sweep.planes_per_voxel);
   options.AddConstant("DepthSweep.window_radius", sweep.window_radius);
   options.AddConstant("DepthSweep.min_score", sweep.min_score);
-  options.AddConstant("Smoothing.lambda", meshing.smoothing.lambda);
+  options.AddConstant("Smoothing.lambda", meshing.finish.smoothing.lambda);
   options.AddConstant("Smoothing.max_displacement",
-                      meshing.smoothing.max_displacement);
+                      meshing.finish.smoothing.max_displacement);
 }
 
 }  // namespace

@@ -6,8 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/error.h"
-#include "core/base/parallel.h"
+#include "core/base/check_option.h"
 #include "core/extract/extract_surface.h"
 #include "core/extract/position_vertices.h"
 #include "core/handles/remove_handles.h"
@@ -19,9 +18,6 @@
 
 namespace octacut {
 namespace {
-
-constexpr size_t kVertexGrain = 1024;
-constexpr uint8_t kUnseenGrey = 128;
 
 // Points this deep in the visual hull show in no silhouette. In voxels, or
 // pixels where these are larger.
@@ -45,35 +41,19 @@ bool IsHiddenFromSilhouettes(const ViewSet& views,
   });
 }
 
-// Mean colour of the selected views at a point.
-SurfaceMesh::Color BlendColor(const ViewSet& views,
-                              const Visibility::Selection& selection,
-                              const Eigen::Vector3f& point,
-                              float spacing) {
-  Float4 sum = {0, 0, 0, 0};
-  float weights = 0;
-  for (int i = 0; i < selection.count; ++i) {
-    const PreparedView& view = views[selection.views[i].view];
-    const std::optional<ProjectedPoint> p = view.projection.Project(point);
-    if (!p) {
-      continue;
-    }
-    const Float4 color =
-        view.pyramid
-            .LevelForFootprint(view.projection.Footprint(spacing, p->depth))
-            .Sample(p->u, p->v);
-    sum += color * selection.views[i].weight;
-    weights += selection.views[i].weight;
-  }
-  if (weights == 0) {
-    return {kUnseenGrey, kUnseenGrey, kUnseenGrey};
-  }
-  sum /= weights;
-  const auto channel = [&](int i) { return uint8_t(std::lround(sum[i])); };
-  return {channel(2), channel(1), channel(0)};  // blue, green, red in `sum`
-}
-
 }  // namespace
+
+void FinishOptions::Check() const {
+  smoothing.Check();
+  CheckOption(min_component >= 0 && min_component <= 1,
+              "min_component",
+              min_component,
+              "must be in 0 .. 1");
+  CheckOption(min_handle >= 0 && min_handle <= 64,
+              "min_handle",
+              min_handle,
+              "must be in 0 .. 64");
+}
 
 IndexedMesh PositionedMesh(const LabeledVoxels& surface,
                            const BoundingCube& cube,
@@ -88,19 +68,12 @@ IndexedMesh PositionedMesh(const LabeledVoxels& surface,
 FinishedMesh FinalMesh(const ViewSet& views,
                        const LabeledVoxels& surface,
                        const BoundingCube& cube,
-                       const ReconstructionOptions& options,
-                       const Context& context,
-                       ReconstructionSummary* summary) {
+                       const FinishOptions& options,
+                       const Context& context) {
+  FinishSummary summary;
   ExtractedSurface extracted =
       ExtractSurface(surface.voxels, surface.labels, cube, context);
-  summary->extraction = extracted.summary;
-  if (extracted.mesh.triangles.empty()) {
-    throw InputError(fmt::format(
-        "the surface vanished: with ballooning = {} and neutral^smoothness = "
-        "{:.3g}, no part of the visual hull is inside; raise `ballooning`",
-        options.evidence.ballooning,
-        std::pow(options.consistency.neutral, options.energy.smoothness)));
-  }
+  summary.extraction = extracted.summary;
   const PositionVerticesOptions placing;
   PositionedSurface positioned =
       PositionVertices(std::move(extracted), placing, context);
@@ -115,7 +88,7 @@ FinishedMesh FinalMesh(const ViewSet& views,
         "are not covered without them.",
         num_needed));
   }
-  summary->num_removed_components = kept.summary.num_removed;
+  summary.num_removed_components = kept.summary.num_removed;
   // Below a pixel the images cannot tell a handle from none.
   const double pixel =
       cube.edge * PixelSize(views, Eigen::Vector3f::Constant(0.5f));
@@ -132,7 +105,7 @@ FinishedMesh FinalMesh(const ViewSet& views,
                                             float(voxel_size / cube.edge));
            }},
       context);
-  summary->handles = cleaned.summary;
+  summary.handles = cleaned.summary;
   std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;
   SmoothedSurface smoothed = SmoothSurface(
       std::move(cleaned.mesh), voxel_size, options.smoothing, context);
@@ -144,45 +117,7 @@ FinishedMesh FinalMesh(const ViewSet& views,
                  context,
                  &smoothed.mesh);
   smoothed.mesh.normals = ComputeVertexNormals(smoothed.mesh, context);
-  return {std::move(smoothed.mesh), std::move(kept.removed)};
-}
-
-SurfaceMesh ColoredMesh(const IndexedMesh& mesh,
-                        const ViewSet& views,
-                        const LabeledVoxels& surface,
-                        const BoundingCube& cube,
-                        const VisibilityOptions& options,
-                        const Context& context) {
-  SurfaceMesh colored = ToSurfaceMesh(mesh);
-  Phase phase(context, "vertex colours", colored.n_vertices());
-  const Visibility visibility = Visibility::Estimate(views,
-                                                     surface.voxels,
-                                                     surface.labels,
-                                                     surface.voxels.Level(),
-                                                     options,
-                                                     context);
-  const float spacing = 1.0f / float(surface.voxels.Resolution());
-  if (!colored.has_vertex_colors()) {
-    colored.request_vertex_colors();
-  }
-  ParallelFor(
-      context,
-      colored.n_vertices(),
-      kVertexGrain,
-      [&](size_t begin, size_t end) {
-        for (size_t v = begin; v < end; ++v) {
-          const SurfaceMesh::VertexHandle vertex{int(v)};
-          const Eigen::Vector3f point =
-              cube.ToUnit(colored.point(vertex)).cast<float>();
-          const Eigen::Vector3f normal = colored.normal(vertex).cast<float>();
-          colored.set_color(
-              vertex,
-              BlendColor(
-                  views, visibility.Select(point, normal), point, spacing));
-        }
-        phase.Advance(end - begin);
-      });
-  return colored;
+  return {std::move(smoothed.mesh), std::move(kept.removed), summary};
 }
 
 }  // namespace octacut

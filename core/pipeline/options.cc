@@ -27,20 +27,12 @@ void ReconstructionOptions::Check() const {
   consistency.Check();
   energy.Check();
   cut.Check();
-  smoothing.Check();
+  finish.Check();
   refinement.Check();
   CheckOption(target_level >= hull.hull_level && target_level <= 12,
               "target_level",
               target_level,
               "must be at least hull_level and at most 12");
-  CheckOption(min_component >= 0 && min_component <= 1,
-              "min_component",
-              min_component,
-              "must be in 0 .. 1");
-  CheckOption(min_handle >= 0 && min_handle <= 64,
-              "min_handle",
-              min_handle,
-              "must be in 0 .. 64");
   CheckOption(max_grow_rounds >= 0 && max_grow_rounds <= 16,
               "max_grow_rounds",
               max_grow_rounds,
@@ -49,11 +41,6 @@ void ReconstructionOptions::Check() const {
               "normal_blur",
               normal_blur,
               "must be in 1 .. 64");
-}
-
-void HullReconstructionOptions::Check() const {
-  hull.Check();
-  smoothing.Check();
 }
 
 }  // namespace octacut

@@ -7,7 +7,7 @@
 #include "core/cut/octahedral_cut.h"
 #include "core/evidence/inside_evidence.h"
 #include "core/hull/visual_hull.h"
-#include "core/mesh/smooth.h"
+#include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/prepare_scene.h"
 #include "core/refine/refine_options.h"
 #include "core/visibility/visibility.h"
@@ -41,18 +41,9 @@ struct ReconstructionOptions {
   ConsistencyOptions consistency;
   EnergyOptions energy;
   OctahedralCutOptions cut;
-  SmoothOptions smoothing;
+  FinishOptions finish;
   bool refine = true;  // the smoothed mesh, by the photographs
   RefineOptions refinement;
-  // Components with less than this share of the largest one's volume are
-  // removed, but for those that RestoreNeededComponents keeps, and cavities
-  // filled; 0 .. 1.
-  double min_component = 0.1;
-  // Handles around which a loop no longer than so many voxels goes, or pixels
-  // of the views where those are larger, are removed: bridges cut, and tunnels
-  // filled of up to twice that. Where no silhouette shows the handle, both
-  // limits are four times `min_handle`. 0 (none) .. 64.
-  double min_handle = 5;
   int target_level = 9;  // at least hull.hull_level, at most 12
   // Times that a crust is grown where its cut touches its border, each
   // followed by another cut; 0 .. 16.
@@ -61,13 +52,6 @@ struct ReconstructionOptions {
   // taken for the normal; 1 .. 64. Not varied alone.
   int normal_blur = 12;
   bool confidence = false;  // of the mesh's vertices, wanted with the verdict
-  void Check() const;
-};
-
-struct HullReconstructionOptions {
-  bool fill_false_gaps = true;  // as MaskOptions has it
-  VisualHullOptions hull{.hull_level = 8};
-  SmoothOptions smoothing{.iterations = 2};
   void Check() const;
 };
 

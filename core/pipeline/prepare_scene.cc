@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "core/base/check_option.h"
+#include "core/base/error.h"
 #include "core/hull/false_gaps.h"
 #include "core/hull/point_gaps.h"
 #include "core/views/mask_shifts.h"
@@ -116,6 +118,25 @@ void MaskOptions::Check() const {
               "mask_tolerance",
               mask_tolerance,
               fmt::format("must be in 0 .. {}", kMaxMaskTolerance));
+}
+
+void CheckScene(const Scene& scene, bool needs_images) {
+  if (scene.views.size() < 3) {
+    throw InputError(fmt::format("{} views are too few: at least 3 are needed",
+                                 scene.views.size()));
+  }
+  // Lists of views that see a point hold numbers of 16 bits.
+  if (scene.views.size() > std::numeric_limits<uint16_t>::max()) {
+    throw InputError(
+        fmt::format("{} views are too many: at most {} can be used",
+                    scene.views.size(),
+                    std::numeric_limits<uint16_t>::max()));
+  }
+  for (const View& view : scene.views) {
+    if ((needs_images && view.image.empty()) || view.mask.empty()) {
+      throw InputError(view.name + ": the view has no image or no mask");
+    }
+  }
 }
 
 PreparedScene PrepareScene(const Scene& scene,

@@ -36,6 +36,10 @@ struct PreparedScene {
   std::optional<BorderEdges> border_edges;
 };
 
+// Throws InputError for fewer than 3 views or too many of them, and where a
+// view has no mask, or no image although it `needs_images`.
+void CheckScene(const Scene& scene, bool needs_images);
+
 // `options` are valid. Without `move_mask_borders`, or without images, the
 // borders stay where they are.
 PreparedScene PrepareScene(const Scene& scene,

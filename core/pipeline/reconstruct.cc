@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <string_view>
 #include <utility>
 
-#include "core/base/check_option.h"
+#include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/crust/label_hierarchy.h"
 #include "core/evidence/trim_hull.h"
 #include "core/hull/hull_surface.h"
+#include "core/pipeline/color_mesh.h"
 #include "core/pipeline/deepen_level.h"
 #include "core/pipeline/finish_mesh.h"
 #include "core/pipeline/hull_border.h"
@@ -23,25 +23,6 @@
 
 namespace octacut {
 namespace {
-
-void CheckScene(const Scene& scene, bool needs_images) {
-  if (scene.views.size() < 3) {
-    throw InputError(fmt::format("{} views are too few: at least 3 are needed",
-                                 scene.views.size()));
-  }
-  // Lists of views that see a point hold numbers of 16 bits.
-  if (scene.views.size() > std::numeric_limits<uint16_t>::max()) {
-    throw InputError(
-        fmt::format("{} views are too many: at most {} can be used",
-                    scene.views.size(),
-                    std::numeric_limits<uint16_t>::max()));
-  }
-  for (const View& view : scene.views) {
-    if ((needs_images && view.image.empty()) || view.mask.empty()) {
-      throw InputError(view.name + ": the view has no image or no mask");
-    }
-  }
-}
 
 void CheckInput(const Scene& scene,
                 const Region& region,
@@ -184,6 +165,16 @@ SolvedLevel SolveLevel(const LevelInputs& inputs,
   return solved;
 }
 
+void RequireSurface(const LabeledVoxels& surface,
+                    const ReconstructionOptions& options) {
+  if (std::none_of(surface.labels.begin(), surface.labels.end(), IsCut)) {
+    throw InputError(fmt::format(
+        "the surface vanished: with ballooning = {}, no part of the visual "
+        "hull is inside; raise `ballooning`",
+        options.evidence.ballooning));
+  }
+}
+
 // Adds that level. Returns how far photographs decide on it, as SolvedLevel has
 // it.
 std::vector<float> AddLevel(const LevelInputs& inputs,
@@ -192,6 +183,7 @@ std::vector<float> AddLevel(const LevelInputs& inputs,
                             ReconstructionSummary* summary) {
   LevelSummary& level = summary->levels.emplace_back();
   SolvedLevel solved = SolveLevel(inputs, hull, *hierarchy, &level);
+  RequireSurface(solved.surface, inputs.options);
   hierarchy->Add(std::move(solved.surface));
   ReportLevel(level, inputs.context);
   return std::move(solved.decided);
@@ -207,12 +199,13 @@ FinishedMesh MeshOf(const LabeledVoxels& surface,
                     ReconstructionSummary* summary) {
   return RunStep(
       context, "mesh extraction and smoothing", &summary->meshing_seconds, [&] {
-        FinishedMesh finished = FinalMesh(
-            hull.views, surface, hull.cube, options, context, summary);
+        FinishedMesh finished =
+            FinalMesh(hull.views, surface, hull.cube, options.finish, context);
+        summary->finish = finished.summary;
         summary->num_moved_to_hull =
             MoveToHullBorder(hull,
                              {surface.voxels, decided},
-                             options.smoothing.min_height,
+                             options.finish.smoothing.min_height,
                              context,
                              &finished.mesh);
         return finished;
@@ -315,41 +308,6 @@ Reconstruction Reconstruct(const Scene& scene,
             options,
             context,
             summary);
-  return result;
-}
-
-HullReconstruction ReconstructHull(const Scene& scene,
-                                   const Region& region,
-                                   const HullReconstructionOptions& options,
-                                   const Context& context) {
-  options.Check();
-  CheckScene(scene, false);
-  CheckFloatsResolve(region.cube, options.hull.hull_level);
-  const PreparedScene prepared =
-      PrepareScene(scene,
-                   region.cube,
-                   {.mask_tolerance = 0,
-                    .fill_false_gaps = options.fill_false_gaps,
-                    .move_mask_borders = false},
-                   context);
-  const ViewSet& views = prepared.views;
-  const LabeledVoxels surface = ComputeHullSurface(
-      views, region.cube.ToUnit(region.box), options.hull, context);
-  ReconstructionOptions finishing;
-  finishing.smoothing = options.smoothing;
-  ReconstructionSummary summary;
-  const FinishedMesh finished =
-      FinalMesh(views, surface, region.cube, finishing, context, &summary);
-  HullReconstruction result;
-  result.mesh = ToSurfaceMesh(finished.mesh);
-  result.audit = AuditMesh(finished.mesh, context);
-  CheckAudit(result.audit);
-  result.verdict = JudgeMesh(
-      finished.mesh,
-      finished.removed,
-      {scene.views, prepared.repaired.scene.views, views, region.cube},
-      JudgeOptions(),
-      context);
   return result;
 }
 

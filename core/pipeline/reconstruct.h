@@ -38,19 +38,6 @@ Reconstruction Reconstruct(const Scene& scene,
                            const Context& context,
                            const LevelObserver& observer = nullptr);
 
-struct HullReconstruction {
-  SurfaceMesh mesh;  // world coordinates, with normals
-  MeshAudit audit;   // as that of a Reconstruction
-  MeshVerdict verdict;
-};
-
-// The visual hull alone, from silhouettes (images are not needed). Throws as
-// Reconstruct does.
-HullReconstruction ReconstructHull(const Scene& scene,
-                                   const Region& region,
-                                   const HullReconstructionOptions& options,
-                                   const Context& context);
-
 // Bytes that Reconstruct will need at its peak besides the scene, roughly.
 size_t EstimateReconstructionBytes(const Scene& scene,
                                    const ReconstructionOptions& options,

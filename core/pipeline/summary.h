@@ -10,9 +10,8 @@
 
 #include "core/consistency/photo_consistency.h"
 #include "core/evidence/inside_evidence.h"
-#include "core/extract/extract_surface.h"
-#include "core/handles/remove_handles.h"
 #include "core/hull/visual_hull.h"
+#include "core/pipeline/finish_mesh.h"
 #include "core/refine/refine_surface.h"
 #include "core/views/border_edges.h"
 
@@ -53,10 +52,8 @@ struct ReconstructionSummary {
   VisualHullSummary hull;
   InsideEvidenceSummary evidence;
   std::vector<LevelSummary> levels;
-  ExtractSurfaceSummary extraction;
-  size_t num_removed_components = 0;
-  size_t num_moved_to_hull = 0;  // vertices, MoveToHullBorder
-  RemoveHandlesSummary handles;
+  FinishSummary finish;
+  size_t num_moved_to_hull = 0;             // vertices, MoveToHullBorder
   std::optional<RefineSummary> refinement;  // where options.refine says so
   double prepare_seconds = 0;
   double hull_agreement = 0;  // as ShownSurface has it

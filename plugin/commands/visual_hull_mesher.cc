@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "colmap_io/mesh/mesh_io.h"
-#include "core/pipeline/reconstruct.h"
+#include "core/pipeline/reconstruct_hull.h"
 #include "plugin/mesh_report.h"
 #include "plugin/workspace_options.h"
 
@@ -26,7 +26,8 @@ void VisualHullMesher::DeclareOptions(OptionManager& options) {
               &options_.hull.hull_level,
               "Level of the visual hull, which has (2^level)^3 voxels.");
   DeclareFillFalseGaps(options, &options_.fill_false_gaps);
-  options.AddConstant("Smoothing.iterations", options_.smoothing.iterations);
+  options.AddConstant("Smoothing.iterations",
+                      options_.finish.smoothing.iterations);
 }
 
 void VisualHullMesher::Run(const CommandEnvironment& environment) {

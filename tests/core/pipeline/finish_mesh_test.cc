@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
 
+#include "core/mesh/audit.h"
 #include "tests/core/extract/label_crust.h"
 
 namespace octacut {
@@ -46,15 +47,9 @@ ViewSet ViewsWithPixels(double voxels, double border = 0.18) {
 }
 
 int64_t GenusIn(const ViewSet& views) {
-  ReconstructionSummary summary;
-  return AuditMesh(FinalMesh(views,
-                             BallsWithBars(),
-                             UnitCube(),
-                             ReconstructionOptions(),
-                             Context(2),
-                             &summary)
-                       .mesh)
-      .genus;
+  const FinishedMesh finished = FinalMesh(
+      views, BallsWithBars(), UnitCube(), FinishOptions(), Context(2));
+  return AuditMesh(finished.mesh).genus;
 }
 
 TEST(FinalMesh, RemovesHandlesThatPixelsDoNotShow) {

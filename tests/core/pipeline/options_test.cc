@@ -42,9 +42,9 @@ TEST(ReconstructionOptions, AreRejectedWithFieldValueAndConstraint) {
               AllOf(StartsWith("target_level = 6"), HasSubstr("hull_level")));
   EXPECT_THAT(Refusal([](auto* o) { o->target_level = 13; }),
               AllOf(StartsWith("target_level = 13"), HasSubstr("12")));
-  EXPECT_THAT(Refusal([](auto* o) { o->min_component = 1.5; }),
+  EXPECT_THAT(Refusal([](auto* o) { o->finish.min_component = 1.5; }),
               AllOf(StartsWith("min_component = 1.5"), HasSubstr("0 .. 1")));
-  EXPECT_THAT(Refusal([](auto* o) { o->min_handle = 65; }),
+  EXPECT_THAT(Refusal([](auto* o) { o->finish.min_handle = 65; }),
               AllOf(StartsWith("min_handle = 65"), HasSubstr("0 .. 64")));
   EXPECT_THAT(Refusal([](auto* o) { o->max_grow_rounds = -1; }),
               AllOf(StartsWith("max_grow_rounds = -1"), HasSubstr("16")));
@@ -74,7 +74,8 @@ TEST(ReconstructionOptions, AreRejectedWithFieldValueAndConstraint) {
                     HasSubstr("num_neighbors = 4")));
   EXPECT_THAT(Refusal([](auto* o) { o->evidence.sweep.num_neighbors = 1; }),
               StartsWith("depth_sweep.num_neighbors = 1"));
-  EXPECT_NE(Refusal([](auto* o) { o->smoothing.lambda = 2; }), "accepted");
+  EXPECT_NE(Refusal([](auto* o) { o->finish.smoothing.lambda = 2; }),
+            "accepted");
   EXPECT_THAT(Refusal([](auto* o) { o->refinement.smoothness = 0; }),
               StartsWith("refinement.smoothness = 0"));
   EXPECT_THAT(Refusal([](auto* o) { o->refinement.views.max_angle = 90; }),
@@ -82,17 +83,14 @@ TEST(ReconstructionOptions, AreRejectedWithFieldValueAndConstraint) {
   const double nan = std::nan("");
   EXPECT_NE(Refusal([&](auto* o) { o->energy.smoothness = nan; }), "accepted");
   EXPECT_NE(Refusal([&](auto* o) { o->energy.area_weight = nan; }), "accepted");
-  EXPECT_NE(Refusal([&](auto* o) { o->min_component = nan; }), "accepted");
+  EXPECT_NE(Refusal([&](auto* o) { o->finish.min_component = nan; }),
+            "accepted");
 }
 
 TEST(ReconstructionOptions, AreCheckedBeforeAnythingElse) {
   ReconstructionOptions options;
   options.target_level = 20;
   EXPECT_THROW(Reconstruct(Scene(), Region(), options, Context(1)),
-               OptionError);
-  HullReconstructionOptions hull;
-  hull.hull.hull_level = 0;
-  EXPECT_THROW(ReconstructHull(Scene(), Region(), hull, Context(1)),
                OptionError);
 }
 

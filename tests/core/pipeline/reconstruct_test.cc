@@ -194,11 +194,6 @@ TEST(Reconstruct, CanBeCancelledInEveryPhase) {
   }
   stop = true;
   EXPECT_THROW(RunSmall(small, Context(1, nullptr, &stop)), CancelledError);
-  EXPECT_THROW(ReconstructHull(small.scene,
-                               small.region,
-                               HullReconstructionOptions(),
-                               Context(1, nullptr, &stop)),
-               CancelledError);
 }
 
 TEST(Reconstruct, RefusesScenesItCannotUse) {
@@ -230,26 +225,6 @@ TEST(Reconstruct, RefusesScenesItCannotUse) {
                 }
               }),
               AnyOf(HasSubstr("hull is empty"), HasSubstr("surface vanished")));
-}
-
-TEST(ReconstructHull, IsClosedAndNeedsNoImages) {
-  SmallScene small = MakeSmallScene();
-  for (View& view : small.scene.views) {
-    view.image = cv::Mat();
-  }
-  HullReconstructionOptions options;
-  options.hull.hull_level = 6;
-  const HullReconstruction hull =
-      ReconstructHull(small.scene, small.region, options, Context(2));
-  EXPECT_EQ(hull.audit.DescribeFailure(), "");
-  EXPECT_EQ(hull.audit.genus, 1);
-  EXPECT_TRUE(hull.mesh.has_vertex_normals());
-  EXPECT_GT(hull.audit.volume, AuditMesh(small.reference).volume);
-  for (View& view : small.scene.views) {
-    view.mask = cv::Mat::zeros(view.mask.size(), CV_8UC1);
-  }
-  EXPECT_THROW(ReconstructHull(small.scene, small.region, options, Context(2)),
-               InputError);
 }
 
 TEST(EstimateReconstructionBytes, GrowsWithLevelCrustAndViews) {

@@ -123,22 +123,6 @@ cv::Mat Scatter(std::span<const cv::Mat> labs,
   return scatter;
 }
 
-// Where that is more than the noise of what most photographs show.
-cv::Mat WhatVaries(const cv::Mat& scatter, const cv::Mat& support) {
-  std::vector<float> noise;
-  for (int y = 0; y < scatter.rows; ++y) {
-    for (int x = 0; x < scatter.cols; ++x) {
-      if (support.at<float>(y, x) > kMostPhotographs) {
-        noise.push_back(scatter.at<float>(y, x));
-      }
-    }
-  }
-  return noise.empty()
-             ? cv::Mat::zeros(scatter.size(), CV_8U)
-             : cv::Mat(scatter > kVaries * std::max(Median(std::move(noise)),
-                                                    kLeastNoise));
-}
-
 // The share of the masks that are set, for each pixel.
 cv::Mat PartOf(const std::vector<cv::Mat>& masks) {
   cv::Mat sum = cv::Mat::zeros(masks.front().size(), CV_32F);
@@ -196,9 +180,25 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
   });
   background.support = PartOf(shown);
   background.wide_support = PartOf(widely_shown);
-  background.varies =
-      WhatVaries(Scatter(labs, background, context), background.support);
   return background;
+}
+
+cv::Mat WhatVaries(std::span<const cv::Mat> labs,
+                   const StillBackground& background,
+                   const Context& context) {
+  const cv::Mat scatter = Scatter(labs, background, context);
+  std::vector<float> noise;  // of what most photographs show
+  for (int y = 0; y < scatter.rows; ++y) {
+    for (int x = 0; x < scatter.cols; ++x) {
+      if (background.support.at<float>(y, x) > kMostPhotographs) {
+        noise.push_back(scatter.at<float>(y, x));
+      }
+    }
+  }
+  return noise.empty()
+             ? cv::Mat::zeros(scatter.size(), CV_8U)
+             : cv::Mat(scatter > kVaries * std::max(Median(std::move(noise)),
+                                                    kLeastNoise));
 }
 
 cv::Mat DistanceFromBackground(const cv::Mat& lab,

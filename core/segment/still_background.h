@@ -21,9 +21,6 @@ struct StillBackground {
   // or a small window, but hardly a wide one.
   cv::Mat support;
   cv::Mat wide_support;
-  // CV_8U, 255 where the photographs that show this differ by more than noise:
-  // a plain surface that turns in the light, and not the background.
-  cv::Mat varies;
   // Distance in Lab from which on two pixels differ by more than noise.
   float tolerance = 0;
 };
@@ -36,6 +33,12 @@ int WideWindow(const cv::Size& size);
 // where a quarter of them stand still.
 StillBackground FindStillBackground(std::span<const cv::Mat> labs,
                                     const Context& context);
+
+// CV_8U, 255 where the photographs that show the background differ by more than
+// noise: a plain surface that turns in the light, and not the background.
+cv::Mat WhatVaries(std::span<const cv::Mat> labs,
+                   const StillBackground& background,
+                   const Context& context);
 
 // CV_32F: distance of each pixel of `lab` from the background in units of the
 // tolerance. What would be nearer as the background in shadow, with 0.4 to all

@@ -72,6 +72,7 @@ cv::Mat SureBackground(const cv::Mat& turning) {
 }  // namespace
 
 StillObject FindStillObject(const StillBackground& background,
+                            const cv::Mat& varies,
                             const cv::Mat& turning) {
   StillObject result;
   result.mask = cv::Mat::zeros(turning.size(), CV_8U);
@@ -83,8 +84,8 @@ StillObject FindStillObject(const StillBackground& background,
   if (cv::countNonZero(solid) == 0) {
     return result;
   }
-  cv::Mat seeds = BetweenTurning(solid) & ~turning &
-                  ((background.support > 0.9f) | background.varies);
+  cv::Mat seeds =
+      BetweenTurning(solid) & ~turning & ((background.support > 0.9f) | varies);
   cv::erode(seeds, seeds, cv::Mat::ones(kStillWindow, kStillWindow, CV_8U));
   const double frame = double(turning.total());
   if (cv::countNonZero(seeds) < kLeastPart * frame) {

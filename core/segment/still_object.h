@@ -21,12 +21,13 @@ struct StillObject {
 };
 
 // `turning` (CV_8UC1, not zero) is what never shows the background, such as the
-// plate's pattern. What stands still, or varies more than the background,
-// between two such points of a row is in front of the plate, since what turns
-// sweeps whole rows. From there on,
+// plate's pattern. What stands still, or varies more than the background
+// (`varies`, as WhatVaries has it), between two such points of a row is in
+// front of the plate, since what turns sweeps whole rows. From there on,
 // colours that the background does not have beside and below what turns decide,
 // and the border is where the photographs have one.
 StillObject FindStillObject(const StillBackground& background,
+                            const cv::Mat& varies,
                             const cv::Mat& turning);
 
 }  // namespace octacut

@@ -48,6 +48,7 @@ cv::Mat CoreOf(const cv::Mat& windows, int window) {
   return core;
 }
 
+// Of its pieces; 1 where it has none.
 double PartOfLargest(const cv::Mat& mask) {
   cv::Mat labels;
   cv::Mat stats;
@@ -55,10 +56,13 @@ double PartOfLargest(const cv::Mat& mask) {
   const int count =
       cv::connectedComponentsWithStats(mask, labels, stats, centroids);
   int largest = 0;
+  int all = 0;
   for (int i = 1; i < count; ++i) {
-    largest = std::max(largest, stats.at<int>(i, cv::CC_STAT_AREA));
+    const int area = stats.at<int>(i, cv::CC_STAT_AREA);
+    largest = std::max(largest, area);
+    all += area;
   }
-  return double(largest) / std::max(cv::countNonZero(mask), 1);
+  return all == 0 ? 1 : double(largest) / all;
 }
 
 class TurntableSegmenter {
@@ -85,8 +89,9 @@ class TurntableSegmenter {
       cv::bitwise_or(unreliable_, wide, unreliable_);
       cv::bitwise_or(
           always_, CoreOf(wide, WideWindow(always_.size())), always_);
-      cv::bitwise_or(unreliable_, background_.varies, unreliable_);
-      const StillObject still = FindStillObject(of_all, always_);
+      const cv::Mat varies = WhatVaries(labs, of_all, context_);
+      cv::bitwise_or(unreliable_, varies, unreliable_);
+      const StillObject still = FindStillObject(of_all, varies, always_);
       doubt_ = still.doubt;
       Learn(still);
     }
@@ -250,11 +255,13 @@ void TurntableSegmenter::DoubtPieces() {
     return;
   }
   for (TurntableView& view : result_) {
-    view.doubt = fmt::format(
-        "in {} of {} photographs, what differs from the background falls into "
-        "pieces; object and plate may look the same from all sides",
-        in_pieces,
-        result_.size());
+    if (view.doubt.empty()) {
+      view.doubt = fmt::format(
+          "in {} of {} photographs, what differs from the background falls "
+          "into pieces; object and plate may look the same from all sides",
+          in_pieces,
+          result_.size());
+    }
   }
 }
 

@@ -19,6 +19,9 @@ constexpr double kMinShowing = 0.7;
 // Voxels around the object that one view may add to it. What is farther away
 // and only that view denies is another thing.
 constexpr size_t kNearObject = 3;
+// A part that is severed, in sizes of the thing. Chance agreements of all views
+// are smaller.
+constexpr double kLeastPart = 0.01;
 constexpr float kNoObject = -std::numeric_limits<float>::infinity();
 constexpr float kLowest = -3 * kOneViewsWord;
 // Scores below this are below kLowest without any one view, too.
@@ -158,55 +161,80 @@ void OccupancyGrid::AddSlice(int z, const SearchBounds& bounds) {
   }
 }
 
-bool OccupancyGrid::KeepThingAt(const Eigen::Vector3d& center, double radius) {
+std::vector<int> OccupancyGrid::LabelThings(int* num_things) const {
   const int n = resolution_;
   std::vector<int> thing_of(scores_.size(), -1);
-  std::vector<double> weights;
   std::vector<std::array<int, 3>> stack;
+  *num_things = 0;
   const auto visit = [&](int x, int y, int z) {
     if (x < 0 || y < 0 || z < 0 || x >= n || y >= n || z >= n) {
       return;
     }
     const size_t i = IndexOf(x, y, z);
     if (scores_[i] > 0 && thing_of[i] < 0) {
-      thing_of[i] = int(weights.size()) - 1;
-      const double distance = (CenterOf(x, y, z) - center).norm() / radius;
-      weights.back() += std::exp(-distance * distance);
+      thing_of[i] = *num_things;
       stack.push_back({x, y, z});
     }
   };
   for (int z = 0; z < n; ++z) {
     for (int y = 0; y < n; ++y) {
       for (int x = 0; x < n; ++x) {
-        if (scores_[IndexOf(x, y, z)] > 0 && thing_of[IndexOf(x, y, z)] < 0) {
-          weights.push_back(0);
-          visit(x, y, z);
-          while (!stack.empty()) {
-            const auto [a, b, c] = stack.back();
-            stack.pop_back();
-            visit(a - 1, b, c);
-            visit(a + 1, b, c);
-            visit(a, b - 1, c);
-            visit(a, b + 1, c);
-            visit(a, b, c - 1);
-            visit(a, b, c + 1);
-          }
+        visit(x, y, z);
+        if (stack.empty()) {
+          continue;
+        }
+        while (!stack.empty()) {
+          const auto [a, b, c] = stack.back();
+          stack.pop_back();
+          visit(a - 1, b, c);
+          visit(a + 1, b, c);
+          visit(a, b - 1, c);
+          visit(a, b + 1, c);
+          visit(a, b, c - 1);
+          visit(a, b, c + 1);
+        }
+        ++*num_things;
+      }
+    }
+  }
+  return thing_of;
+}
+
+bool OccupancyGrid::KeepThingAt(const Eigen::Vector3d& center,
+                                double radius,
+                                bool keeps_parts) {
+  int num_things = 0;
+  const std::vector<int> thing_of = LabelThings(&num_things);
+  if (num_things == 0) {
+    return false;
+  }
+  std::vector<double> weights(num_things);
+  std::vector<size_t> sizes(num_things);
+  for (int z = 0; z < resolution_; ++z) {
+    for (int y = 0; y < resolution_; ++y) {
+      for (int x = 0; x < resolution_; ++x) {
+        const int thing = thing_of[IndexOf(x, y, z)];
+        if (thing >= 0) {
+          const double distance = (CenterOf(x, y, z) - center).norm() / radius;
+          weights[thing] += std::exp(-distance * distance);
+          ++sizes[thing];
         }
       }
     }
   }
-  if (weights.empty()) {
-    return false;
-  }
-  const int kept =
-      int(std::max_element(weights.begin(), weights.end()) - weights.begin());
+  const auto kept = std::max_element(weights.begin(), weights.end());
+  const size_t size = sizes[kept - weights.begin()];
+  const auto is_kept = [&](int thing) {
+    return thing == kept - weights.begin() ||
+           (keeps_parts && kLeastPart * double(size) <= double(sizes[thing]));
+  };
   std::vector<uint8_t> near(scores_.size());
   for (size_t i = 0; i < scores_.size(); ++i) {
-    near[i] = thing_of[i] == kept;
+    near[i] = thing_of[i] >= 0 && is_kept(thing_of[i]);
   }
   Grow(&near);
   for (size_t i = 0; i < scores_.size(); ++i) {
-    if (!near[i] || (thing_of[i] >= 0 && thing_of[i] != kept)) {
+    if (!near[i] || (thing_of[i] >= 0 && !is_kept(thing_of[i]))) {
       scores_[i] = kNoObject;
     }
   }

@@ -38,9 +38,13 @@ class OccupancyGrid {
 
   // Takes what hangs together for one thing, and what is not part of the thing
   // that is largest and nearest to `center` (both count, within `radius`) for
-  // background, and so all that is farther from it than a few voxels. False
-  // when nothing is object.
-  bool KeepThingAt(const Eigen::Vector3d& center, double radius);
+  // background, and so all that is farther from it than a few voxels. Of the
+  // other things, `keeps_parts` keeps those that may be parts of it which are
+  // severed by a gap: they have one voxel for a hundred of its own, or more.
+  // False when nothing is object.
+  bool KeepThingAt(const Eigen::Vector3d& center,
+                   double radius,
+                   bool keeps_parts);
 
   // Box around the voxels that are object; empty when there are none.
   Eigen::AlignedBox3d ObjectBox() const;
@@ -61,6 +65,10 @@ class OccupancyGrid {
            size_t(x);
   }
   class PointProjector;
+
+  // For each voxel the number of the thing that it belongs to, -1 where it is
+  // no object.
+  std::vector<int> LabelThings(int* num_things) const;
 
   // Sets the flags (one per voxel) of a few voxels around each that is set.
   void Grow(std::vector<uint8_t>* flags) const;

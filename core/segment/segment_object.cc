@@ -71,6 +71,7 @@ class Segmenter {
   Segmenter(const SegmentationInput& input, const Context& context)
       : input_(input), context_(context) {
     for (const UnsegmentedView& view : input.views) {
+      knows_stand_ &= !view.above_plate.empty();
       poses_.push_back(view.pose);
     }
     result_.region = FindSearchRegion(poses_, input.box);
@@ -112,6 +113,9 @@ class Segmenter {
   std::vector<cv::Mat> features_;
   std::vector<cv::Mat> labels_;
   std::vector<cv::Mat> colours_;  // log odds from colours
+  // Whether all that is object turns on a stand that is known: there is nothing
+  // else in any view.
+  bool knows_stand_ = true;
   Segmentation result_;
 };
 
@@ -181,7 +185,8 @@ void Segmenter::Relabel(size_t view) {
 bool Segmenter::Round(const BoundingCube& cube, int resolution) {
   OccupancyGrid grid(
       cube, resolution, {input_.box, input_.floor}, poses_, colours_, context_);
-  if (!grid.KeepThingAt(result_.region.center, result_.region.radius)) {
+  if (!grid.KeepThingAt(
+          result_.region.center, result_.region.radius, knows_stand_)) {
     return false;
   }
   result_.object_box = grid.ObjectBox();

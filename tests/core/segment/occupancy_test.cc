@@ -34,7 +34,7 @@ TEST(Occupancy, FindsWhatTheSilhouettesShow) {
   const Ball ball = {{0.1, -0.05, 0.05}, 0.4};
   OccupancyGrid grid(
       CubeOfEdge(2), 64, {}, poses, OddsOf({ball}, poses), Context(2));
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1));
+  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
   const Eigen::AlignedBox3d box = grid.ObjectBox();
   // Two voxels; nobody looks from straight above or below.
   EXPECT_LT((box.center() - ball.center).cwiseAbs().maxCoeff(), 0.07);
@@ -48,7 +48,7 @@ TEST(Occupancy, OneViewThatSeesNothingIsOverruled) {
   std::vector<cv::Mat> odds = OddsOf({ball}, poses);
   odds[5].setTo(-4);
   OccupancyGrid grid(CubeOfEdge(2), 64, {}, poses, odds, Context(2));
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1));
+  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_NEAR(grid.ObjectBox().sizes().x(), 1, 0.1);
   // To that view the others say where the ball is.
   const cv::Mat word = grid.WordOfOthers(5);
@@ -64,8 +64,25 @@ TEST(Occupancy, ThingsBesideTheMiddleAreBackground) {
   OccupancyGrid grid(
       CubeOfEdge(2.2), 64, {}, poses, OddsOf({ball, other}, poses), Context(2));
   EXPECT_GT(grid.ObjectBox().max().x(), 0.8);
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1));
+  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_NEAR(grid.ObjectBox().max().x(), 0.3, 0.1);
+}
+
+TEST(Occupancy, SeveredPartsAreKeptIfTheyAreLargeEnough) {
+  const std::vector<Pose> poses = RingPoses(16);
+  const Ball ball = {{0, 0, 0}, 0.3};
+  for (const double radius : {0.15, 0.06}) {  // 12.5 and 0.8 % of its volume
+    const Ball part = {{0.8, 0, 0}, radius};
+    OccupancyGrid grid(CubeOfEdge(2.2),
+                       64,
+                       {},
+                       poses,
+                       OddsOf({ball, part}, poses),
+                       Context(2));
+    EXPECT_GT(grid.ObjectBox().max().x(), 0.8);
+    ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, true));
+    EXPECT_NEAR(grid.ObjectBox().max().x(), radius > 0.1 ? 0.95 : 0.3, 0.1);
+  }
 }
 
 // Two views deny a thing that all others show beside the object: without the
@@ -79,7 +96,7 @@ TEST(Occupancy, WhatIsFarFromTheObjectDoesNotComeBack) {
     odds[i] = OddsOf({ball}, poses)[i];
   }
   OccupancyGrid grid(CubeOfEdge(2.2), 64, {}, poses, odds, Context(2));
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1));
+  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
   for (const size_t i : {2, 5}) {
     const cv::Mat beside = SilhouetteOf(other, poses[i]) &
                            ~SilhouetteOf({{0, 0, 0}, 0.4}, poses[i]);
@@ -91,7 +108,7 @@ TEST(Occupancy, NothingIsFoundWhereNothingIs) {
   const std::vector<Pose> poses = RingPoses(8);
   OccupancyGrid grid(
       CubeOfEdge(2), 32, {}, poses, OddsOf({}, poses), Context(2));
-  EXPECT_FALSE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1));
+  EXPECT_FALSE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_TRUE(grid.ObjectBox().isEmpty());
 }
 
@@ -105,7 +122,7 @@ TEST(Occupancy, AGivenBoxBoundsIt) {
                      poses,
                      OddsOf({Ball()}, poses),
                      Context(2));
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1));
+  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_GE(grid.ObjectBox().min().z(), -1e-9);
   EXPECT_NEAR(grid.ObjectBox().max().z(), 0.5, 0.1);
 }

@@ -33,7 +33,7 @@ struct UnsegmentedView {
   // with the object.
   bool is_turntable = false;
   // CV_8UC1 of that size, of a turntable whose plate is known: 255 where the
-  // view can show nothing but the object, as FindPixelsAbovePlate returns it.
+  // view can show nothing but the object. UseTurntable sets it.
   cv::Mat above_plate;
   // CV_8UC1 of that size, as labels: what may be the object, from elsewhere.
   // The first colours are learned from it; empty: from where the cameras look.

@@ -33,29 +33,76 @@ size_t CountMatched(const ScoreVolume& volume) {
   return count;
 }
 
-// Three of four neighbours show something else, as if what the view shows was
-// hidden from them.
-TEST(ScorePlanes, OneNeighborIsEnoughWhereTheOthersDoNotSeeIt) {
-  const TestScene test = MakeTestScene("sphere", 160, 120, 32);
+// A sphere in views of which one has four neighbours.
+struct ScoredScene {
+  TestScene test = MakeTestScene("sphere", 160, 120, 32);
+  std::vector<SweepView> views;
+  int reference = 0;
+  std::vector<int> neighbors;
+};
+
+ScoredScene MakeScoredScene() {
+  ScoredScene scene;
   VisualHullOptions options;
   options.hull_level = kScoreVolumeLevel;
   const VoxelGrid hull =
-      ComputeVisualHull(test.views, TestScene::UnitBox(), options, Context(2))
+      ComputeVisualHull(
+          scene.test.views, TestScene::UnitBox(), options, Context(2))
           .voxels;
-  std::vector<SweepView> views;
-  for (const PreparedView& view : test.views) {
-    views.push_back(ReduceForSweep(view, hull, 2));
+  for (const PreparedView& view : scene.test.views) {
+    scene.views.push_back(ReduceForSweep(view, hull, 2));
   }
-  int reference = 0;
-  std::vector<int> neighbors;
   for (const std::vector<int>& near :
-       SelectNeighborViews(test.views, 4, 4, 60)) {
+       SelectNeighborViews(scene.test.views, 4, 4, 60)) {
     if (near.size() == 4) {
-      neighbors = near;
+      scene.neighbors = near;
       break;
     }
-    ++reference;
+    ++scene.reference;
   }
+  return scene;
+}
+
+// Two samples in corners of the view, at no depth, make the frame as large as
+// the view.
+TEST(ScorePlanes, AreTheSameWhateverTheFrame) {
+  ScoredScene scene = MakeScoredScene();
+  ASSERT_EQ(scene.neighbors.size(), 4u);
+  const auto score = [&] {
+    return ScorePlanes(
+        scene.views, scene.reference, scene.neighbors, kScoreVolumeVoxel, 2);
+  };
+  const ScoreVolume volume = score();
+  cv::Mat_<float>& far = scene.views[scene.reference].far_depth;
+  ASSERT_GT(volume.frame.x, 0);
+  ASSERT_GT(volume.frame.y, 0);
+  ASSERT_LT(volume.frame.width, far.cols);
+  far(0, 0) = far(far.rows - 1, far.cols - 1) = 1e-12f;
+  const ScoreVolume whole = score();
+  ASSERT_EQ(whole.frame.size(), far.size());
+  ASSERT_EQ(whole.num_planes, volume.num_planes);
+  size_t num_scores = 0;
+  for (int plane = 0; plane < volume.num_planes; ++plane) {
+    for (size_t ray = 0; ray < volume.num_rays; ++ray) {
+      const int x = volume.frame.x + int(ray) % volume.frame.width;
+      const int y = volume.frame.y + int(ray) / volume.frame.width;
+      const float value = volume.scores[plane * volume.num_rays + ray];
+      num_scores += value > -1;
+      EXPECT_EQ(
+          value,
+          whole.scores[plane * whole.num_rays + size_t(y) * far.cols + x]);
+    }
+  }
+  EXPECT_GT(num_scores, 1000u);
+}
+
+// Three of four neighbours show something else, as if what the view shows was
+// hidden from them.
+TEST(ScorePlanes, OneNeighborIsEnoughWhereTheOthersDoNotSeeIt) {
+  ScoredScene scene = MakeScoredScene();
+  std::vector<SweepView>& views = scene.views;
+  const std::vector<int>& neighbors = scene.neighbors;
+  const int reference = scene.reference;
   ASSERT_EQ(neighbors.size(), 4u);
   const size_t num_seen = CountMatched(
       ScorePlanes(views, reference, neighbors, kScoreVolumeVoxel, 2));

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/grid/count_bits.h"
+#include "core/grid/morphology.h"
 
 namespace octacut {
 namespace {
@@ -19,19 +19,11 @@ constexpr int kHalfInside = kNumFaces / 2;
 
 VoxelGrid MatterOf(const VoxelGrid& voxels,
                    const std::vector<FaceLabels>& labels) {
-  std::vector<VoxelGrid::Brick> bricks;
-  for (VoxelGrid::Brick brick : voxels.Bricks()) {
-    VoxelGrid::Index index = brick.first;
-    for (uint64_t left = brick.mask; left != 0; left &= left - 1) {
-      if (CountBits(labels[index++]) < kHalfInside) {
-        brick.mask ^= left & -left;
-      }
-    }
-    if (brick.mask != 0) {
-      bricks.push_back(brick);
-    }
+  std::vector<uint8_t> is_matter(labels.size());
+  for (size_t i = 0; i < labels.size(); ++i) {
+    is_matter[i] = CountBits(labels[i]) >= kHalfInside;
   }
-  return VoxelGrid::FromBricks(voxels.Level(), std::move(bricks));
+  return Subset(voxels, is_matter);
 }
 
 // Of a number that is not negative; faster than std::ceil where the processor

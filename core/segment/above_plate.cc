@@ -109,20 +109,15 @@ double ContradictedPart(std::span<const cv::Mat> labels,
                            poses,
                            log_odds,
                            context);
-  std::vector<int> num_contradicted(poses.size());
-  int num_above = 0;
-  ParallelFor(context, poses.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      num_contradicted[i] =
-          cv::countNonZero((grid.WordOfOthers(i) < kWordOfTwo) & above[i]);
-    }
-  });
-  int sum = 0;
-  for (size_t i = 0; i < poses.size(); ++i) {
-    sum += num_contradicted[i];
-    num_above += cv::countNonZero(above[i]);
+  const int64_t num_contradicted =
+      ParallelSum(context, poses.size(), 1, [&](size_t i, size_t) {
+        return cv::countNonZero((grid.WordOfOthers(i) < kWordOfTwo) & above[i]);
+      });
+  int64_t num_above = 0;
+  for (const cv::Mat& of_view : above) {
+    num_above += cv::countNonZero(of_view);
   }
-  return double(sum) / std::max(num_above, 1);
+  return double(num_contradicted) / double(std::max<int64_t>(num_above, 1));
 }
 
 }  // namespace octacut

@@ -71,7 +71,6 @@ class Segmenter {
   Segmenter(const SegmentationInput& input, const Context& context)
       : input_(input), context_(context) {
     for (const UnsegmentedView& view : input.views) {
-      knows_stand_ &= !view.above_plate.empty();
       poses_.push_back(view.pose);
     }
     result_.region = FindSearchRegion(poses_, input.box);
@@ -101,6 +100,15 @@ class Segmenter {
   bool IsObjectOrStand(size_t view) const {
     return !input_.views[view].above_plate.empty();
   }
+  // Whether that is so in all views: what is neither is known as background.
+  bool HasNothingElse() const {
+    for (size_t i = 0; i < poses_.size(); ++i) {
+      if (!IsObjectOrStand(i)) {
+        return false;
+      }
+    }
+    return true;
+  }
   void Learn(bool own_objects);
   bool Round(const BoundingCube& cube, int resolution);
   void Relabel(size_t view);
@@ -113,9 +121,6 @@ class Segmenter {
   std::vector<cv::Mat> features_;
   std::vector<cv::Mat> labels_;
   std::vector<cv::Mat> colours_;  // log odds from colours
-  // Whether all that is object turns on a stand that is known: there is nothing
-  // else in any view.
-  bool knows_stand_ = true;
   Segmentation result_;
 };
 
@@ -186,7 +191,7 @@ bool Segmenter::Round(const BoundingCube& cube, int resolution) {
   OccupancyGrid grid(
       cube, resolution, {input_.box, input_.floor}, poses_, colours_, context_);
   if (!grid.KeepThingAt(
-          result_.region.center, result_.region.radius, knows_stand_)) {
+          result_.region.center, result_.region.radius, HasNothingElse())) {
     return false;
   }
   result_.object_box = grid.ObjectBox();

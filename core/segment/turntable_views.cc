@@ -41,10 +41,10 @@ void UseTurntable(const SearchRegion& region,
       ContradictedPart(labels, above, poses, *input->floor, region, context);
   if (contradicted > kMostContradicted) {
     context.Warn(fmt::format(
-        "The masks of the turntable contradict each other: {:.0f} % of what "
-        "turns above the plate in one photograph stands still in others, since "
-        "parts of the object look like the background. These masks are not "
-        "used.",
+        "The masks of the turntable contradict each other: for {:.0f} % of the "
+        "pixels that they show above the plate, other masks leave no object on "
+        "the line of sight. Parts of the object probably look like the "
+        "background. These masks are not used.",
         100 * contradicted));
   }
   for (size_t i = 0; i < views.size(); ++i) {

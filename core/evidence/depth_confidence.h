@@ -14,7 +14,6 @@
 #include "core/base/context.h"
 #include "core/evidence/depth_sweep.h"
 #include "core/grid/voxel_grid.h"
-#include "core/grid/voxel_values.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
@@ -50,13 +49,5 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
                                        double surrounded_share,
                                        float shown,
                                        const Context& context);
-
-// For each voxel of the hull the mean confidence in the depths that views have
-// found near it, over its brick and the bricks within two steps; that of the
-// scene where there are none.
-VoxelValues ConfidenceInSpace(const ViewSet& views,
-                              const VoxelGrid& hull,
-                              const ReliableDepths& depths,
-                              const Context& context);
 
 }  // namespace octacut

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "core/evidence/confidence_in_space.h"
 #include "core/hull/visual_hull.h"
 #include "core/raycast/ray_scene.h"
 #include "tests/core/views/test_scene.h"

@@ -113,10 +113,7 @@ void BoxTree::BuildLevels(const Context& context) {
         Box box = below[i * kFanOut];
         const size_t last = std::min(below.size(), (i + 1) * kFanOut);
         for (size_t child = i * kFanOut + 1; child < last; ++child) {
-          for (int axis = 0; axis < 3; ++axis) {
-            box.min[axis] = std::min(box.min[axis], below[child].min[axis]);
-            box.max[axis] = std::max(box.max[axis], below[child].max[axis]);
-          }
+          Extend(below[child], &box);
         }
         level[i] = box;
       }

@@ -25,14 +25,35 @@ class BoxTree {
   size_t NumLeaves() const { return order_.size(); }
   uint32_t Triangle(size_t leaf) const { return order_[leaf]; }
 
-  // Calls visit(other) for the leaves after `leaf` whose boxes touch its own.
+  // Calls visit(leaf, other) for the leaves from `begin` to `end` and those after
+  // them whose boxes touch theirs.
   template <typename Visit>
-  void ForLaterNeighbors(size_t leaf, const Visit& visit) const {
-    VisitFrom(leaf + 1, levels_[0][leaf], visit);
+  void ForPairs(size_t begin, size_t end, const Visit& visit) const {
+    const std::vector<Box>& leaves = levels_[0];
+    std::vector<size_t> others;
+    while (begin < end) {
+      // Neighbors in the order are neighbors in space, so a group shares a
+      // descent.
+      const size_t group_end = std::min(begin + kFanOut, end);
+      Box group = leaves[begin];
+      for (size_t leaf = begin + 1; leaf < group_end; ++leaf) {
+        Extend(leaves[leaf], &group);
+      }
+      others.clear();
+      VisitFrom(
+          begin + 1, group, [&](size_t other) { others.push_back(other); });
+      for (; begin < group_end; ++begin) {
+        for (const size_t other : others) {
+          if (other > begin && Touch(leaves[begin], leaves[other])) {
+            visit(begin, other);
+          }
+        }
+      }
+    }
   }
 
-  // The same of all leaves, for a triangle that need not be in the tree and
-  // has finite coordinates.
+  // Calls visit(leaf) for the leaves whose boxes touch that of a triangle that
+  // need not be in the tree and has finite coordinates.
   template <typename Visit>
   void ForTouching(const IndexedMesh& mesh,
                    uint32_t triangle,
@@ -56,6 +77,13 @@ class BoxTree {
     return a.min[0] <= b.max[0] && b.min[0] <= a.max[0] &&
            a.min[1] <= b.max[1] && b.min[1] <= a.max[1] &&
            a.min[2] <= b.max[2] && b.min[2] <= a.max[2];
+  }
+
+  static void Extend(const Box& by, Box* box) {
+    for (int axis = 0; axis < 3; ++axis) {
+      box->min[axis] = std::min(box->min[axis], by.min[axis]);
+      box->max[axis] = std::max(box->max[axis], by.max[axis]);
+    }
   }
 
   // Leaves from `first` on whose boxes touch `box`.

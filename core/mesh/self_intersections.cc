@@ -75,16 +75,13 @@ void VisitPairs(const IndexedMesh& mesh,
                 size_t begin,
                 size_t end,
                 const Visit& visit) {
-  for (size_t leaf = begin; leaf < end; ++leaf) {
+  tree.ForPairs(begin, end, [&](size_t leaf, size_t other_leaf) {
     const uint32_t triangle = tree.Triangle(leaf);
-    const TriangleCorners corners = CornersOf(mesh, triangle);
-    tree.ForLaterNeighbors(leaf, [&](size_t other_leaf) {
-      const uint32_t other = tree.Triangle(other_leaf);
-      if (TrianglesIntersect(corners, CornersOf(mesh, other))) {
-        visit(triangle, other);
-      }
-    });
-  }
+    const uint32_t other = tree.Triangle(other_leaf);
+    if (TrianglesIntersect(CornersOf(mesh, triangle), CornersOf(mesh, other))) {
+      visit(triangle, other);
+    }
+  });
 }
 
 // Appends what find(begin, end, found) finds, in order.

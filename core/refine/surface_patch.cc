@@ -1,5 +1,6 @@
 #include "core/refine/surface_patch.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/check_option.h"
@@ -99,6 +100,7 @@ void SurfacePatch::MoveTo(const LocalSurface& surface,
     }
     projected.level = &view.pyramid.LevelForFootprint(
         projection.Footprint(spacing, origin.z()));
+    SampleColors(projected, 0, &projected.colors);
     if (!IsBackground(projected)) {
       projected.weight = chosen.weights[n];
       ++num_views_;
@@ -114,13 +116,25 @@ float SurfacePatch::SumOfWeights() const {
   return sum;
 }
 
+void SurfacePatch::SampleColors(const Projected& projected,
+                                float offset,
+                                std::array<Float4, kMaxSamples>* colors) const {
+  const Eigen::Vector3f shift = offset * projected.step;
+  std::array<float, kMaxSamples> u, v;
+  for (int s = 0; s < num_samples_; ++s) {
+    const float inverse_depth = 1 / (projected.z[s] + shift.z());
+    u[s] = (projected.x[s] + shift.x()) * inverse_depth;
+    v[s] = (projected.y[s] + shift.y()) * inverse_depth;
+  }
+  for (int s = 0; s < num_samples_; ++s) {
+    (*colors)[s] = projected.level->Sample(u[s], v[s]);
+  }
+}
+
 bool SurfacePatch::IsBackground(const Projected& projected) const {
   int num_background = 0;
   for (int s = 0; s < num_samples_; ++s) {
-    const float inverse_depth = 1 / projected.z[s];
-    const Float4 color = projected.level->Sample(
-        projected.x[s] * inverse_depth, projected.y[s] * inverse_depth);
-    num_background += color[3] < kObjectCoverage ? 1 : 0;
+    num_background += projected.colors[s][3] < kObjectCoverage ? 1 : 0;
   }
   return float(num_background) > kMaxBackgroundShare * float(num_samples_);
 }
@@ -143,15 +157,10 @@ void SurfacePatch::Normalize(std::array<Float4, kMaxSamples>* image) const {
 }
 
 float SurfacePatch::SampleView(const Projected& projected, float offset) {
-  const Eigen::Vector3f shift = offset * projected.step;
-  std::array<float, kMaxSamples> u, v;
-  for (int s = 0; s < num_samples_; ++s) {
-    const float inverse_depth = 1 / (projected.z[s] + shift.z());
-    u[s] = (projected.x[s] + shift.x()) * inverse_depth;
-    v[s] = (projected.y[s] + shift.y()) * inverse_depth;
-  }
-  for (int s = 0; s < num_samples_; ++s) {
-    colors_[s] = projected.level->Sample(u[s], v[s]);
+  if (offset == 0) {
+    std::copy_n(projected.colors.begin(), num_samples_, colors_.begin());
+  } else {
+    SampleColors(projected, offset, &colors_);
   }
   Normalize(&colors_);
   return Dot(colors_, colors_, num_samples_);

@@ -66,20 +66,24 @@ class SurfacePatch {
 
  private:
   // Homogeneous pixel coordinates of the samples at offset 0, and what a unit
-  // of offset adds.
+  // of offset adds; their colours at offset 0.
   struct Projected {
     uint16_t view;
     const PyramidLevel* level;
     Eigen::Vector3f step;
     float weight;
     alignas(16) std::array<float, kMaxSamples> x, y, z;
+    std::array<Float4, kMaxSamples> colors;
   };
 
+  void SampleColors(const Projected& projected,
+                    float offset,
+                    std::array<Float4, kMaxSamples>* colors) const;
   bool IsBackground(const Projected& projected) const;
   // Takes out the mean and part of the gradient, in which light and shade are
   // strong; weights chroma, and samples by the roots of their weights.
   void Normalize(std::array<Float4, kMaxSamples>* image) const;
-  // Samples a view into colors_ and normalises it; returns its squared norm.
+  // Normalises the samples of a view into colors_; returns their squared norm.
   float SampleView(const Projected& projected, float offset);
   // Normal equations of a view whose normalised image is `image`, of squared
   // norm `square`, and differs from the mean one by `residual`.

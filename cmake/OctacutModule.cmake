@@ -52,7 +52,7 @@ function(octacut_compile_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# A test executable that mirrors one folder; every test is registered alone.
+# A test executable that mirrors one folder; every suite of it is a test of ctest.
 #   octacut_test(core_grid SOURCES morton_test.cc ... DEPENDS core_grid ...)
 # COST 1 has its tests started before those of other folders: long ones would
 # leave a core idle at the end.
@@ -72,10 +72,24 @@ function(octacut_test name)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_compile_options(${target} PRIVATE ${OCTACUT_WARNINGS}
                                            ${OCTACUT_TEST_OPTIONS})
-  set(properties TIMEOUT 600 ${OCTACUT_TEST_PROPERTIES})
+  set(properties TIMEOUT 1800 ${OCTACUT_TEST_PROPERTIES})
   if(TEST_COST)
     list(APPEND properties COST ${TEST_COST})
   endif()
-  gtest_discover_tests(${target} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 120
-                       PROPERTIES ${properties})
+  list(JOIN properties " " properties)
+  set(discover ${PROJECT_SOURCE_DIR}/cmake/DiscoverSuites.cmake)
+  set(suites ${CMAKE_CURRENT_BINARY_DIR}/${target}_suites.cmake)
+  if(NOT EXISTS ${suites})
+    file(WRITE ${suites} "add_test(${name}_NOT_BUILT ${target}_NOT_BUILT)\n")
+  endif()
+  add_custom_command(
+    TARGET ${target}
+    POST_BUILD
+    BYPRODUCTS ${suites}
+    COMMAND
+      ${CMAKE_COMMAND} -D EXECUTABLE=$<TARGET_FILE:${target}> -D NAME=${name} -D
+      OUTPUT=${suites} -D "PROPERTIES=${properties}" -P ${discover}
+    VERBATIM)
+  set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${discover})
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${suites})
 endfunction()

@@ -9,6 +9,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 arguments=()
+leave_out=
 while [[ $# -gt 0 ]]; do
   case $1 in
     -h | --help)
@@ -17,8 +18,8 @@ while [[ $# -gt 0 ]]; do
       ;;
     --fast)
       if ((${2:?"$1 needs 0 or 1"})); then
-        slow=$(grep -v '^#' "$root/tests/slow_tests.txt" | paste -sd '|')
-        arguments+=(-E "^($slow)\$")
+        leave_out=$(grep -v '^#' "$root/tests/slow_tests.txt" | paste -sd :)
+        arguments+=(-LE slow)
       fi
       shift 2
       ;;
@@ -40,9 +41,14 @@ build=${OCTACUT_BUILD_DIR:-$root/build}
 "$root/workflows/setup.sh"
 "$root/workflows/build.sh"
 begin=$SECONDS
-if ctest --test-dir "$build" -j2 --output-on-failure --no-tests=error \
+if OCTACUT_LEAVE_OUT=$leave_out ctest --test-dir "$build" -j2 --output-on-failure --no-tests=error \
   "${arguments[@]}"; then
   echo "test.sh: all tests passed in $((SECONDS - begin)) s"
+  skipped=$(sed -n '/: Skipped$/{n;p}' "$build/Testing/Temporary/LastTest.log" |
+    sort | uniq -c)
+  if [[ -n $skipped ]]; then
+    printf 'test.sh: skipped, by reason:\n%s\n' "$skipped"
+  fi
 else
   echo "test.sh: TESTS FAILED" >&2
   exit 1

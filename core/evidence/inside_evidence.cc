@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/base/check_option.h"
-#include "core/evidence/confirmed_depths.h"
 #include "core/evidence/confidence_in_space.h"
+#include "core/evidence/confirmed_depths.h"
 #include "core/evidence/depth_confidence.h"
 #include "core/evidence/depth_evidence.h"
 #include "core/evidence/mask_confidence.h"

@@ -25,8 +25,8 @@ class BoxTree {
   size_t NumLeaves() const { return order_.size(); }
   uint32_t Triangle(size_t leaf) const { return order_[leaf]; }
 
-  // Calls visit(leaf, other) for the leaves from `begin` to `end` and those after
-  // them whose boxes touch theirs.
+  // Calls visit(leaf, other) for each of the leaves from `begin` to `end` and
+  // the leaves after it whose boxes touch its own.
   template <typename Visit>
   void ForPairs(size_t begin, size_t end, const Visit& visit) const {
     const std::vector<Box>& leaves = levels_[0];

@@ -25,6 +25,7 @@ constexpr float kFreeSpaceShare = 0.3f;
 std::vector<FaceLabels> CutByFinerDepths(const LevelInputs& inputs,
                                          const Crust& crust,
                                          const std::vector<float>& finer,
+                                         const SilhouetteTerms& silhouettes,
                                          LevelSteps* steps) {
   CutTerms terms{NeutralWeights(crust.voxels.Size(), inputs.options), finer};
   for (size_t i = 0; i < terms.evidence.size(); ++i) {
@@ -32,13 +33,6 @@ std::vector<FaceLabels> CutByFinerDepths(const LevelInputs& inputs,
       terms.evidence[i] = kPresentWeight * (2 * crust.prior[i] - 1);
     }
   }
-  const SilhouetteTerms silhouettes = steps->OnCrust([&] {
-    return EstimateSilhouetteTerms(inputs.views,
-                                   inputs.evidence.mask_confidence,
-                                   crust.voxels,
-                                   inputs.options,
-                                   inputs.context);
-  });
   OctahedralCutState state;
   OctahedralCut cut = steps->Cut(crust, terms, &state);
   steps->CoverSilhouettes(
@@ -51,10 +45,10 @@ SolvedLevel CutByPhotographs(const LevelInputs& inputs,
                              Crust crust,
                              const std::vector<FaceLabels>& first,
                              const std::vector<float>& finer,
+                             const SilhouetteTerms& silhouettes,
                              LevelSteps* steps) {
-  VoxelTerms terms;
-  steps->ExtendTerms(
-      steps->EstimateVisibility(crust.voxels, first), crust, &terms);
+  const VoxelTerms terms = steps->EstimateTerms(
+      steps->EstimateVisibility(crust.voxels, first), crust, silhouettes);
   Decision decision = DecideByPhotographs(
       crust, terms.phi, inputs.evidence.decision_confidence, inputs.context);
   CutTerms energy{DecidedWeights(decision, terms.phi, inputs.options),
@@ -97,11 +91,12 @@ SolvedLevel DeepenLevel(const LevelInputs& inputs,
   Crust crust = steps.OnCrust([&] {
     return WidenCrust(hierarchy, present, finer.voxels, inputs.context);
   });
+  const SilhouetteTerms silhouettes = steps.EstimateSilhouettes(crust.voxels);
   const std::vector<FaceLabels> first =
-      CutByFinerDepths(inputs, crust, finer.values, &steps);
+      CutByFinerDepths(inputs, crust, finer.values, silhouettes, &steps);
   steps.OnCrust([&] { AdoptCut(first, inputs.context, &crust); });
   return CutByPhotographs(
-      inputs, std::move(crust), first, finer.values, &steps);
+      inputs, std::move(crust), first, finer.values, silhouettes, &steps);
 }
 
 }  // namespace octacut

@@ -49,26 +49,21 @@ OctahedralCut CutByEvidence(const LevelInputs& inputs,
 SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
                               const VoxelGrid& hull,
                               LevelSummary* summary) {
-  const ViewSet& views = inputs.views;
   const InsideEvidence& evidence = inputs.evidence;
   const ReconstructionOptions& options = inputs.options;
   const Context& context = inputs.context;
   LevelSteps steps(inputs, hull.Level(), summary);
   Crust crust = steps.OnCrust([&] { return InitialCrust(hull, context); });
-  SilhouetteTerms silhouettes = steps.OnCrust([&] {
-    return EstimateSilhouetteTerms(
-        views, evidence.mask_confidence, hull, options, context);
-  });
-  std::vector<float> inside = std::move(silhouettes.evidence);
+  const SilhouetteTerms silhouettes = steps.EstimateSilhouettes(hull);
+  std::vector<float> inside = silhouettes.evidence;
   for (size_t i = 0; i < inside.size(); ++i) {
     inside[i] += evidence.values[i];
   }
   const OctahedralCut first =
       CutByEvidence(inputs, crust, silhouettes.hull_depth, &steps, &inside);
   steps.OnCrust([&] { TakeForPrior(first.labels, &crust); });
-  VoxelTerms terms;
-  steps.ExtendTerms(
-      steps.EstimateVisibility(crust.voxels, first.labels), crust, &terms);
+  const VoxelTerms terms = steps.EstimateTerms(
+      steps.EstimateVisibility(crust.voxels, first.labels), crust, silhouettes);
   Decision decision = DecideByPhotographs(
       crust, terms.phi, evidence.decision_confidence, context);
   CutTerms energy{DecidedWeights(decision, terms.phi, options),

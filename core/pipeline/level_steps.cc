@@ -28,13 +28,39 @@ Visibility LevelSteps::EstimateVisibility(
   });
 }
 
+SilhouetteTerms LevelSteps::EstimateSilhouettes(const VoxelGrid& voxels) {
+  return OnCrust([&] {
+    return EstimateSilhouetteTerms(inputs_.views,
+                                   inputs_.evidence.mask_confidence,
+                                   voxels,
+                                   inputs_.options,
+                                   inputs_.context);
+  });
+}
+
+VoxelTerms LevelSteps::EstimateTerms(const Visibility& visibility,
+                                     const Crust& crust,
+                                     const SilhouetteTerms& silhouettes) {
+  const AddedVoxels all = OnCrust([&] { return FindAddedVoxels(crust, {}); });
+  return AddTerms(visibility, crust, all, silhouettes, {});
+}
+
 void LevelSteps::ExtendTerms(const Visibility& visibility,
                              const Crust& crust,
                              VoxelTerms* terms) {
-  const ReconstructionOptions& options = inputs_.options;
-  const Context& context = inputs_.context;
   const AddedVoxels added =
       OnCrust([&] { return FindAddedVoxels(crust, *terms); });
+  *terms = AddTerms(
+      visibility, crust, added, EstimateSilhouettes(added.voxels), *terms);
+}
+
+VoxelTerms LevelSteps::AddTerms(const Visibility& visibility,
+                                const Crust& crust,
+                                const AddedVoxels& added,
+                                const SilhouetteTerms& silhouettes,
+                                const VoxelTerms& terms) {
+  const ReconstructionOptions& options = inputs_.options;
+  const Context& context = inputs_.context;
   const std::vector<SurfaceShape> shapes =
       Timed(&summary_.visibility_seconds, [&] {
         return EstimateSurfaceShape(
@@ -55,16 +81,12 @@ void LevelSteps::ExtendTerms(const Visibility& visibility,
                                    context);
       });
   summary_.consistency.Add(consistency.summary);
-  *terms = OnCrust([&] {
+  return OnCrust([&] {
     return MergeTerms(crust.voxels,
-                      *terms,
+                      terms,
                       added,
                       consistency,
-                      EstimateSilhouetteTerms(inputs_.views,
-                                              inputs_.evidence.mask_confidence,
-                                              added.voxels,
-                                              options,
-                                              context),
+                      silhouettes,
                       UnseenEvidence(crust.voxels.Level(), options));
   });
 }

@@ -57,6 +57,13 @@ class LevelSteps {
   Visibility EstimateVisibility(const VoxelGrid& surface,
                                 const std::vector<FaceLabels>& labels);
 
+  SilhouetteTerms EstimateSilhouettes(const VoxelGrid& voxels);
+
+  // The terms of `crust`; `silhouettes` are those of its voxels.
+  VoxelTerms EstimateTerms(const Visibility& visibility,
+                           const Crust& crust,
+                           const SilhouetteTerms& silhouettes);
+
   // Brings `terms` up to `crust`, which is at least as large: voxels that have
   // their terms keep them, so growing a crust costs what it adds.
   void ExtendTerms(const Visibility& visibility,
@@ -90,6 +97,13 @@ class LevelSteps {
   SolvedLevel Finish(Decision decision, Crust crust, OctahedralCut cut);
 
  private:
+  // `silhouettes` are those of the added voxels.
+  VoxelTerms AddTerms(const Visibility& visibility,
+                      const Crust& crust,
+                      const AddedVoxels& added,
+                      const SilhouetteTerms& silhouettes,
+                      const VoxelTerms& terms);
+
   LevelInputs inputs_;
   LevelSummary& summary_;
 };

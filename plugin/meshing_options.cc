@@ -13,8 +13,8 @@ void DeclareMainOptions(OptionManager& options,
       "OctahedralMeshing.target_level",
       &meshing->target_level,
       "Resolution of the mesh: (2^level)^3 voxels. A voxel should cover about "
-      "1.5 pixels of the photographs on the object. Takes precedence over "
-      "--quality.");
+      "1.5 pixels of the photographs on the object. If given, takes "
+      "precedence over --quality.");
   options.Add("OctahedralMeshing.hull_level",
               &meshing->hull.hull_level,
               "Resolution of the visual hull: (2^level)^3 voxels. Use 8 for "
@@ -23,7 +23,7 @@ void DeclareMainOptions(OptionManager& options,
       "OctahedralMeshing.refine",
       &meshing->refine,
       "If 1, refine the mesh and the poses photometrically below voxel size. "
-      "Takes precedence over --quality.");
+      "If given, takes precedence over --quality.");
   DeclareMaskTolerance(options, &meshing->masks.mask_tolerance);
   DeclareFillFalseGaps(options, &meshing->masks.fill_false_gaps);
   DeclareMoveMaskBorders(options, &meshing->masks.move_mask_borders);

@@ -162,7 +162,7 @@ mesh() {
 extraction=SiftExtraction
 matching=SiftMatching
 if colmap feature_extractor -h 2>&1 | grep -q FeatureExtraction.use_gpu; then
-  extraction=FeatureExtraction  # COLMAP 4
+  extraction=FeatureExtraction  # since COLMAP 3.13
   matching=FeatureMatching
 fi
 

@@ -66,8 +66,8 @@ Crust MakeCrust(const LabelHierarchy& hierarchy,
   crust.voxels = std::move(voxels);
   TieInterfaces(hierarchy, context, &crust);
   EstimatePrior(hierarchy, context, &crust);
-  crust.num_medial_voxels =
-      TieMedialVoxels(crust.voxels, crust.prior, context, &crust.ties);
+  crust.num_medial_voxels = TieMedialVoxels(
+      crust.voxels, crust.prior, kMinMedialDepth, context, &crust.ties);
   return crust;
 }
 
@@ -156,18 +156,15 @@ Crust WidenCrust(const LabelHierarchy& hierarchy,
   return crust;
 }
 
-void TakeForPrior(const std::vector<FaceLabels>& labels, Crust* crust) {
+void AdoptCut(const std::vector<FaceLabels>& labels,
+              int min_depth,
+              const Context& context,
+              Crust* crust) {
   for (size_t i = 0; i < labels.size(); ++i) {
     crust->prior[i] = InsideShare(labels[i]);
   }
-}
-
-void AdoptCut(const std::vector<FaceLabels>& labels,
-              const Context& context,
-              Crust* crust) {
-  TakeForPrior(labels, crust);
-  crust->num_medial_voxels =
-      TieMedialVoxels(crust->voxels, crust->prior, context, &crust->ties);
+  crust->num_medial_voxels = TieMedialVoxels(
+      crust->voxels, crust->prior, min_depth, context, &crust->ties);
 }
 
 size_t EstimateSurfaceVoxels(int level, double layers) {

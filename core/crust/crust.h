@@ -64,11 +64,10 @@ Crust WidenCrust(const LabelHierarchy& hierarchy,
                  VoxelGrid voxels,
                  const Context& context);
 
-// Takes a cut of the crust for what is known of inside and outside.
-void TakeForPrior(const std::vector<FaceLabels>& labels, Crust* crust);
-
-// The same, and ties the medial voxels of what is thin by it.
+// Takes a cut of the crust for what is known of inside and outside, and ties
+// the medial voxels by it that are at least `min_depth` deep.
 void AdoptCut(const std::vector<FaceLabels>& labels,
+              int min_depth,
               const Context& context,
               Crust* crust);
 

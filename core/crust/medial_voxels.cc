@@ -112,12 +112,13 @@ std::vector<uint8_t> NearOwnInterface(const VoxelWalk& walk,
 // +1 for medial voxels of the inside, -1 for those of the outside, else 0.
 std::vector<int8_t> FindMedial(const VoxelWalk& walk,
                                const std::vector<int8_t>& depth,
+                               int min_depth,
                                const std::vector<uint8_t>& near) {
   std::vector<int8_t> medial(depth.size(), 0);
   walk.ForEach(0, walk.NumBricks(), [&](const VoxelSlot& slot) {
     const int8_t own = depth[slot.index];
-    if (std::abs(own) >= 2 && std::abs(own) <= kMaxDepth && !near[slot.index] &&
-        !AnyNeighbor(walk, slot, [&](VoxelGrid::Index n) {
+    if (std::abs(own) >= min_depth && std::abs(own) <= kMaxDepth &&
+        !near[slot.index] && !AnyNeighbor(walk, slot, [&](VoxelGrid::Index n) {
           return (depth[n] > 0) == (own > 0) &&
                  std::abs(depth[n]) > std::abs(own);
         })) {
@@ -131,12 +132,13 @@ std::vector<int8_t> FindMedial(const VoxelWalk& walk,
 
 size_t TieMedialVoxels(const VoxelGrid& voxels,
                        const std::vector<float>& prior,
+                       int min_depth,
                        const Context& context,
                        std::vector<FaceTies>* ties) {
   const VoxelWalk walk(voxels, context);
   const std::vector<int8_t> depth = SignedDepth(walk, prior, context);
-  const std::vector<int8_t> medial =
-      FindMedial(walk, depth, NearOwnInterface(walk, depth, *ties, context));
+  const std::vector<int8_t> medial = FindMedial(
+      walk, depth, min_depth, NearOwnInterface(walk, depth, *ties, context));
   size_t count = 0;
   walk.ForEach(0, walk.NumBricks(), [&](const VoxelSlot& slot) {
     const int8_t own = medial[slot.index];

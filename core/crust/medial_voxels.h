@@ -11,15 +11,19 @@
 
 namespace octacut {
 
+// Voxels of thin parts are at least this deep.
+inline constexpr int kMinMedialDepth = 2;
+
 // Ties all faces of the medial voxels of the thin parts of a crust, inside
 // ones (by `prior`, one per voxel) to the inside and outside ones to the
 // outside. Depth is counted in 6-neighbour steps from the prior surface; a
-// voxel is medial when it is two to twelve deep, no neighbour is deeper, and
-// no interface of its own kind is within reach. Faces with a tie keep theirs,
-// and a voxel beside a tie of the other kind is left free. Returns the number
-// of voxels tied.
+// voxel is medial when it is `min_depth` to twelve deep, no neighbour is
+// deeper, and no interface of its own kind is within reach. Faces with a tie
+// keep theirs, and a voxel beside a tie of the other kind is left free. Returns
+// the number of voxels tied.
 size_t TieMedialVoxels(const VoxelGrid& voxels,
                        const std::vector<float>& prior,
+                       int min_depth,
                        const Context& context,
                        std::vector<FaceTies>* ties);
 

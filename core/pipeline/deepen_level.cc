@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/crust/crust.h"
+#include "core/crust/medial_voxels.h"
 #include "core/evidence/finer_depths.h"
 
 namespace octacut {
@@ -94,7 +95,8 @@ SolvedLevel DeepenLevel(const LevelInputs& inputs,
   const SilhouetteTerms silhouettes = steps.EstimateSilhouettes(crust.voxels);
   const std::vector<FaceLabels> first =
       CutByFinerDepths(inputs, crust, finer.values, silhouettes, &steps);
-  steps.OnCrust([&] { AdoptCut(first, inputs.context, &crust); });
+  steps.OnCrust(
+      [&] { AdoptCut(first, kMinMedialDepth, inputs.context, &crust); });
   return CutByPhotographs(
       inputs, std::move(crust), first, finer.values, silhouettes, &steps);
 }

@@ -12,6 +12,10 @@ namespace {
 // Share of the silhouettes' samples up to which no round asks them back: that
 // much is not a part of the object, and CoverSilhouettes has it at once.
 constexpr double kToleratedMiss = 1e-3;
+// Medial voxels of l0 at least this deep are tied: plain objects lose less of
+// their thick parts. What is thinner may be a bridge that the first cut has
+// made up (docs/experiments/crusts.md).
+constexpr int kSolidDepth = 4;
 
 // The cut of l0 by evidence alone. What all silhouettes show must not be cut
 // off: where it is, wrong depths have outvoted matter, so the evidence gets the
@@ -61,7 +65,7 @@ SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
   }
   const OctahedralCut first =
       CutByEvidence(inputs, crust, silhouettes.hull_depth, &steps, &inside);
-  steps.OnCrust([&] { TakeForPrior(first.labels, &crust); });
+  steps.OnCrust([&] { AdoptCut(first.labels, kSolidDepth, context, &crust); });
   const VoxelTerms terms = steps.EstimateTerms(
       steps.EstimateVisibility(crust.voxels, first.labels), crust, silhouettes);
   Decision decision = DecideByPhotographs(

@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "core/base/error.h"
+#include "core/crust/medial_voxels.h"
 #include "core/grid/morphology.h"
 #include "core/grid/voxel_walk.h"
 #include "tests/core/crust/labeled_shapes.h"
@@ -296,7 +297,7 @@ TEST(AdoptCut, TakesTheCutForWhatIsKnown) {
   Crust crust = RefineCrust(hierarchy, Dilation(2), Context(2));
   const std::vector<FaceLabels> labels =
       LabelsOf(Ball({0.5, 0.5, 0.5}, 0.28), crust.voxels);
-  AdoptCut(labels, Context(2), &crust);
+  AdoptCut(labels, kMinMedialDepth, Context(2), &crust);
   for (size_t i = 0; i < labels.size(); ++i) {
     EXPECT_EQ(crust.prior[i], float(std::popcount(labels[i])) / kNumFaces);
   }

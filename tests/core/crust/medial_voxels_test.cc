@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -122,18 +123,33 @@ TEST(MedialVoxels, ThickPartsHaveNone) {
 }
 
 // At l0 the crust reaches far from the surface: what is deep is not thin.
-TEST(MedialVoxels, DeepPartsHaveNone) {
+// How many voxels are tied where all of 64^3 are in the crust.
+size_t CountTied(const Solid& solid, int min_depth) {
   constexpr int kLevel = 6;
-  const Solid half_space = [](const Eigen::Vector3d& x) { return x.z() - 0.5; };
   std::vector<MortonCode> codes(size_t{1} << (3 * kLevel));
   std::iota(codes.begin(), codes.end(), MortonCode{0});
   const VoxelGrid voxels = VoxelGrid::FromCodes(kLevel, std::move(codes));
   std::vector<float> prior(voxels.Size());
   voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    prior[index] = ValueAt(half_space, DecodeMorton(code), kLevel) < 0 ? 1 : 0;
+    prior[index] = ValueAt(solid, DecodeMorton(code), kLevel) < 0 ? 1 : 0;
   });
   std::vector<FaceTies> ties(voxels.Size());
-  EXPECT_EQ(TieMedialVoxels(voxels, prior, Context(2), &ties), 0u);
+  return TieMedialVoxels(voxels, prior, min_depth, Context(2), &ties);
+}
+
+TEST(MedialVoxels, DeepPartsHaveNone) {
+  const Solid half_space = [](const Eigen::Vector3d& x) { return x.z() - 0.5; };
+  EXPECT_EQ(CountTied(half_space, kMinMedialDepth), 0u);
+}
+
+TEST(MedialVoxels, AreAtLeastAsDeepAsAskedFor) {
+  // Eight voxels thick: its two middle layers are four deep.
+  const Solid plate = [](const Eigen::Vector3d& x) {
+    return std::abs(x.z() - 0.5) - 4.0 / 64;
+  };
+  EXPECT_EQ(CountTied(plate, kMinMedialDepth), 2u * 64 * 64);
+  EXPECT_EQ(CountTied(plate, 4), 2u * 64 * 64);
+  EXPECT_EQ(CountTied(plate, 5), 0u);
 }
 
 TEST(MedialVoxels, KeepTiesAndCountWhatTheyTie) {
@@ -150,8 +166,8 @@ TEST(MedialVoxels, KeepTiesAndCountWhatTheyTie) {
     }
   });
   std::vector<FaceTies> ties = border;
-  const size_t count =
-      TieMedialVoxels(crust.voxels, crust.prior, Context(2), &ties);
+  const size_t count = TieMedialVoxels(
+      crust.voxels, crust.prior, kMinMedialDepth, Context(2), &ties);
   EXPECT_EQ(ties, crust.ties);
   EXPECT_EQ(count, crust.num_medial_voxels);
   size_t num_changed = 0;

@@ -11,10 +11,10 @@
 
 namespace octacut {
 
-// Voxels of thin parts are at least this deep.
+// The least depth of medial voxels where parts as thin as a few voxels count.
 inline constexpr int kMinMedialDepth = 2;
 
-// Ties all faces of the medial voxels of the thin parts of a crust, inside
+// Ties all faces of the medial voxels of a crust that are not too deep, inside
 // ones (by `prior`, one per voxel) to the inside and outside ones to the
 // outside. Depth is counted in 6-neighbour steps from the prior surface; a
 // voxel is medial when it is `min_depth` to twelve deep, no neighbour is

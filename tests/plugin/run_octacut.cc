@@ -5,10 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
+#include <iostream>
 #include <stdexcept>
+
+#include "plugin/application.h"
 
 namespace octacut {
 namespace {
@@ -25,11 +27,59 @@ namespace {
   _exit(127);
 }
 
+void FlushStandardStreams() {
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+}
+
+// Writes what comes to a standard stream into a file instead.
+class Redirection {
+ public:
+  Redirection(int stream, const std::filesystem::path& path)
+      : stream_(stream), original_(dup(stream)) {
+    FlushStandardStreams();
+    const int file = open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600);
+    if (original_ < 0 || file < 0) {
+      throw std::runtime_error("cannot redirect a standard stream");
+    }
+    dup2(file, stream);
+    close(file);
+  }
+  ~Redirection() {
+    FlushStandardStreams();
+    dup2(original_, stream_);
+    close(original_);
+  }
+  Redirection(const Redirection&) = delete;
+  Redirection& operator=(const Redirection&) = delete;
+
+ private:
+  int stream_;
+  int original_;
+};
+
+// What main() does.
+ProgramResult RunInThisProcess(const std::vector<std::string>& arguments) {
+  const TemporaryFolder folder;
+  ProgramResult result;
+  {
+    const Redirection out(STDOUT_FILENO, folder / "out");
+    const Redirection err(STDERR_FILENO, folder / "err");
+    result.exit_code = RunApplication(
+        arguments, CommandRegistry(), std::cout, std::cerr, nullptr);
+  }
+  result.out = ReadFile(folder / "out");
+  result.err = ReadFile(folder / "err");
+  return result;
+}
+
+const char* OtherExecutable() { return std::getenv("OCTACUT_EXECUTABLE"); }
+
 }  // namespace
 
 std::string ExecutablePath() {
-  const char* const path = std::getenv("OCTACUT_EXECUTABLE");
-  return path != nullptr ? path : OCTACUT_EXECUTABLE;
+  return OtherExecutable() != nullptr ? OtherExecutable() : OCTACUT_EXECUTABLE;
 }
 
 RunningOctacut::RunningOctacut(const std::vector<std::string>& arguments) {
@@ -82,7 +132,8 @@ ProgramResult RunningOctacut::Wait() {
 }
 
 ProgramResult RunOctacut(const std::vector<std::string>& arguments) {
-  return RunningOctacut(arguments).Wait();
+  return OtherExecutable() != nullptr ? RunningOctacut(arguments).Wait()
+                                      : RunInThisProcess(arguments);
 }
 
 }  // namespace octacut

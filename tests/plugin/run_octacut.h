@@ -1,5 +1,6 @@
-// Runs the built executable, or the one that the environment variable
-// OCTACUT_EXECUTABLE names (an installed one), as a user would.
+// Runs octacut as a user would: in this process, which saves loading its many
+// libraries again and again, or the executable that the environment variable
+// OCTACUT_EXECUTABLE names (an installed one).
 #pragma once
 
 #include <sys/types.h>
@@ -18,10 +19,11 @@ struct ProgramResult {
   std::string err;
 };
 
-// The path of the executable under test.
+// The path of the executable under test, which is the built one if the
+// environment names no other.
 std::string ExecutablePath();
 
-// A running octacut.
+// An executable that is running, for what needs a process: signals.
 class RunningOctacut {
  public:
   explicit RunningOctacut(const std::vector<std::string>& arguments);
@@ -42,6 +44,7 @@ class RunningOctacut {
   bool ended_ = false;
 };
 
+// Runs it to its end.
 ProgramResult RunOctacut(const std::vector<std::string>& arguments);
 
 }  // namespace octacut

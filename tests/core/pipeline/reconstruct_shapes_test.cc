@@ -42,22 +42,41 @@ TEST(Reconstruct, Sphere) {
   EXPECT_NEAR(audit.area, area, 0.03 * area);
 }
 
-// Mean error of a lump whose masks are too large by so many pixels, in voxels.
-double ErrorWithMasksOff(int mask_offset,
-                         const ReconstructionOptions& options) {
-  SceneSpec spec = PipelineSpec("lump", 240, 180);
-  spec.degrade.mask_offset = mask_offset;
-  const ReconstructedScene scene = ReconstructScene(spec, options);
+SceneSpec LumpSpec() { return PipelineSpec("lump", 240, 180); }
+
+// 64^3 to 128^3.
+ReconstructionOptions CutOptions() {
+  ReconstructionOptions options;
+  options.hull.hull_level = 6;
+  options.target_level = 7;
+  options.refine = false;
+  return options;
+}
+
+// The lump with masks as they should be.
+const ReconstructedScene& CleanLump() {
+  static const ReconstructedScene kScene =
+      ReconstructScene(LumpSpec(), CutOptions());
+  return kScene;
+}
+
+// Mean distance from the reference, in voxels.
+double Error(const ReconstructedScene& scene) {
   return MeanDistance(scene.synthetic.reference, scene.mesh) /
          scene.VoxelSize();
 }
 
+// The same of a lump whose masks are too large by so many pixels.
+double ErrorWithMasksOff(int mask_offset,
+                         const ReconstructionOptions& options) {
+  SceneSpec spec = LumpSpec();
+  spec.degrade.mask_offset = mask_offset;
+  return Error(ReconstructScene(spec, options));
+}
+
 TEST(Reconstruct, ToleratesMasksThatAreTooSmall) {
-  ReconstructionOptions options = QuickOptions();
-  options.hull.hull_level = 6;
-  options.target_level = 7;
-  options.refine = false;
-  const double clean = ErrorWithMasksOff(0, options);
+  ReconstructionOptions options = CutOptions();
+  const double clean = Error(CleanLump());
   options.masks.move_mask_borders = false;
   const double tolerant = ErrorWithMasksOff(-2, options);
   options.masks.mask_tolerance = 0;
@@ -77,12 +96,8 @@ TEST(Reconstruct, RefinesBeyondMasksThatAreOff) {
 }
 
 TEST(Reconstruct, ToleratesLargeHolesInMasks) {
-  SceneSpec spec = PipelineSpec("lump", 240, 180);
-  ReconstructionOptions options = QuickOptions();
-  options.hull.hull_level = 6;
-  options.target_level = 7;
-  options.refine = false;
-  const ReconstructedScene clean = ReconstructScene(spec, options);
+  SceneSpec spec = LumpSpec();
+  ReconstructionOptions options = CutOptions();
   spec.degrade.num_mask_holes = 4;
   spec.degrade.mask_defect_radius = 5;
   const ReconstructedScene filled = ReconstructScene(spec, options);
@@ -97,7 +112,7 @@ TEST(Reconstruct, ToleratesLargeHolesInMasks) {
            scene.VoxelSize();
   };
   // Bites that stay take up to three times what little error there is.
-  EXPECT_LT(error(filled), 3 * error(clean));
+  EXPECT_LT(error(filled), 3 * error(CleanLump()));
   EXPECT_LT(error(filled), 0.4);
   EXPECT_GT(error(unrepaired), 2 * error(filled));
 }

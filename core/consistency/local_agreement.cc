@@ -9,7 +9,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kBrickGrain = 256;
+constexpr size_t kAgreementGrain = 256;
 // Averagings of phi over the six neighbours, and steps to them within which
 // the least mean counts: the thickness of a crust.
 // (docs/experiments/undecided_surface.md)
@@ -32,7 +32,10 @@ void OverNeighbors(const VoxelWalk& walk,
                    std::vector<float>* values) {
   std::vector<float> result(values->size());
   ParallelFor(
-      context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+      context,
+      walk.NumBricks(),
+      kAgreementGrain,
+      [&](size_t begin, size_t end) {
         walk.ForEachWithNeighbors(
             begin, end, [&](const VoxelSlot& slot, const auto& neighbors) {
               result[slot.index] = combine((*values)[slot.index], neighbors);

@@ -9,7 +9,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kBrickGrain = 256;
+constexpr size_t kMedialGrain = 256;
 // Deeper voxels are no part of anything thin.
 constexpr int kMaxDepth = 12;
 constexpr FaceTies kAllOutside = 0x3f;
@@ -41,11 +41,11 @@ std::vector<int8_t> SignedDepth(const VoxelWalk& walk,
   std::vector<int8_t> next(depth.size());
   for (int step = 1; step <= kMaxDepth; ++step) {
     context.ThrowIfCancelled();
-    std::vector<uint8_t> changed(NumChunks(walk.NumBricks(), kBrickGrain), 0);
+    std::vector<uint8_t> changed(NumChunks(walk.NumBricks(), kMedialGrain), 0);
     next = depth;
     ParallelChunks(context,
                    walk.NumBricks(),
-                   kBrickGrain,
+                   kMedialGrain,
                    [&](size_t chunk, size_t begin, size_t end) {
                      walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
                        const int own = sign(slot.index);
@@ -79,7 +79,7 @@ void Spread(const VoxelWalk& walk,
             std::vector<uint8_t>* flags) {
   const std::vector<uint8_t> before = *flags;
   ParallelFor(
-      context, walk.NumBricks(), kBrickGrain, [&](size_t begin, size_t end) {
+      context, walk.NumBricks(), kMedialGrain, [&](size_t begin, size_t end) {
         walk.ForEach(begin, end, [&](const VoxelSlot& slot) {
           const bool inside = depth[slot.index] > 0;
           if (!before[slot.index] &&

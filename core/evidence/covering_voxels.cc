@@ -11,7 +11,7 @@ namespace octacut {
 namespace {
 
 // Steps along a ray, voxels: none that it runs through for longer is missed.
-constexpr float kStep = 0.5f;
+constexpr float kStepAlongRay = 0.5f;
 // Score that a voxel beside matter may lack: less than half a voxel's worth
 // where the score is a labelling that has been averaged over some voxels.
 constexpr float kBesideMatter = 0.1f;
@@ -91,7 +91,7 @@ class SampleRays {
     const Eigen::Array3f b = (1 - center_.array()) / direction.array();
     const float begin = std::max(0.0f, a.min(b).maxCoeff());
     const float end = a.max(b).minCoeff();
-    const float step = kStep / float(crust_.Resolution());
+    const float step = kStepAlongRay / float(crust_.Resolution());
     float t = begin + step / 2;
     while (t < end) {
       const Eigen::Vector3f point =

@@ -15,6 +15,8 @@ namespace octacut {
 
 class HalfEdges {
  public:
+  static constexpr uint32_t kNone = 0xffffffffu;
+
   // Keeps a reference to the triangles. The mesh must be closed, oriented and
   // edge-manifold; throws InvariantError for a half-edge without an opposite.
   HalfEdges(size_t num_vertices,

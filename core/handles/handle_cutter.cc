@@ -9,7 +9,7 @@
 namespace octacut {
 namespace {
 
-constexpr uint32_t kNone = 0xffffffffu;
+constexpr uint32_t kNoLoop = 0xffffffffu;
 // How far both sides of a cut part: of the way to the vertices next to it.
 constexpr double kParting = 0.25;
 
@@ -18,7 +18,7 @@ constexpr double kParting = 0.25;
 HandleCutter::HandleCutter(const IndexedMesh& mesh, const HalfEdges& half_edges)
     : before_(mesh),
       half_edges_(half_edges),
-      loop_of_vertex_(mesh.positions.size(), kNone) {
+      loop_of_vertex_(mesh.positions.size(), kNoLoop) {
   cut_.positions = mesh.positions;
   cut_.triangles = mesh.triangles;
 }
@@ -103,7 +103,7 @@ void HandleCutter::Close(const std::vector<uint32_t>& border) {
 
 size_t HandleCutter::LoopOf(size_t triangle) const {
   for (const uint32_t v : cut_.triangles[triangle]) {
-    if (loop_of_vertex_[v] != kNone) {
+    if (loop_of_vertex_[v] != kNoLoop) {
       return loop_of_vertex_[v];
     }
   }

@@ -41,7 +41,7 @@ class HandleCutter {
   const IndexedMesh& before_;
   const HalfEdges& half_edges_;
   IndexedMesh cut_;
-  std::vector<uint32_t> loop_of_vertex_;  // kNone: of none
+  std::vector<uint32_t> loop_of_vertex_;  // kNoLoop: of none
   size_t num_loops_ = 0;
 };
 

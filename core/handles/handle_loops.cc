@@ -12,8 +12,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 64;
-constexpr uint32_t kNone = 0xffffffffu;
+constexpr size_t kLoopGrain = 64;
 
 // The vertices around a source by their distance along edges.
 class Ball {
@@ -30,7 +29,7 @@ class Ball {
     Grow(source, max_length / 2);
     HandleLoop loop;
     loop.length = std::numeric_limits<double>::infinity();
-    uint32_t best = kNone;
+    uint32_t best = HalfEdges::kNone;
     for (const auto& [vertex, node] : nodes_) {
       for (const uint32_t h : half_edges_.Leaving(vertex)) {
         const auto other = nodes_.find(half_edges_.End(h));
@@ -49,7 +48,7 @@ class Ball {
         }
       }
     }
-    if (best != kNone) {
+    if (best != HalfEdges::kNone) {
       Trace(best, loop);
     }
     return loop;
@@ -59,7 +58,7 @@ class Ball {
   struct Node {
     double distance = 0;
     uint64_t homology_class = 0;
-    uint32_t from = kNone;  // half-edge by which it was reached
+    uint32_t from = HalfEdges::kNone;  // half-edge by which it was reached
   };
 
   double Length(uint32_t h) const {
@@ -73,7 +72,7 @@ class Ball {
     nodes_.clear();
     using Reached = std::tuple<double, uint32_t, uint32_t>;  // vertex, from
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
-    queue.emplace(0, source, kNone);
+    queue.emplace(0, source, HalfEdges::kNone);
     while (!queue.empty()) {
       const auto [distance, vertex, from] = queue.top();
       queue.pop();
@@ -83,7 +82,7 @@ class Ball {
       Node& node = nodes_[vertex];
       node.distance = distance;
       node.from = from;
-      if (from != kNone) {
+      if (from != HalfEdges::kNone) {
         node.homology_class = nodes_[half_edges_.Origin(from)].homology_class ^
                               homology_.Class(from);
       }
@@ -99,7 +98,7 @@ class Ball {
   // Half-edges from the source to `vertex`.
   std::vector<uint32_t> Path(uint32_t vertex) {
     std::vector<uint32_t> path;
-    for (uint32_t h = nodes_[vertex].from; h != kNone;
+    for (uint32_t h = nodes_[vertex].from; h != HalfEdges::kNone;
          h = nodes_[half_edges_.Origin(h)].from) {
       path.push_back(h);
     }
@@ -142,12 +141,13 @@ std::vector<HandleLoop> FindHandleLoops(const IndexedMesh& mesh,
   std::sort(sources.begin(), sources.end());
   sources.erase(std::unique(sources.begin(), sources.end()), sources.end());
   std::vector<HandleLoop> loops(sources.size());
-  ParallelFor(context, sources.size(), kGrain, [&](size_t begin, size_t end) {
-    Ball ball(mesh, half_edges, homology);
-    for (size_t i = begin; i < end; ++i) {
-      loops[i] = ball.ShortestLoop(sources[i], max_length);
-    }
-  });
+  ParallelFor(
+      context, sources.size(), kLoopGrain, [&](size_t begin, size_t end) {
+        Ball ball(mesh, half_edges, homology);
+        for (size_t i = begin; i < end; ++i) {
+          loops[i] = ball.ShortestLoop(sources[i], max_length);
+        }
+      });
   std::erase_if(loops,
                 [](const HandleLoop& loop) { return loop.half_edges.empty(); });
   std::sort(loops.begin(), loops.end(), [](const auto& a, const auto& b) {

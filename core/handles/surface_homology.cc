@@ -4,11 +4,6 @@
 #include <random>
 
 namespace octacut {
-namespace {
-
-constexpr uint32_t kNone = 0xffffffffu;
-
-}  // namespace
 
 SurfaceHomology::SurfaceHomology(const HalfEdges& half_edges,
                                  const Context& context)
@@ -32,7 +27,7 @@ SurfaceHomology::SurfaceHomology(const HalfEdges& half_edges,
   // Leaves first.
   for (size_t i = order.size(); i-- > 0;) {
     const uint32_t h = towards_root_[order[i]];
-    if (h != kNone) {
+    if (h != HalfEdges::kNone) {
       words_[half_edges.Opposite(h) / 3] ^= words_[order[i]];
     }
   }
@@ -69,7 +64,7 @@ std::vector<uint8_t> SurfaceHomology::GrowTree() const {
 std::vector<uint32_t> SurfaceHomology::GrowCotree(
     const std::vector<uint8_t>& in_tree) {
   const uint32_t num_triangles = half_edges_.Size() / 3;
-  towards_root_.assign(num_triangles, kNone);
+  towards_root_.assign(num_triangles, HalfEdges::kNone);
   std::vector<uint8_t> is_reached(num_triangles);
   std::vector<uint32_t> queue;
   queue.reserve(num_triangles);

@@ -44,8 +44,8 @@ class SurfaceHomology {
   std::vector<uint32_t> GrowCotree(const std::vector<uint8_t>& in_tree);
 
   const HalfEdges& half_edges_;
-  // For each triangle its half-edge towards the root, or kNone, and the sum of
-  // the generators that begin in its part of the tree of triangles.
+  // For each triangle its half-edge towards the root, or HalfEdges::kNone, and
+  // the sum of the generators that begin in its part of the tree of triangles.
   std::vector<uint32_t> towards_root_;
   std::vector<uint64_t> words_;
   std::vector<Generator> generators_;  // by their lower half-edge, ascending

@@ -16,7 +16,7 @@ namespace {
 
 using Triangle = std::array<uint32_t, 3>;
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kAuditGrain = 1 << 15;
 constexpr double kRelativeHeight = 1e-10;
 
 bool HasRepeatedIndex(const Triangle& t) {
@@ -171,10 +171,10 @@ void Measure(const IndexedMesh& mesh,
   }
   // Volumes are taken from the centre: less is lost to rounding.
   const Eigen::Vector3d origin = audit.bounding_box.center();
-  std::vector<TriangleSums> chunks(NumChunks(triangles.size(), kGrain));
+  std::vector<TriangleSums> chunks(NumChunks(triangles.size(), kAuditGrain));
   ParallelChunks(context,
                  triangles.size(),
-                 kGrain,
+                 kAuditGrain,
                  [&](size_t chunk, size_t begin, size_t end) {
                    chunks[chunk] =
                        MeasureTriangles(mesh, triangles, origin, begin, end);
@@ -191,10 +191,10 @@ void AuditVertices(const std::vector<Triangle>& triangles,
                    const Context& context,
                    MeshAudit& audit) {
   const VertexCorners corners = FindVertexCorners(num_vertices, triangles);
-  std::vector<MeshAudit> chunks(NumChunks(num_vertices, kGrain));
+  std::vector<MeshAudit> chunks(NumChunks(num_vertices, kAuditGrain));
   ParallelChunks(context,
                  num_vertices,
-                 kGrain,
+                 kAuditGrain,
                  [&](size_t chunk, size_t begin, size_t end) {
                    VertexAuditor auditor;
                    for (size_t v = begin; v < end; ++v) {

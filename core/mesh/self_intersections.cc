@@ -13,7 +13,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 4096;
+constexpr size_t kPairGrain = 4096;
 
 TriangleCorners CornersOf(const IndexedMesh& mesh, uint32_t triangle) {
   const auto& [a, b, c] = mesh.triangles[triangle];
@@ -44,15 +44,16 @@ bool IsFinite(const TriangleCorners& corners) {
 std::vector<uint8_t> MarkUsable(const IndexedMesh& mesh,
                                 std::vector<uint8_t> marked,
                                 const Context& context) {
-  ParallelFor(context, marked.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (marked[i] != 0) {
-        const TriangleCorners corners =
-            CornersOf(mesh, static_cast<uint32_t>(i));
-        marked[i] = IsFinite(corners) && !IsDegenerate(corners);
-      }
-    }
-  });
+  ParallelFor(
+      context, marked.size(), kPairGrain, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) {
+          if (marked[i] != 0) {
+            const TriangleCorners corners =
+                CornersOf(mesh, static_cast<uint32_t>(i));
+            marked[i] = IsFinite(corners) && !IsDegenerate(corners);
+          }
+        }
+      });
   return marked;
 }
 
@@ -90,9 +91,9 @@ void AddFound(size_t count,
               const Find& find,
               const Context& context,
               std::vector<TrianglePair>* pairs) {
-  std::vector<std::vector<TrianglePair>> chunks(NumChunks(count, kGrain));
+  std::vector<std::vector<TrianglePair>> chunks(NumChunks(count, kPairGrain));
   ParallelChunks(
-      context, count, kGrain, [&](size_t chunk, size_t begin, size_t end) {
+      context, count, kPairGrain, [&](size_t chunk, size_t begin, size_t end) {
         find(begin, end, &chunks[chunk]);
       });
   for (const auto& chunk : chunks) {
@@ -156,11 +157,11 @@ SelfIntersections FindSelfIntersections(const IndexedMesh& mesh,
     std::atomic_ref<uint8_t>(is_hit[triangle])
         .store(1, std::memory_order_relaxed);
   };
-  std::vector<Found> chunks(NumChunks(tree.NumLeaves(), kGrain));
+  std::vector<Found> chunks(NumChunks(tree.NumLeaves(), kPairGrain));
   ParallelChunks(
       context,
       tree.NumLeaves(),
-      kGrain,
+      kPairGrain,
       [&](size_t chunk, size_t begin, size_t end) {
         Found& found = chunks[chunk];
         VisitPairs(

@@ -13,7 +13,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 1 << 14;
+constexpr size_t kVertexGrain = 1 << 14;
 
 using Positions = std::vector<Eigen::Vector3d>;
 
@@ -30,24 +30,26 @@ void Step(const VertexCorners& neighbors,
           const Context& context,
           const Positions& from,
           Positions& to) {
-  ParallelFor(context, from.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) {
-      const std::span<const uint32_t> around = neighbors.Of(v);
-      if (around.empty()) {
-        to[v] = from[v];
-        continue;
-      }
-      const Eigen::Vector3d laplacian = MeanPosition(around, from) - from[v];
-      const Eigen::Vector3d moved = from[v] + weight * laplacian;
-      const Eigen::Vector3d& anchor = bound.anchors[v];
-      const Eigen::Vector3d displacement = moved - anchor;
-      const double squared_length = displacement.squaredNorm();
-      to[v] = squared_length > bound.distance * bound.distance
-                  ? anchor + bound.distance / std::sqrt(squared_length) *
-                                 displacement
-                  : moved;
-    }
-  });
+  ParallelFor(
+      context, from.size(), kVertexGrain, [&](size_t begin, size_t end) {
+        for (size_t v = begin; v < end; ++v) {
+          const std::span<const uint32_t> around = neighbors.Of(v);
+          if (around.empty()) {
+            to[v] = from[v];
+            continue;
+          }
+          const Eigen::Vector3d laplacian =
+              MeanPosition(around, from) - from[v];
+          const Eigen::Vector3d moved = from[v] + weight * laplacian;
+          const Eigen::Vector3d& anchor = bound.anchors[v];
+          const Eigen::Vector3d displacement = moved - anchor;
+          const double squared_length = displacement.squaredNorm();
+          to[v] = squared_length > bound.distance * bound.distance
+                      ? anchor + bound.distance / std::sqrt(squared_length) *
+                                     displacement
+                      : moved;
+        }
+      });
 }
 
 void Summarize(const Positions& anchors,

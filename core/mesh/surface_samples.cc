@@ -13,7 +13,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 8192;
+constexpr size_t kSampleGrain = 8192;
 
 std::vector<double> CumulativeAreas(const IndexedMesh& mesh) {
   std::vector<double> cumulative;
@@ -66,7 +66,7 @@ std::vector<SurfaceSample> SampleSurface(const IndexedMesh& mesh,
   const uint64_t shift_first = HashBits(seed_mix + 1);
   const uint64_t shift_second = HashBits(seed_mix + 2);
   std::vector<SurfaceSample> samples(count);
-  ParallelFor(context, count, kGrain, [&](size_t begin, size_t end) {
+  ParallelFor(context, count, kSampleGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const double jitter = HashUniform(HashBits(seed_mix ^ HashBits(i)));
       const double area = (static_cast<double>(i) + jitter) * piece;

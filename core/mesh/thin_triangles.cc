@@ -10,7 +10,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 1 << 15;
+constexpr size_t kTriangleGrain = 1 << 15;
 // What is left of the way at each step.
 constexpr std::array<double, 5> kFractions = {1, 0.5, 0.25, 0.125, 0};
 
@@ -22,10 +22,10 @@ std::vector<uint32_t> FindThin(const Triangles& triangles,
                                double min_height,
                                const Context& context) {
   std::vector<std::vector<uint32_t>> chunks(
-      NumChunks(triangles.size(), kGrain));
+      NumChunks(triangles.size(), kTriangleGrain));
   ParallelChunks(context,
                  triangles.size(),
-                 kGrain,
+                 kTriangleGrain,
                  [&](size_t chunk, size_t begin, size_t end) {
                    for (size_t t = begin; t < end; ++t) {
                      if (IsThin(positions, triangles[t], min_height)) {

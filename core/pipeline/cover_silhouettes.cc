@@ -12,7 +12,7 @@ namespace octacut {
 namespace {
 
 // Averagings that take the steps of coarser voxels from what they have inside.
-constexpr int kBlurSteps = 4;
+constexpr int kDepthBlurSteps = 4;
 // Share of the score that the depth in the hull has: it tells the middle of a
 // part from its border where averaging has everything inside.
 constexpr float kDepthShare = 0.2f;
@@ -24,8 +24,8 @@ CoverCandidates FindCandidates(const Crust& crust,
                                const Context& context) {
   CoverCandidates candidates;
   if (preference.evidence.empty()) {
-    candidates.scores =
-        SmoothPrior(crust.voxels, crust.ties, crust.prior, kBlurSteps, context);
+    candidates.scores = SmoothPrior(
+        crust.voxels, crust.ties, crust.prior, kDepthBlurSteps, context);
     candidates.is_likely.resize(candidates.scores.size());
     for (size_t i = 0; i < candidates.scores.size(); ++i) {
       candidates.is_likely[i] = candidates.scores[i] >= 0.5f;

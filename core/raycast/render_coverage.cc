@@ -10,7 +10,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kRowsAtOnce = 8;
+constexpr size_t kCoverageRowsAtOnce = 8;
 
 // Whether a neighbour of the pixel is hit where it is not, or the reverse.
 bool IsAtOutline(const cv::Mat& depth, int x, int y) {
@@ -54,7 +54,7 @@ cv::Mat RenderCoverage(const RayScene& rays,
   cv::Mat coverage(camera.height, camera.width, CV_8UC1);
   ParallelFor(context,
               static_cast<size_t>(camera.height),
-              kRowsAtOnce,
+              kCoverageRowsAtOnce,
               [&](size_t begin, size_t end) {
                 for (int y = int(begin); y < int(end); ++y) {
                   for (int x = 0; x < camera.width; ++x) {

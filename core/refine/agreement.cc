@@ -13,7 +13,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 4096;
+constexpr size_t kAgreementGrain = 4096;
 // Pixels between points: patches of 7 pixels overlap, and half as far takes
 // more than twice as long for the same result.
 constexpr double kSpacing = 4;
@@ -33,30 +33,32 @@ std::vector<float> SharesOfHarm(const SurfaceAgreement& before,
   const double width = 2 * inputs.options.patch.radius + 1;
   const double overlap = width * width / (kSpacing * kSpacing);
   std::vector<float> shares(before.scores.size(), 0);
-  ParallelFor(context, shares.size(), kGrain, [&](size_t begin, size_t end) {
-    PointRings rings(before.points.neighbors, shares.size());
-    for (size_t i = begin; i < end; ++i) {
-      double sum = 0;
-      double squares = 0;
-      double count = 0;
-      rings.ForEach(uint32_t(i), 0, kRings, [&](uint32_t other) {
-        if (before.is_seen[other] && after.is_seen[other]) {
-          const double loss = before.scores[other] - after.scores[other];
-          sum += loss;
-          squares += loss * loss;
-          ++count;
+  ParallelFor(
+      context, shares.size(), kAgreementGrain, [&](size_t begin, size_t end) {
+        PointRings rings(before.points.neighbors, shares.size());
+        for (size_t i = begin; i < end; ++i) {
+          double sum = 0;
+          double squares = 0;
+          double count = 0;
+          rings.ForEach(uint32_t(i), 0, kRings, [&](uint32_t other) {
+            if (before.is_seen[other] && after.is_seen[other]) {
+              const double loss = before.scores[other] - after.scores[other];
+              sum += loss;
+              squares += loss * loss;
+              ++count;
+            }
+          });
+          if (count > 0) {
+            // What scatters about no loss is chance: what the mean surely
+            // exceeds counts.
+            const double mean = sum / count;
+            const double variance =
+                std::max(squares / count - mean * mean, 0.0);
+            const double error = std::sqrt(variance * overlap / count);
+            shares[i] = Ramp(float(mean - error), kSmallLoss, kLargeLoss);
+          }
         }
       });
-      if (count > 0) {
-        // What scatters about no loss is chance: what the mean surely exceeds
-        // counts.
-        const double mean = sum / count;
-        const double variance = std::max(squares / count - mean * mean, 0.0);
-        const double error = std::sqrt(variance * overlap / count);
-        shares[i] = Ramp(float(mean - error), kSmallLoss, kLargeLoss);
-      }
-    }
-  });
   return shares;
 }
 

@@ -10,7 +10,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 256;
+constexpr size_t kResidualGrain = 256;
 // With so many points, a pose is known well enough.
 constexpr size_t kMaxPoints = 8000;
 constexpr size_t kMinPatches = 50;
@@ -165,24 +165,27 @@ size_t AlignViews(const std::vector<LocalSurface>& surfaces,
                   ViewSet* views) {
   const size_t stride = (surfaces.size() + kMaxPoints - 1) / kMaxPoints;
   const size_t count = surfaces.size() / std::max<size_t>(stride, 1);
-  std::vector<std::vector<PoseEquations>> of_chunks(NumChunks(count, kGrain));
-  ParallelChunks(
-      context, count, kGrain, [&](size_t chunk, size_t begin, size_t end) {
-        std::vector<PoseEquations>& equations = of_chunks[chunk];
-        equations.resize(views->size());
-        SurfacePatch patch(*views, patch_options);
-        for (size_t i = begin; i < end; ++i) {
-          const LocalSurface& surface = surfaces[i * stride];
-          const ChosenViews& chosen = choices[i * stride];
-          if (chosen.count < kMinViews) {
-            continue;
-          }
-          patch.MoveTo(surface, chosen, chosen.pixel);
-          if (patch.NumViews() >= kMinViews) {
-            AddPoint(*views, surface, &patch, &equations);
-          }
-        }
-      });
+  std::vector<std::vector<PoseEquations>> of_chunks(
+      NumChunks(count, kResidualGrain));
+  ParallelChunks(context,
+                 count,
+                 kResidualGrain,
+                 [&](size_t chunk, size_t begin, size_t end) {
+                   std::vector<PoseEquations>& equations = of_chunks[chunk];
+                   equations.resize(views->size());
+                   SurfacePatch patch(*views, patch_options);
+                   for (size_t i = begin; i < end; ++i) {
+                     const LocalSurface& surface = surfaces[i * stride];
+                     const ChosenViews& chosen = choices[i * stride];
+                     if (chosen.count < kMinViews) {
+                       continue;
+                     }
+                     patch.MoveTo(surface, chosen, chosen.pixel);
+                     if (patch.NumViews() >= kMinViews) {
+                       AddPoint(*views, surface, &patch, &equations);
+                     }
+                   }
+                 });
   std::vector<PoseEquations> equations(views->size());
   for (const std::vector<PoseEquations>& of_chunk : of_chunks) {
     for (size_t v = 0; v < views->size(); ++v) {

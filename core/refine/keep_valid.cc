@@ -10,7 +10,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 4096;
+constexpr size_t kValidityGrain = 4096;
 // The least height of a triangle, pixels.
 constexpr double kMinHeight = 0.01;
 // Averagings with the neighbours.
@@ -58,8 +58,8 @@ size_t WithdrawIntoHull(const ViewSet& views,
                         const Context& context,
                         IndexedMesh* mesh) {
   std::vector<Eigen::Vector3d>& positions = mesh->positions;
-  return size_t(
-      ParallelSum(context, start.size(), kGrain, [&](size_t begin, size_t end) {
+  return size_t(ParallelSum(
+      context, start.size(), kValidityGrain, [&](size_t begin, size_t end) {
         int64_t num_withdrawn = 0;
         for (size_t v = begin; v < end; ++v) {
           if (positions[v] == before[v]) {

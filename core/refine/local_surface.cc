@@ -10,17 +10,17 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 4096;
+constexpr size_t kSurfaceGrain = 4096;
 // Samples per radius where a mesh is much finer than the radius.
 constexpr double kSamplesPerRadius = 12;
 constexpr size_t kMinNeighbors = 8;
 // Least cosine between the normals of a vertex and of what counts as the same
 // side of the surface.
-constexpr float kMinCosine = 0.3f;
+constexpr float kMinCosineOfNeighbors = 0.3f;
 // Weights fall to exp(-1 / (2 * 0.5^2)) at the radius.
 constexpr double kSigma = 0.5;
 // Pulls curvatures to zero that the vertices leave open.
-constexpr double kRidge = 1e-3;
+constexpr double kQuadricRidge = 1e-3;
 
 // The samples within the radius of a point, found from one next to it along
 // their joints.
@@ -58,7 +58,7 @@ class Neighborhood {
               double radius) const {
     return (samples_.Positions()[sample] - position).squaredNorm() <=
                radius * radius &&
-           samples_.Normals()[sample].dot(normal) >= kMinCosine;
+           samples_.Normals()[sample].dot(normal) >= kMinCosineOfNeighbors;
   }
 
   const ThinnedSurface& samples_;
@@ -124,12 +124,12 @@ LocalSurface Fit(const ThinnedSurface& samples,
   axes.row(1) = surface.TangentV().cast<double>();
   axes.row(2) = surface.normal.cast<double>();
   axes /= radius;
-  using Vector6d = Eigen::Matrix<double, 6, 1>;
+  using Coefficients = Eigen::Matrix<double, 6, 1>;
   Eigen::Matrix<double, 6, 6> products = Eigen::Matrix<double, 6, 6>::Zero();
-  Vector6d right = Vector6d::Zero();
+  Coefficients right = Coefficients::Zero();
   for (size_t n = 0; n < near.size(); ++n) {
     const Eigen::Vector3d p = axes * (samples.Positions()[near[n]] - middle);
-    Vector6d row;
+    Coefficients row;
     row << 1, p.x(), p.y(), p.x() * p.x(), p.x() * p.y(), p.y() * p.y();
     // The lower triangle, which is all that the decomposition reads.
     for (int i = 0; i < 6; ++i) {
@@ -140,9 +140,9 @@ LocalSurface Fit(const ThinnedSurface& samples,
       right[i] += weighted * p.z();
     }
   }
-  products.diagonal().tail<3>().array() += kRidge;
+  products.diagonal().tail<3>().array() += kQuadricRidge;
   products.diagonal().array() += 1e-9;
-  const Vector6d s = products.ldlt().solve(right);
+  const Coefficients s = products.ldlt().solve(right);
   const Eigen::Vector3d mean_normal = surface.normal.cast<double>();
   const Eigen::Vector3d normal =
       (mean_normal - s[1] * surface.tangent_u.cast<double>() -
@@ -172,19 +172,20 @@ std::vector<LocalSurface> FitLocalSurfaces(
     const Context& context) {
   const ThinnedSurface samples(mesh, neighbors, radius / kSamplesPerRadius);
   std::vector<LocalSurface> surfaces(vertices.size());
-  ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
-    Neighborhood neighborhood(samples);
-    std::vector<double> weights;
-    for (size_t i = begin; i < end; ++i) {
-      const uint32_t vertex = vertices[i];
-      const Eigen::Vector3d& position = mesh.positions[vertex];
-      const Eigen::Vector3f& normal = mesh.normals[vertex];
-      const std::vector<uint32_t>& near =
-          neighborhood.Gather(vertex, position, normal, radius);
-      Weigh(samples, near, position, radius, &weights);
-      surfaces[i] = Fit(samples, near, weights, position, normal, radius);
-    }
-  });
+  ParallelFor(
+      context, surfaces.size(), kSurfaceGrain, [&](size_t begin, size_t end) {
+        Neighborhood neighborhood(samples);
+        std::vector<double> weights;
+        for (size_t i = begin; i < end; ++i) {
+          const uint32_t vertex = vertices[i];
+          const Eigen::Vector3d& position = mesh.positions[vertex];
+          const Eigen::Vector3f& normal = mesh.normals[vertex];
+          const std::vector<uint32_t>& near =
+              neighborhood.Gather(vertex, position, normal, radius);
+          Weigh(samples, near, position, radius, &weights);
+          surfaces[i] = Fit(samples, near, weights, position, normal, radius);
+        }
+      });
   return surfaces;
 }
 

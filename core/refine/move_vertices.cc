@@ -8,10 +8,10 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 4096;
+constexpr size_t kMoveGrain = 4096;
 // Least cosine between the normals of a vertex and of a surface that speaks of
 // it.
-constexpr float kMinCosine = 0.3f;
+constexpr float kMinCosineOfMove = 0.3f;
 
 // A mean of vectors.
 struct Blend {
@@ -29,7 +29,7 @@ void AddPoint(const MovedPoints& moved,
   const LocalSurface& surface = moved.surfaces[point];
   const Eigen::Vector3f offset = position - surface.center;
   const float nearness = 1 - offset.squaredNorm() / (radius * radius);
-  if (nearness <= 0 || surface.normal.dot(normal) < kMinCosine) {
+  if (nearness <= 0 || surface.normal.dot(normal) < kMinCosineOfMove) {
     return;
   }
   const float weight = nearness * nearness;
@@ -54,10 +54,10 @@ double MoveVertices(const SurfacePoints& points,
                     const Context& context,
                     IndexedMesh* mesh) {
   const size_t count = mesh->positions.size();
-  std::vector<double> ways(NumChunks(count, kGrain));
+  std::vector<double> ways(NumChunks(count, kMoveGrain));
   std::vector<size_t> num_moved(ways.size());
   ParallelChunks(
-      context, count, kGrain, [&](size_t chunk, size_t begin, size_t end) {
+      context, count, kMoveGrain, [&](size_t chunk, size_t begin, size_t end) {
         for (size_t v = begin; v < end; ++v) {
           const uint32_t own = points.point_of[v];
           if (!moved.is_free[own]) {

@@ -9,7 +9,7 @@ namespace {
 
 // Keeps planes flat that too few neighbours leave open, share of the mean
 // square.
-constexpr float kRidge = 1e-2f;
+constexpr float kPlaneRidge = 1e-2f;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ NeighborPlanes FitNeighborPlanes(const std::vector<LocalSurface>& surfaces,
           1, offset.dot(surface.tangent_u), offset.dot(tangent_v));
       products += rows.back() * rows.back().transpose();
     }
-    products.diagonal().tail<2>().array() += kRidge * float(around.size());
+    products.diagonal().tail<2>().array() += kPlaneRidge * float(around.size());
     const Eigen::LDLT<Eigen::Matrix3f> solver(products);
     for (const Eigen::Vector3f& row : rows) {
       const Eigen::Vector3f plane = solver.solve(row);

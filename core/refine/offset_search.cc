@@ -8,7 +8,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 256;
+constexpr size_t kOffsetGrain = 256;
 // A second peak as high as this share of the best one makes it ambiguous.
 constexpr float kMaxSecondPeak = 0.93f;
 // Keeps the weight of perfect agreement finite.
@@ -124,25 +124,27 @@ std::vector<OffsetMeasurement> SearchOffsets(
     Phase* phase) {
   std::vector<OffsetMeasurement> measurements(surfaces.size());
   const int half = int(std::lround(search.range / search.step));
-  ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
-    SurfacePatch patch(views, search.patch);
-    std::vector<float> scores(2 * size_t(half) + 1);
-    for (size_t i = begin; i < end; ++i) {
-      const LocalSurface& surface = surfaces[i];
-      const ChosenViews& chosen = choices[i];
-      if (chosen.count < 2) {
-        continue;
-      }
-      patch.MoveTo(surface, chosen, float(search.spacing) * chosen.pixel);
-      if (patch.NumViews() < 2) {
-        continue;
-      }
-      ScoreOffsets(half, float(search.step) * chosen.pixel, &patch, &scores);
-      measurements[i] =
-          FindPeak(scores, search, patch.SumOfWeights(), chosen.pixel);
-    }
-    phase->Advance(end - begin);
-  });
+  ParallelFor(
+      context, surfaces.size(), kOffsetGrain, [&](size_t begin, size_t end) {
+        SurfacePatch patch(views, search.patch);
+        std::vector<float> scores(2 * size_t(half) + 1);
+        for (size_t i = begin; i < end; ++i) {
+          const LocalSurface& surface = surfaces[i];
+          const ChosenViews& chosen = choices[i];
+          if (chosen.count < 2) {
+            continue;
+          }
+          patch.MoveTo(surface, chosen, float(search.spacing) * chosen.pixel);
+          if (patch.NumViews() < 2) {
+            continue;
+          }
+          ScoreOffsets(
+              half, float(search.step) * chosen.pixel, &patch, &scores);
+          measurements[i] =
+              FindPeak(scores, search, patch.SumOfWeights(), chosen.pixel);
+        }
+        phase->Advance(end - begin);
+      });
   return measurements;
 }
 

@@ -11,7 +11,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 8192;
+constexpr size_t kSupportGrain = 8192;
 // Steps between neighbouring points, two pixels each, to those that are asked:
 // patches of seven pixels do not overlap there.
 constexpr int kFirstRing = 4;
@@ -30,7 +30,10 @@ std::vector<float> EstimateSupport(
     const std::vector<OffsetMeasurement>& measurements) {
   std::vector<float> support(measurements.size(), 1);
   ParallelFor(
-      context, measurements.size(), kGrain, [&](size_t begin, size_t end) {
+      context,
+      measurements.size(),
+      kSupportGrain,
+      [&](size_t begin, size_t end) {
         PointRings rings(neighbors, measurements.size());
         for (size_t i = begin; i < end; ++i) {
           int num_seen = 0;

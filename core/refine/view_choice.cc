@@ -10,7 +10,7 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kGrain = 1024;
+constexpr size_t kChoiceGrain = 1024;
 constexpr int kRingPoints = 8;
 
 // Views that a point should have, even if its patch bends away from them.
@@ -177,14 +177,15 @@ std::vector<ChosenViews> ChooseViews(const ViewSet& views,
                                      const Context& context) {
   const float min_cosine = CosineOfDegrees(options.max_angle);
   std::vector<ChosenViews> choices(surfaces.size());
-  ParallelFor(context, surfaces.size(), kGrain, [&](size_t begin, size_t end) {
-    std::vector<Candidate> candidates;
-    for (size_t v = begin; v < end; ++v) {
-      FindCandidates(
-          views, surfaces[v], min_cosine, float(lines.pixel), &candidates);
-      choices[v] = Choose(rays, surfaces[v], candidates, lines, options);
-    }
-  });
+  ParallelFor(
+      context, surfaces.size(), kChoiceGrain, [&](size_t begin, size_t end) {
+        std::vector<Candidate> candidates;
+        for (size_t v = begin; v < end; ++v) {
+          FindCandidates(
+              views, surfaces[v], min_cosine, float(lines.pixel), &candidates);
+          choices[v] = Choose(rays, surfaces[v], candidates, lines, options);
+        }
+      });
   return choices;
 }
 

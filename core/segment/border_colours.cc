@@ -10,8 +10,8 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kSamples = 4000;
-constexpr int kComponents = 6;
+constexpr size_t kBorderSamples = 4000;
+constexpr int kBorderComponents = 6;
 // Sides of tiles, in reaches; a tile's colours are those of 3 x 3 tiles around
 // it (docs/experiments/mask_colours.md).
 constexpr double kTileReaches = 16;
@@ -42,9 +42,9 @@ BorderColours::BorderColours(const cv::Mat& features,
                    ColourMixture(outer, num_components)};
   };
   const cv::Rect all(0, 0, features.cols, features.rows);
-  whole_ = learn(samples_of(inside, all, kSamples),
-                 samples_of(outside, all, kSamples),
-                 kComponents);
+  whole_ = learn(samples_of(inside, all, kBorderSamples),
+                 samples_of(outside, all, kBorderSamples),
+                 kBorderComponents);
   for (int y = 0; y < features.rows; y += tile_side_) {
     for (int x = 0; x < features.cols; x += tile_side_) {
       const cv::Rect around =

@@ -6,13 +6,14 @@
 namespace octacut {
 namespace {
 
-constexpr int kComponents = 8;
+constexpr int kContrastComponents = 8;
 
 }  // namespace
 
 ColourContrast::ColourContrast(std::span<const PixelFeature> object,
                                std::span<const PixelFeature> surroundings)
-    : object_(object, kComponents), surroundings_(surroundings, kComponents) {}
+    : object_(object, kContrastComponents),
+      surroundings_(surroundings, kContrastComponents) {}
 
 cv::Mat ColourContrast::LogOdds(const cv::Mat& features,
                                 const cv::Mat& chosen) const {

@@ -21,7 +21,7 @@ constexpr double kReducedReach = 1.5;
 // most so many times (docs/experiments/mask_bands.md).
 constexpr int kMaxPasses = 8;
 constexpr float kMostOdds = 4;
-constexpr float kSmoothness = 8;
+constexpr float kBorderSmoothness = 8;
 
 // The part of the picture that matters for the border.
 cv::Rect WindowAround(const cv::Mat& mask, double reach) {
@@ -85,7 +85,7 @@ class BandCutter {
     const cv::Mat before = mask->clone();
     mask->setTo(kNoLabel, band);
     ApplyLabels(labels, mask);
-    CutLabels(image_, LogOdds(band), kSmoothness, mask);
+    CutLabels(image_, LogOdds(band), kBorderSmoothness, mask);
     return cv::countNonZero((*mask != before) & limits) > 0;
   }
 

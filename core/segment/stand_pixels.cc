@@ -33,7 +33,7 @@ constexpr float kOutside = 0.5f;
 // Least part of the pixels away from the middle that show the plane, and least
 // number of pixels that hide it, for each that shows it
 // (docs/experiments/mask_stand.md).
-constexpr double kLeastShare = 0.01;
+constexpr double kLeastShareOfStand = 0.01;
 constexpr double kLeastHidden = 0.01;
 
 // The texture of a picture, without its brightness.
@@ -225,7 +225,7 @@ bool IsStand(std::span<const cv::Mat> stand,
     num_shown += cv::countNonZero(shown);
     num_hidden += cv::countNonZero(stand[i] <= -1);
   }
-  return num_shown_outside >= kLeastShare * num_outside &&
+  return num_shown_outside >= kLeastShareOfStand * num_outside &&
          num_hidden >= kLeastHidden * num_shown;
 }
 

@@ -20,7 +20,7 @@ constexpr size_t kMaxPoints = 10000;
 // than 99 % certainty. A plate that the cameras see from low above has hardly
 // more beside an object with much texture.
 constexpr int kTries = 40000;
-constexpr double kLeastShare = 0.05;
+constexpr double kLeastShareOfPoints = 0.05;
 constexpr double kReach = 2;  // radii of the region
 // Part of the cameras above, and of the points that may be below.
 constexpr double kMostCameras = 0.9;
@@ -71,7 +71,7 @@ class PlaneFinder {
         }
       }
     }
-    if (!best || double(most) < kLeastShare * double(points_.size())) {
+    if (!best || double(most) < kLeastShareOfPoints * double(points_.size())) {
       return {};
     }
     for (int i = 0; i < kRefinements; ++i) {

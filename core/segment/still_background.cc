@@ -32,8 +32,8 @@ constexpr float kMostPhotographs = 0.5f;
 // Pixels of a window that must show the background.
 constexpr float kMostOfWindow = 0.85f;
 // Least light in a shadow; L + 16 goes with its cube root.
-constexpr float kLeastLight = 0.4f;
-constexpr float kBlack = 16 * 2.55f;
+constexpr float kLeastLightOfShadow = 0.4f;
+constexpr float kBlackInLab = 16 * 2.55f;
 constexpr float kNeutral = 128;  // of a and b
 
 float Distance(const cv::Vec3b& a, const cv::Vec3f& b) {
@@ -203,15 +203,17 @@ cv::Mat WhatVaries(std::span<const cv::Mat> labs,
 
 cv::Mat DistanceFromBackground(const cv::Mat& lab,
                                const StillBackground& background) {
-  static const float kLeast = std::cbrt(kLeastLight);
+  static const float kLeast = std::cbrt(kLeastLightOfShadow);
   cv::Mat distance(lab.size(), CV_32F);
   for (int y = 0; y < lab.rows; ++y) {
     for (int x = 0; x < lab.cols; ++x) {
       const auto& value = lab.at<cv::Vec3b>(y, x);
       const auto& color = background.color.at<cv::Vec3f>(y, x);
-      const float light = std::clamp(
-          (float(value[0]) + kBlack) / (color[0] + kBlack), kLeast, 1.0f);
-      const cv::Vec3f shaded((color[0] + kBlack) * light - kBlack,
+      const float light =
+          std::clamp((float(value[0]) + kBlackInLab) / (color[0] + kBlackInLab),
+                     kLeast,
+                     1.0f);
+      const cv::Vec3f shaded((color[0] + kBlackInLab) * light - kBlackInLab,
                              (color[1] - kNeutral) * light + kNeutral,
                              (color[2] - kNeutral) * light + kNeutral);
       const float in_light = Distance(value, color) / background.tolerance;

@@ -17,10 +17,10 @@ namespace octacut {
 namespace {
 
 // Less of the frame than this is left to the cuts in the photographs.
-constexpr double kLeastPart = 5e-4;
+constexpr double kLeastOfFrame = 5e-4;
 constexpr int kRounds = 4;
-constexpr size_t kSamples = 6000;
-constexpr float kSmoothness = 8;
+constexpr size_t kStillSamples = 6000;
+constexpr float kStillSmoothness = 8;
 constexpr double kLeastContrast = 0.6;
 // Log odds below which colours tell nothing.
 constexpr float kClear = 1;
@@ -88,7 +88,7 @@ StillObject FindStillObject(const StillBackground& background,
       BetweenTurning(solid) & ~turning & ((background.support > 0.9f) | varies);
   cv::erode(seeds, seeds, cv::Mat::ones(kStillWindow, kStillWindow, CV_8U));
   const double frame = double(turning.total());
-  if (cv::countNonZero(seeds) < kLeastPart * frame) {
+  if (cv::countNonZero(seeds) < kLeastOfFrame * frame) {
     return result;
   }
   const cv::Mat sure = SureBackground(solid) & ~turning;
@@ -96,18 +96,18 @@ StillObject FindStillObject(const StillBackground& background,
   const cv::Mat features = PixelFeatures(image);
   const cv::Mat all(turning.size(), CV_8U, cv::Scalar(255));
   const std::vector<PixelFeature> surroundings =
-      SampleFeatures(features, sure, kSamples);
+      SampleFeatures(features, sure, kStillSamples);
   cv::Mat object = seeds.clone();
   cv::Mat log_odds;
   for (int round = 0; round < kRounds; ++round) {
-    log_odds =
-        ColourContrast(SampleFeatures(features, object, kSamples), surroundings)
-            .LogOdds(features, all);
+    log_odds = ColourContrast(SampleFeatures(features, object, kStillSamples),
+                              surroundings)
+                   .LogOdds(features, all);
     cv::Mat labels(turning.size(), CV_8U, cv::Scalar(kNoLabel));
     labels.setTo(kSurroundingsLabel, sure);
     labels.setTo(kObjectLabel, turning);
     labels.setTo(kObjectLabel, seeds);
-    CutLabels(image, log_odds, kSmoothness, &labels);
+    CutLabels(image, log_odds, kStillSmoothness, &labels);
     object = (labels == kObjectLabel) & ~turning;
   }
   // What is told clearly: the seeds themselves must look different from the

@@ -28,16 +28,16 @@ constexpr float kLeastSupport = 0.15f;
 constexpr double kLeastTurning = 0.002;
 constexpr double kLeastStill = 0.1;
 // Constants of the cut in each photograph.
-constexpr float kMostOdds = 4;
-constexpr float kSmoothness = 4;
+constexpr float kMostOddsOfCut = 4;
+constexpr float kSmoothnessOfCut = 4;
 constexpr float kUnreliable = 0.25f;
-constexpr double kLeastConfidence = 0.5;
+constexpr double kLeastViewConfidence = 0.5;
 // Log odds of a plain object where it is most of the time: what is taken for
 // background is lost, and pieces of the background are found later.
 constexpr float kObjectOdds = 3;
-constexpr size_t kSamples = 6000;
+constexpr size_t kColourSamples = 6000;
 // Part of what turns that is in one piece, since the plate holds it together.
-constexpr double kLeastPart = 0.5;
+constexpr double kLeastOfPlate = 0.5;
 
 // Windows around points beside it show it as well, up to a third of their size
 // away.
@@ -158,7 +158,7 @@ void TurntableSegmenter::Learn(const StillObject& still) {
   cv::bitwise_or(always_, still.sure, always_);
   mostly_ = still.mask & ~always_;
   const size_t count = input_.images.size();
-  const size_t share = kSamples / count + 1;
+  const size_t share = kColourSamples / count + 1;
   std::vector<std::vector<PixelFeature>> objects(count);
   std::vector<std::vector<PixelFeature>> backgrounds(count);
   ParallelFor(context_, count, 1, [&](size_t begin, size_t end) {
@@ -202,16 +202,16 @@ void TurntableSegmenter::FillPieces(cv::Mat* mask) const {
 
 void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
   const cv::Mat distance = DistanceFromBackground(lab, background_);
-  cv::Mat log_odds = kMostOdds * (distance - 1);
-  cv::min(log_odds, kMostOdds, log_odds);
-  cv::max(log_odds, -kMostOdds, log_odds);
+  cv::Mat log_odds = kMostOddsOfCut * (distance - 1);
+  cv::min(log_odds, kMostOddsOfCut, log_odds);
+  cv::max(log_odds, -kMostOddsOfCut, log_odds);
   cv::Mat(log_odds * kUnreliable).copyTo(log_odds, unreliable_);
   if (contrast_) {
     cv::Mat(contrast_->LogOdds(PixelFeatures(input_.images[i]), mostly_) +
             kObjectOdds)
         .copyTo(log_odds, mostly_);
   }
-  log_odds.setTo(kMostOdds, always_);
+  log_odds.setTo(kMostOddsOfCut, always_);
   // Where a whole neighbourhood is background, or object, there is nothing to
   // decide.
   const cv::Mat window = cv::Mat::ones(kStillWindow, kStillWindow, CV_8U);
@@ -223,7 +223,7 @@ void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
   view.mask = cv::Mat(lab.size(), CV_8U, cv::Scalar(kNoLabel));
   view.mask.setTo(kSurroundingsLabel, largest < 0);
   view.mask.setTo(kObjectLabel, least > 0);
-  CutLabels(input_.images[i], log_odds, kSmoothness, &view.mask);
+  CutLabels(input_.images[i], log_odds, kSmoothnessOfCut, &view.mask);
   if (contrast_) {
     FillPieces(&view.mask);
   }
@@ -237,7 +237,7 @@ void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
     view.doubt = "nothing in it differs from the background";
   } else if (!doubt_.empty()) {
     view.doubt = doubt_;
-  } else if (view.confidence < kLeastConfidence) {
+  } else if (view.confidence < kLeastViewConfidence) {
     view.doubt = fmt::format(
         "object and background look alike along {:.0f} % of the border",
         100 * (1 - view.confidence));
@@ -249,7 +249,7 @@ void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
 void TurntableSegmenter::DoubtPieces() {
   const auto in_pieces =
       std::count_if(result_.begin(), result_.end(), [](const auto& view) {
-        return PartOfLargest(view.mask) < kLeastPart;
+        return PartOfLargest(view.mask) < kLeastOfPlate;
       });
   if (2 * size_t(in_pieces) <= result_.size()) {
     return;

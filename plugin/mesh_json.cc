@@ -6,13 +6,10 @@
 
 #include "core/benchmark/compare/distance_curve.h"
 #include "plugin/transform_file.h"
+#include "plugin/vector_json.h"
 
 namespace octacut {
 namespace {
-
-Json ToJson(const Eigen::Vector3d& vector) {
-  return {vector.x(), vector.y(), vector.z()};
-}
 
 void AddDistance(const char* name,
                  double distance,
@@ -37,13 +34,13 @@ Json AlignmentToJson(const MeshAlignment& alignment, double diagonal) {
   const Similarity3d& transform = alignment.reference_from_mesh;
   Json rotation = Json::array();
   for (int row = 0; row < 3; ++row) {
-    rotation.push_back(ToJson(transform.rotation.row(row).transpose()));
+    rotation.push_back(VectorToJson(transform.rotation.row(row).transpose()));
   }
   Json json;
   json["matrix"] = TransformToJson(transform);
   json["scale"] = transform.scale;
   json["rotation"] = std::move(rotation);
-  json["translation"] = ToJson(transform.translation);
+  json["translation"] = VectorToJson(transform.translation);
   json["iterations"] = alignment.num_iterations;
   json["converged"] = alignment.converged;
   AddDistance("rms_before", alignment.rms_before, diagonal, &json);
@@ -88,8 +85,8 @@ Json AuditToJson(const MeshAudit& audit) {
   json["volume"] = audit.volume;
   json["bounding_box"] = audit.bounding_box.isEmpty()
                              ? Json()
-                             : Json({ToJson(audit.bounding_box.min()),
-                                     ToJson(audit.bounding_box.max())});
+                             : Json({VectorToJson(audit.bounding_box.min()),
+                                     VectorToJson(audit.bounding_box.max())});
   json["failure"] = audit.DescribeFailure();
   return json;
 }

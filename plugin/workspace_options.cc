@@ -4,13 +4,12 @@
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
+#include "plugin/vector_json.h"
 
 namespace octacut {
 namespace {
 
 namespace fs = std::filesystem;
-
-Json VectorToJson(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
 

@@ -14,15 +14,18 @@
 #include "core/benchmark/compare/signed_distance.h"
 #include "core/mesh/cloud.h"
 #include "core/raycast/ray_scene.h"
-#include "plugin/benchmark_protocol.h"
+#include "plugin/comparer_paths.h"
 #include "plugin/comparison_options.h"
 #include "plugin/comparison_tables.h"
-#include "plugin/file_roles.h"
 #include "plugin/judged_part.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/page/comparison_protocol.h"
+#include "plugin/page/distance_page.h"
 #include "plugin/page/page_builder.h"
+#include "plugin/protocol_options.h"
+#include "plugin/protocol_results.h"
+#include "plugin/protocol_run.h"
 #include "plugin/report.h"
 #include "plugin/shared_views.h"
 #include "plugin/transform_file.h"
@@ -49,13 +52,14 @@ class MeshComparer : public Command {
   Json CompareOne(const fs::path& path,
                   const MeasuredMesh& reference,
                   const Context& context);
-  void ShowDistances(const MeasuredMesh& measured,
-                     const MeasuredMesh& reference,
-                     const Context& context);
-  fs::path DistancePath(const fs::path& mesh) const;
-  void CheckPaths() const;
+  // In files of their own and on the page, where those are asked for.
+  void ShowDistances(const MeasuredMesh& reference,
+                     const Context& context,
+                     MeasuredMesh* measured);
   void PrintTables(const ComparedMesh& reference, std::ostream& out) const;
-  void WritePage(const CommandEnvironment& environment, const Json& report);
+  void WritePage(const CommandEnvironment& environment,
+                 const SparseModel& views,
+                 const Json& report);
   // A protocol has scores of its own.
   bool HasScores() const {
     return reference_is_truth_ && !protocol_run_->IsActive();
@@ -63,9 +67,7 @@ class MeshComparer : public Command {
   std::vector<std::string> Protocol(
       const CommandEnvironment& environment) const;
 
-  std::vector<fs::path> input_paths_;
-  fs::path reference_path_;
-  fs::path output_path_;
+  ComparerPaths paths_;
   bool self_intersections_ = true;
   JudgedPartOptions judged_;
   CompareMeshesOptions compare_;
@@ -74,53 +76,15 @@ class MeshComparer : public Command {
   // Those of the compared meshes, if there is a protocol.
   std::vector<std::pair<std::string, ProtocolResult>> protocol_results_;
   bool reference_is_truth_ = true;
-  fs::path html_path_;
-  fs::path transform_path_;
-  fs::path transform_output_path_;
-  fs::path distance_path_;
-  // Results for the compared meshes, in the order of input_paths_.
+  // Results for the compared meshes, in the order of their paths.
   std::vector<ComparedMesh> results_;
   Similarity3d given_transform_;
   std::optional<SharedCameraAlignment> shared_cameras_;
-  ComparisonPage page_;
-  PageMesh reference_page_;
+  std::optional<DistancePage> page_;  // if there is to be one
 };
 
 void MeshComparer::DeclareOptions(OptionManager& options) {
-  options.AddRequiredRepeatable("input_path",
-                                &input_paths_,
-                                "Mesh or point cloud to compare (.ply, .obj, "
-                                ".off or .stl), or several separated by "
-                                "commas.");
-  options.AddRequired("reference_path",
-                      &reference_path_,
-                      "Reference mesh or point cloud (for eth3d, the scans' "
-                      ".mlp project).");
-  options.Add(
-      "output_path", &output_path_, "JSON report to write. Default: none.");
-  options.Add(
-      "html_path",
-      &html_path_,
-      "HTML page to write: a viewer for the meshes and their distances. "
-      "Default: none.");
-  options.Add(
-      "transform_path",
-      &transform_path_,
-      "Text file with a 4 x 4 matrix, row by row, by which the compared "
-      "meshes are moved first. Default: none.");
-  options
-      .Add("transform_output_path",
-           &transform_output_path_,
-           "Text file to write: the 4 x 4 matrix that brings the mesh, one "
-           "only, into the frame of the reference. Used with align.")
-      .ForExperts();
-  options
-      .Add("distance_path",
-           &distance_path_,
-           "Folder in which each compared mesh is saved with its signed "
-           "distance to the reference at every vertex (.ply, property quality, "
-           "for MeshLab and CloudCompare). Default: none.")
-      .ForExperts();
+  DeclareComparerPaths(options, &paths_);
   DeclareProtocolOptions(options, &protocol_);
   options.Add("reference_is_truth",
               &reference_is_truth_,
@@ -139,8 +103,8 @@ void MeshComparer::DeclareOptions(OptionManager& options) {
 
 void MeshComparer::FindGivenTransform(const SparseModel& views,
                                       const Context& context) {
-  if (!transform_path_.empty()) {
-    given_transform_ = ReadTransform(transform_path_);
+  if (!paths_.transform.empty()) {
+    given_transform_ = ReadTransform(paths_.transform);
   } else if (!judged_.input_views_path.empty()) {
     shared_cameras_ = AlignBySharedViews(
         ReadLargestModel(
@@ -156,7 +120,7 @@ void MeshComparer::FindGivenTransform(const SparseModel& views,
 MeasuredMesh MeshComparer::Measure(const fs::path& path,
                                    const Context& context) const {
   return MeasureMesh(path,
-                     NameAmong(path, input_paths_),
+                     NameAmong(path, paths_.inputs),
                      self_intersections_,
                      context,
                      AllowClouds::kYes);
@@ -164,13 +128,13 @@ MeasuredMesh MeshComparer::Measure(const fs::path& path,
 
 MeasuredMesh MeshComparer::MeasureReference(const Context& context) {
   std::optional<IndexedMesh> scans =
-      protocol_run_->ReadReference(reference_path_);
+      protocol_run_->ReadReference(paths_.reference);
   return scans ? MeasureMesh(std::move(*scans),
-                             reference_path_,
-                             NameAmong(reference_path_, input_paths_),
+                             paths_.reference,
+                             NameAmong(paths_.reference, paths_.inputs),
                              self_intersections_,
                              context)
-               : Measure(reference_path_, context);
+               : Measure(paths_.reference, context);
 }
 
 // Moves the mesh where the protocol aligns it.
@@ -193,7 +157,7 @@ Json MeshComparer::CompareOne(const fs::path& path,
   MeasuredMesh measured = Measure(path, context);
   measured.mesh = TransformMesh(std::move(measured.mesh), given_transform_);
   if (!(compare_.align && compare_.alignment.global_search)) {
-    CheckOverlap(path, measured.mesh, reference_path_, reference.mesh);
+    CheckOverlap(path, measured.mesh, paths_.reference, reference.mesh);
   }
   const Phase phase(context, fmt::format("Compare {}", measured.result.name));
   if (protocol_run_->IsActive()) {
@@ -204,15 +168,12 @@ Json MeshComparer::CompareOne(const fs::path& path,
   const MeshComparison& comparison = *measured.result.comparison;
   measured.json["comparison"] =
       HasScores() ? ComparisonToJson(comparison) : DistancesToJson(comparison);
-  if (!html_path_.empty() || !distance_path_.empty()) {
-    ShowDistances(measured, reference, context);
+  if (page_ || !paths_.distance_folder.empty()) {
+    ShowDistances(reference, context, &measured);
   }
-  if (!html_path_.empty()) {
-    measured.json["places"] = PlacesToJson(page_.meshes.back());
-  }
-  if (!transform_output_path_.empty()) {
+  if (!paths_.transform_output.empty()) {
     WriteTransform(
-        transform_output_path_,
+        paths_.transform_output,
         (comparison.alignment
              ? comparison.alignment->reference_from_mesh
              : *protocol_results_.back().second.reference_from_mesh) *
@@ -222,16 +183,15 @@ Json MeshComparer::CompareOne(const fs::path& path,
   return std::move(measured.json);
 }
 
-void MeshComparer::ShowDistances(const MeasuredMesh& measured,
-                                 const MeasuredMesh& reference,
-                                 const Context& context) {
-  const MeshComparison& comparison = *measured.result.comparison;
+void MeshComparer::ShowDistances(const MeasuredMesh& reference,
+                                 const Context& context,
+                                 MeasuredMesh* measured) {
+  const MeshComparison& comparison = *measured->result.comparison;
   const IndexedMesh moved =
       comparison.alignment
-          ? TransformMesh(measured.mesh,
+          ? TransformMesh(measured->mesh,
                           comparison.alignment->reference_from_mesh)
-          : measured.mesh;
-  const std::string& name = measured.result.name;
+          : measured->mesh;
   const IndexedMesh surface = PointsAsTriangles(reference.mesh);
   const std::vector<float> distances =
       SignedDistances(moved.positions,
@@ -239,64 +199,20 @@ void MeshComparer::ShowDistances(const MeasuredMesh& measured,
                       RayScene(surface),
                       context,
                       compare_.reference_filter);
-  if (!distance_path_.empty()) {
-    WriteMeshWithValues(DistancePath(measured.json["path"].get<std::string>()),
-                        moved,
-                        distances,
-                        "quality");
+  if (!paths_.distance_folder.empty()) {
+    WriteMeshWithValues(
+        paths_.DistancesOf(measured->json["path"].get<std::string>()),
+        moved,
+        distances,
+        "quality");
   }
-  if (html_path_.empty()) {
-    return;
-  }
-  PageMesh page = MakePageMesh(name, moved, input_paths_.size() + 1, context);
-  FindDistancePlaces(
-      moved, distances, comparison.reference_diagonal, context, &page);
-  AddDistances(reference.result.name, distances, &page);
-  page_.meshes.push_back(std::move(page));
-  if (reference_page_.values.empty()) {
-    const IndexedMesh other = PointsAsTriangles(moved);
-    std::vector<float> back = SignedDistances(
-        reference.mesh.positions, other, RayScene(other), context);
-    DropUnjudged(surface, compare_.reference_filter, &back);
-    AddDistances(name, std::move(back), &reference_page_);
-  }
-  page_.diagonal = comparison.reference_diagonal;
-}
-
-fs::path MeshComparer::DistancePath(const fs::path& mesh) const {
-  return distance_path_ / (mesh.stem().string() + "-distance.ply");
-}
-
-void MeshComparer::CheckPaths() const {
-  CheckOption(judged_.input_views_path.empty() || transform_path_.empty(),
-              "input_views_path",
-              judged_.input_views_path.string(),
-              "cannot be used together with transform_path");
-  FileRoles files;
-  for (const fs::path& path : input_paths_) {
-    files.Read(path, "a mesh to compare");
-  }
-  for (const fs::path& path : protocol_.crop_paths) {
-    files.Read(path, "the crop");
-  }
-  files.Read(reference_path_, "the reference");
-  files.Read(transform_path_, "the transform to read");
-  files.Write("output_path", output_path_, "the report");
-  CheckPagePath(html_path_, &files);
-  CheckOption(transform_output_path_.empty() ||
-                  ((compare_.align || protocol_run_->Aligns()) &&
-                   input_paths_.size() == 1),
-              "transform_output_path",
-              transform_output_path_.string(),
-              "needs align = 1 or a protocol that aligns, and a single "
-              "input_path");
-  files.Write(
-      "transform_output_path", transform_output_path_, "the transform found");
-  if (!distance_path_.empty()) {
-    for (const fs::path& path : input_paths_) {
-      files.Write(
-          "distance_path", DistancePath(path), "the distances of another mesh");
-    }
+  if (page_) {
+    measured->json["places"] = page_->Add(measured->result.name,
+                                          moved,
+                                          distances,
+                                          comparison.reference_diagonal,
+                                          compare_.reference_filter,
+                                          context);
   }
 }
 
@@ -340,15 +256,17 @@ std::vector<std::string> MeshComparer::Protocol(
   lines.push_back(SamplingLine(compare_.num_samples));
   for (const ComparedMesh& mesh : results_) {
     if (const auto& alignment = mesh.comparison->alignment) {
-      lines.push_back(AlignmentLine(
-          mesh.name, *alignment, compare_.alignment, page_.diagonal));
+      lines.push_back(AlignmentLine(mesh.name,
+                                    *alignment,
+                                    compare_.alignment,
+                                    mesh.comparison->reference_diagonal));
     }
   }
-  if (!transform_path_.empty()) {
+  if (!paths_.transform.empty()) {
     lines.push_back(
         fmt::format("Transform: the compared meshes were moved by "
                     "the matrix in {}.",
-                    transform_path_.string()));
+                    paths_.transform.string()));
   }
   if (shared_cameras_) {
     lines.push_back(SharedViewsLine(
@@ -368,29 +286,32 @@ std::vector<std::string> MeshComparer::Protocol(
 }
 
 void MeshComparer::WritePage(const CommandEnvironment& environment,
+                             const SparseModel& views,
                              const Json& report) {
-  page_.title = fmt::format(
-      "{} and {}",
-      fmt::join(NamesOf(results_), ", "),
-      reference_page_.name + (reference_is_truth_ ? " (truth)" : ""));
-  page_.has_truth = reference_is_truth_;
-  page_.compared_with = reference_page_.name;
-  page_.meshes.push_back(std::move(reference_page_));
-  page_.protocol = Protocol(environment);
-  page_.command_line = CommandLineOf(environment);
-  page_.report = report;
-  WriteComparisonPage(html_path_, page_, {}, environment.context);
+  ComparisonPage page = page_->Take(reference_is_truth_);
+  for (const SparseImage& image : views.images) {
+    page.cameras.push_back(image.CamFromWorld());
+  }
+  page.protocol = Protocol(environment);
+  page.command_line = CommandLineOf(environment);
+  page.report = report;
+  WriteComparisonPage(paths_.page, page, {}, environment.context);
 }
 
 void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
   judged_.Check();
-  input_paths_ = SplitPaths("input_path", input_paths_);
+  paths_.inputs = SplitPaths("input_path", paths_.inputs);
   protocol_.crop_paths = SplitPaths("crop_path", protocol_.crop_paths);
-  CheckProtocolOptions(protocol_, reference_path_, environment.options);
+  CheckProtocolOptions(protocol_, paths_.reference, environment.options);
   protocol_run_.emplace(protocol_);
-  CheckPaths();
+  CheckOption(judged_.input_views_path.empty() || paths_.transform.empty(),
+              "input_views_path",
+              judged_.input_views_path.string(),
+              "cannot be used together with transform_path");
+  CheckComparerPaths(
+      paths_, protocol_.crop_paths, compare_.align || protocol_run_->Aligns());
   CheckOption(compare_.align || !compare_.alignment.global_search,
               "Alignment.global_search",
               1,
@@ -400,28 +321,22 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
     views = ReadLargestModel(judged_.views_path,
                              "views_path " + judged_.views_path.string(),
                              context);
-    for (const SparseImage& image : views.images) {
-      page_.cameras.push_back(image.CamFromWorld());
-    }
   }
   FindGivenTransform(views, context);
   MeasuredMesh reference = MeasureReference(context);
   compare_.reference_filter = JudgedPart(reference.mesh, views, judged_);
-  if (!html_path_.empty()) {
-    reference_page_ = MakePageMesh(reference.result.name,
-                                   reference.mesh,
-                                   input_paths_.size() + 1,
-                                   context);
-    reference_page_.is_reference = true;
+  if (!paths_.page.empty()) {
+    page_.emplace(
+        reference.result.name, reference.mesh, paths_.inputs.size(), context);
   }
   Json meshes = Json::array();
-  for (const fs::path& path : input_paths_) {
+  for (const fs::path& path : paths_.inputs) {
     meshes.push_back(CompareOne(path, reference, context));
   }
   ComparedMesh named = reference.result;
   named.name += " (reference)";
   PrintTables(named, environment.out);
-  if (!output_path_.empty() || !html_path_.empty()) {
+  if (page_ || !paths_.report.empty()) {
     Json report = MakeReport(environment);
     report["reference"] = std::move(reference.json);
     report["reference_is_truth"] = reference_is_truth_;
@@ -432,11 +347,11 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
       report["protocol"] = ProtocolToJson(protocol_);
     }
     report["meshes"] = std::move(meshes);
-    if (!html_path_.empty()) {
-      WritePage(environment, report);
+    if (page_) {
+      WritePage(environment, views, report);
     }
-    if (!output_path_.empty()) {
-      WriteReport(output_path_, report);
+    if (!paths_.report.empty()) {
+      WriteReport(paths_.report, report);
     }
   }
 }

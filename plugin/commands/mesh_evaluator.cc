@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -12,13 +10,13 @@
 #include "core/benchmark/compare/compare_meshes.h"
 #include "core/benchmark/compare/signed_distance.h"
 #include "core/benchmark/evaluate/evaluate_mesh.h"
-#include "core/benchmark/evaluate/paired_bootstrap.h"
 #include "core/raycast/ray_scene.h"
 #include "plugin/file_roles.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
 #include "plugin/page/page_builder.h"
 #include "plugin/report.h"
+#include "plugin/support_ranking.h"
 #include "plugin/text_table.h"
 #include "plugin/workspace_options.h"
 
@@ -268,69 +266,13 @@ void CompareWithFirst(std::vector<JudgedMesh>* meshes, const Context& context) {
   }
 }
 
-// The meshes by their support, and whether each is better than the next by
-// more than chance.
-Json RankingToJson(const std::vector<JudgedMesh>& meshes, uint64_t seed) {
-  std::vector<size_t> order(meshes.size());
-  std::iota(order.begin(), order.end(), size_t{0});
-  const auto support_of = [&](size_t i) {
-    return MeanSupport(meshes[i].evaluation.view_support);
-  };
-  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
-    return support_of(a) > support_of(b);
-  });
-  const auto values_of = [&](size_t i) {
-    std::vector<double> values;
-    for (const ViewSupport& view : meshes[i].evaluation.view_support) {
-      if (view.textured_pixels > 0) {
-        values.push_back(view.support);
-      }
-    }
-    return values;
-  };
-  Json json;
-  json["order"] = Json::array();
-  json["pairs"] = Json::array();
-  for (size_t k = 0; k < order.size(); ++k) {
-    const std::string& name = meshes[order[k]].measured.result.name;
-    json["order"].push_back(name);
-    const std::vector<double> values = values_of(order[k]);
-    if (k + 1 < order.size() && values.size() >= 2) {
-      const BootstrapDifference difference =
-          PairedBootstrap(values, values_of(order[k + 1]), seed);
-      json["pairs"].push_back(
-          {{"better", name},
-           {"worse", meshes[order[k + 1]].measured.result.name},
-           {"mean", difference.mean},
-           {"low", difference.low},
-           {"high", difference.high},
-           {"p_value", difference.p_value},
-           {"more_than_chance", difference.IsMoreThanChance()}});
-    }
+Json Rank(const std::vector<JudgedMesh>& meshes, uint64_t seed) {
+  std::vector<SupportedMesh> supported;
+  for (const JudgedMesh& mesh : meshes) {
+    supported.push_back(
+        {mesh.measured.result.name, mesh.evaluation.view_support});
   }
-  return json;
-}
-
-void PrintRanking(const Json& ranking, std::ostream& out) {
-  for (const Json& pair : ranking["pairs"]) {
-    const std::string better = pair["better"];
-    const std::string worse = pair["worse"];
-    const std::string figures = fmt::format("{:.4f}, 95 %: {:.4f} to {:.4f}",
-                                            pair["mean"].get<double>(),
-                                            pair["low"].get<double>(),
-                                            pair["high"].get<double>());
-    out << (pair["more_than_chance"].get<bool>()
-                ? fmt::format(
-                      "The photographs support {} better than {} ({}).\n",
-                      better,
-                      worse,
-                      figures)
-                : fmt::format("The photographs do not decide between {} and {} "
-                              "({}).\n",
-                              better,
-                              worse,
-                              figures));
-  }
+  return RankBySupport(supported, seed);
 }
 
 }  // namespace
@@ -361,9 +303,8 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
   environment.out << table.ToString();
   Json ranking;
   if (evaluate_.photometric && meshes.size() > 1) {
-    ranking = RankingToJson(meshes, context.Seed());
-    environment.out << '\n';
-    PrintRanking(ranking, environment.out);
+    ranking = Rank(meshes, context.Seed());
+    environment.out << '\n' << RankingText(ranking);
   }
   if (output_path_.empty() && html_path_.empty()) {
     return;

@@ -28,6 +28,7 @@
 #include "plugin/print_json.h"
 #include "plugin/report.h"
 #include "plugin/transform_file.h"
+#include "plugin/vector_json.h"
 
 namespace octacut {
 namespace {
@@ -220,7 +221,7 @@ Eigen::Vector3d MeshExporter::FindUp(const IndexedMesh& mesh,
                         {"offset", stand.offset}};
   }
   up.normalize();
-  (*json)["up"] = {up.x(), up.y(), up.z()};
+  (*json)["up"] = VectorToJson(up);
   return up;
 }
 

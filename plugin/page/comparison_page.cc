@@ -16,6 +16,7 @@
 #include "plugin/page/page_assets.h"
 #include "plugin/page/page_blobs.h"
 #include "plugin/page/page_photographs.h"
+#include "plugin/vector_json.h"
 
 namespace octacut {
 namespace {
@@ -71,8 +72,8 @@ void AddOrientation(const std::vector<Rigid3d>& cameras, Json* json) {
     up -= cam_from_world.rotation.row(1).transpose() / double(cameras.size());
   }
   const Eigen::Vector3d front = cameras.front().Inverse().translation;
-  (*json)["up"] = {up.x(), up.y(), up.z()};
-  (*json)["front"] = {front.x(), front.y(), front.z()};
+  (*json)["up"] = VectorToJson(up);
+  (*json)["front"] = VectorToJson(front);
 }
 
 Json PageToJson(const ComparisonPage& page, PageBlobs* blobs) {

@@ -10,6 +10,7 @@
 #include "core/mesh/normals.h"
 #include "core/raycast/ray_scene.h"
 #include "plugin/report.h"
+#include "plugin/vector_json.h"
 
 namespace octacut {
 namespace {
@@ -66,8 +67,6 @@ ClusteredMesh TakePoints(const IndexedMesh& cloud, size_t count) {
   }
   return display;
 }
-
-Json ToArray(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace
 
@@ -156,8 +155,8 @@ Json PlacesToJson(const PageMesh& page) {
   Json array = Json::array();
   for (const RemarkablePlace& place : page.places) {
     array.push_back({{page.place_kind, place.value},
-                     {"position", ToArray(place.position)},
-                     {"normal", ToArray(place.normal)}});
+                     {"position", VectorToJson(place.position)},
+                     {"normal", VectorToJson(place.normal)}});
   }
   return array;
 }

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <Eigen/Geometry>
 
+#include "plugin/vector_json.h"
+
 namespace octacut {
 namespace {
 
 constexpr double kSteps = 65535;
-
-Json ToArray(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 std::vector<uint16_t> Quantise(const std::vector<Eigen::Vector3d>& positions,
                                const Eigen::AlignedBox3d& box) {
@@ -45,8 +45,8 @@ Json PlacesToArray(const std::vector<RemarkablePlace>& places) {
   Json array = Json::array();
   for (const RemarkablePlace& place : places) {
     array.push_back({{"value", place.value},
-                     {"position", ToArray(place.position)},
-                     {"normal", ToArray(place.normal)}});
+                     {"position", VectorToJson(place.position)},
+                     {"normal", VectorToJson(place.normal)}});
   }
   return array;
 }
@@ -67,8 +67,8 @@ Json PageMeshToJson(const PageMesh& mesh, PageBlobs* blobs) {
   json["vertices"] = display.positions.size();
   json["triangles"] = display.triangles.size();
   json["simplified"] = mesh.display.is_simplified;
-  json["box_min"] = ToArray(box.min());
-  json["box_max"] = ToArray(box.max());
+  json["box_min"] = VectorToJson(box.min());
+  json["box_max"] = VectorToJson(box.max());
   json["positions"] = blobs->AddValues(Quantise(display.positions, box));
   json["indices"] = blobs->Add(IndexBytes(display.triangles));
   if (!mesh.colors.empty()) {

@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/parallel.h"
+#include "plugin/vector_json.h"
 
 namespace octacut {
 namespace {
@@ -86,7 +87,7 @@ Json PhotographToJson(const View& view, size_t index, const cv::Size& size) {
           {"cx", view.camera.cx * x},
           {"cy", view.camera.cy * y},
           {"rotation", std::move(rotation)},
-          {"translation", {t.x(), t.y(), t.z()}}};
+          {"translation", VectorToJson(t)}};
 }
 
 }  // namespace

@@ -1,21 +1,13 @@
-#include "plugin/benchmark_protocol.h"
+#include "plugin/protocol_options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "colmap_io/benchmark/crop_polygon_file.h"
-#include "colmap_io/benchmark/laser_scans.h"
-#include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
-#include "core/benchmark/protocols/dtu.h"
-#include "core/benchmark/protocols/metro.h"
-#include "core/benchmark/protocols/middlebury.h"
-#include "core/benchmark/protocols/tanks_and_temples.h"
-#include "plugin/text_table.h"
-#include "plugin/transform_file.h"
 
 namespace octacut {
 namespace {
@@ -173,30 +165,6 @@ void CheckExcludedOptions(const ProtocolTraits& traits,
   }
 }
 
-const char* KindName(FigureKind kind) {
-  switch (kind) {
-    case FigureKind::kDistance:
-      return "distance";
-    case FigureKind::kFraction:
-      return "fraction";
-    case FigureKind::kCount:
-      return "count";
-  }
-  return "";
-}
-
-std::string FigureText(const ProtocolFigure& figure) {
-  switch (figure.kind) {
-    case FigureKind::kDistance:
-      return fmt::format("{:.6g}", figure.value);
-    case FigureKind::kFraction:
-      return fmt::format("{:.2f} %", 100 * figure.value);
-    case FigureKind::kCount:
-      return fmt::format("{:.0f}", figure.value);
-  }
-  return "";
-}
-
 }  // namespace
 
 std::string ProtocolName(BenchmarkProtocol protocol) {
@@ -275,130 +243,6 @@ void CheckProtocolOptions(const ProtocolOptions& protocol,
         "(.mlp) with the laser scans and their poses",
         reference_path.string()));
   }
-}
-
-ProtocolRun::ProtocolRun(const ProtocolOptions& protocol) : options_(protocol) {
-  const std::vector<fs::path>& crops = protocol.crop_paths;
-  if (protocol.protocol == BenchmarkProtocol::kTanksAndTemples) {
-    crop_polygon_ = ReadCropPolygon(crops[0]);
-  } else if (protocol.protocol == BenchmarkProtocol::kDtu) {
-    dtu_ = ReadDtuCrop(crops);
-  } else if (protocol.protocol == BenchmarkProtocol::kMiddlebury &&
-             !crops.empty()) {
-    hole_filler_ = ReadMesh(crops[0]).mesh;
-    if (hole_filler_.triangles.empty()) {
-      throw InputError(fmt::format(
-          "{}: the mesh that fills the reference's holes has no faces",
-          crops[0].string()));
-    }
-  }
-}
-
-std::optional<IndexedMesh> ProtocolRun::ReadReference(
-    const fs::path& reference_path) {
-  if (options_.protocol != BenchmarkProtocol::kEth3d) {
-    return std::nullopt;
-  }
-  scans_ = ReadLaserScans(reference_path);
-  IndexedMesh cloud;
-  cloud.positions = MergeScans(scans_);
-  return cloud;
-}
-
-ProtocolResult ProtocolRun::Measure(const IndexedMesh& mesh,
-                                    const IndexedMesh& reference,
-                                    const Context& context) const {
-  const std::vector<double>& tolerances = options_.tolerances;
-  switch (options_.protocol) {
-    case BenchmarkProtocol::kMetro:
-      return MeasureMetro(mesh, reference, context);
-    case BenchmarkProtocol::kMiddlebury: {
-      const bool has_filler = !hole_filler_.triangles.empty();
-      if (!has_filler && NeedsHoleFiller(reference, context)) {
-        throw InputError(
-            "crop_path is missing: the reference has holes or a border, so the "
-            "protocol middlebury needs --crop_path with a mesh that fills "
-            "them");
-      }
-      return MeasureMiddlebury(mesh,
-                               reference,
-                               has_filler ? &hole_filler_ : nullptr,
-                               tolerances[0],
-                               context);
-    }
-    case BenchmarkProtocol::kTanksAndTemples:
-      return MeasureTanksAndTemples(
-          mesh, reference, crop_polygon_, tolerances[0], context);
-    case BenchmarkProtocol::kEth3d:
-      return MeasureEth3d(mesh, scans_, tolerances, context);
-    case BenchmarkProtocol::kDtu:
-      return MeasureDtu(mesh, reference, dtu_.mask, dtu_.plane, context);
-    case BenchmarkProtocol::kNone:
-      break;
-  }
-  throw InvariantError("no protocol to measure by");
-}
-
-std::string ProtocolTable(
-    const ProtocolOptions& protocol,
-    std::span<const std::pair<std::string, ProtocolResult>> results) {
-  const bool is_eth3d = protocol.protocol == BenchmarkProtocol::kEth3d;
-  std::vector<std::string> heading = {
-      fmt::format("protocol {}", ProtocolName(protocol.protocol))};
-  const ProtocolResult& first = results.front().second;
-  for (const ProtocolScore& score : first.scores) {
-    heading.push_back(fmt::format("at {:g}: {}, %",
-                                  score.tolerance,
-                                  is_eth3d ? "accuracy" : "precision"));
-    heading.emplace_back(is_eth3d ? "completeness" : "recall");
-    heading.emplace_back("F");
-  }
-  for (const ProtocolFigure& figure : first.figures) {
-    heading.push_back(figure.name);
-  }
-  TextTable table(std::move(heading));
-  for (const auto& [name, result] : results) {
-    std::vector<std::string> row = {name};
-    for (const ProtocolScore& score : result.scores) {
-      for (const double value :
-           {score.precision, score.recall, score.f_score}) {
-        row.push_back(fmt::format("{:.2f}", 100 * value));
-      }
-    }
-    for (const ProtocolFigure& figure : result.figures) {
-      row.push_back(FigureText(figure));
-    }
-    table.AddRow(std::move(row));
-  }
-  return table.ToString();
-}
-
-Json ProtocolToJson(const ProtocolOptions& protocol) {
-  return {{"name", ProtocolName(protocol.protocol)},
-          {"rules", ProtocolRules(protocol)},
-          {"tolerances", protocol.tolerances},
-          {"crop_paths", Texts(protocol.crop_paths)}};
-}
-
-Json ProtocolResultToJson(const ProtocolResult& result) {
-  Json json;
-  json["figures"] = Json::array();
-  for (const ProtocolFigure& figure : result.figures) {
-    json["figures"].push_back({{"name", figure.name},
-                               {"kind", KindName(figure.kind)},
-                               {"value", figure.value}});
-  }
-  json["scores"] = Json::array();
-  for (const ProtocolScore& score : result.scores) {
-    json["scores"].push_back({{"tolerance", score.tolerance},
-                              {"precision", score.precision},
-                              {"recall", score.recall},
-                              {"f_score", score.f_score}});
-  }
-  if (result.reference_from_mesh) {
-    json["matrix"] = TransformToJson(*result.reference_from_mesh);
-  }
-  return json;
 }
 
 }  // namespace octacut

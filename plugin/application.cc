@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <filesystem>
 #include <new>
 #include <vector>
 
@@ -111,6 +110,13 @@ void RunLogged(const RegistryEntry& entry,
   }
 }
 
+void FlushOrThrow(std::ostream& out) {
+  out.flush();
+  if (!out) {
+    throw Error("cannot write to standard output");
+  }
+}
+
 int RunCommand(const RegistryEntry& entry,
                std::span<const std::string> arguments,
                std::ostream& out,
@@ -131,10 +137,7 @@ int RunCommand(const RegistryEntry& entry,
       common.Check();
       RunLogged(entry, {options, common, out, cancelled}, *command);
     }
-    out.flush();
-    if (!out) {
-      throw Error("cannot write to standard output");
-    }
+    FlushOrThrow(out);
     return kExitSuccess;
   } catch (...) {
     const Failure failure = DescribeCurrentException(options);
@@ -158,7 +161,8 @@ int RunApplication(std::span<const std::string> arguments,
     }
     const bool is_help = name == "help" || name == "-h" || name == "--help";
     if (is_help && (arguments.empty() || arguments.front().starts_with('-'))) {
-      out << ProgramHelp(commands) << std::flush;
+      out << ProgramHelp(commands);
+      FlushOrThrow(out);
       return kExitSuccess;
     }
     if (is_help) {

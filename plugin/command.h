@@ -1,7 +1,6 @@
 // What a command of the executable is. See registry.h for how to add one.
 #pragma once
 
-#include <memory>
 #include <ostream>
 #include <string_view>
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <Eigen/Geometry>
+#include <numbers>
 #include <vector>
 
 #include "plugin/text_table.h"
@@ -143,17 +143,16 @@ std::string AlignmentTable(std::span<const ComparedMesh> meshes) {
     const MeshAlignment& alignment = *mesh.comparison->alignment;
     const double diagonal = mesh.comparison->reference_diagonal;
     const Eigen::AngleAxisd turn(alignment.reference_from_mesh.rotation);
-    table.AddRow(
-        {mesh.name,
-         fmt::format("{:.6f}", alignment.reference_from_mesh.scale),
-         fmt::format("{:.4f}", turn.angle() * 180 / 3.14159265358979323846),
-         Percent(alignment.rms_before / diagonal, 4),
-         Percent(alignment.rms_after / diagonal, 4),
-         Percent(alignment.inliers, 1),
-         fmt::format("{}{}{}",
-                     alignment.num_iterations,
-                     alignment.converged ? "" : " (not converged)",
-                     alignment.is_ambiguous ? " (ambiguous)" : "")});
+    table.AddRow({mesh.name,
+                  fmt::format("{:.6f}", alignment.reference_from_mesh.scale),
+                  fmt::format("{:.4f}", turn.angle() * 180 / std::numbers::pi),
+                  Percent(alignment.rms_before / diagonal, 4),
+                  Percent(alignment.rms_after / diagonal, 4),
+                  Percent(alignment.inliers, 1),
+                  fmt::format("{}{}{}",
+                              alignment.num_iterations,
+                              alignment.converged ? "" : " (not converged)",
+                              alignment.is_ambiguous ? " (ambiguous)" : "")});
   }
   return any ? table.ToString() : "";
 }

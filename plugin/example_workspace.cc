@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <opencv2/imgcodecs.hpp>
-#include <string>
-#include <vector>
 
 #include "colmap_io/images/write_image.h"
 #include "colmap_io/mesh/mesh_io.h"

@@ -7,6 +7,7 @@
 #include "colmap_io/images/marker_sightings.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
+#include "plugin/vector_json.h"
 
 namespace octacut {
 namespace {
@@ -26,7 +27,7 @@ Json ScaleToJson(const MarkerScale& scale) {
   for (const MeasuredMarker& marker : scale.markers) {
     Json corners = Json::array();
     for (const Eigen::Vector3d& corner : marker.corners) {
-      corners.push_back({corner.x(), corner.y(), corner.z()});
+      corners.push_back(VectorToJson(corner));
     }
     markers.push_back({{"id", marker.id},
                        {"views", marker.num_views},

@@ -1,7 +1,6 @@
 // How many millimetres a unit of the mesh has, as the user says it.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <vector>
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
-#include <string>
 #include <system_error>
 
 #include "colmap_io/images/for_each_file.h"

@@ -1,7 +1,5 @@
 #include "plugin/mesh_json.h"
 
-#include <algorithm>
-#include <cmath>
 #include <Eigen/Geometry>
 
 #include "core/benchmark/compare/distance_curve.h"

@@ -12,7 +12,6 @@
 #include <array>
 #include <charconv>
 #include <concepts>
-#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,7 @@
 #include "plugin/print_json.h"
 
+#include "plugin/vector_json.h"
+
 namespace octacut {
 
 Json WallThicknessToJson(const WallThickness& walls) {
@@ -15,8 +17,7 @@ Json WallThicknessToJson(const WallThickness& walls) {
   json["thinnest"] = Json::array();
   for (const ThinPlace& place : walls.thinnest) {
     json["thinnest"].push_back(
-        {{"point", {place.point.x(), place.point.y(), place.point.z()}},
-         {"thickness", place.thickness}});
+        {{"point", VectorToJson(place.point)}, {"thickness", place.thickness}});
   }
   return json;
 }

@@ -1,7 +1,7 @@
 // Levels, times and counts of a reconstruction, for the report.
 #pragma once
 
-#include "core/pipeline/reconstruct.h"
+#include "core/pipeline/summary.h"
 #include "plugin/option_value.h"
 
 namespace octacut {

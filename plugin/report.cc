@@ -1,7 +1,6 @@
 #include "plugin/report.h"
 
 #include <fstream>
-#include <string_view>
 #include <thread>
 
 #include "colmap_io/files/atomic_files.h"

@@ -19,6 +19,7 @@
 #include "colmap_io/images/mask_file.h"
 #include "colmap_io/images/mask_folder.h"
 #include "core/base/error.h"
+#include "core/scene/scene.h"
 #include "core/segment/refine_border.h"
 #include "core/segment/turntable.h"
 #include "plugin/contact_sheet.h"
@@ -113,7 +114,7 @@ cv::Mat Reduced(const cv::Mat& image) {
 cv::Mat MaskOfSize(const fs::path& path, const cv::Size& size) {
   cv::Mat mask;
   cv::resize(ReadMask(path), mask, size, 0, 0, cv::INTER_AREA);
-  return mask > 127;
+  return mask >= kObjectThreshold;
 }
 
 // The photographs of one camera.
@@ -211,7 +212,7 @@ void TurntableFolder::Extract(MaskList* list,
                   const double scale = double(size_.width) / mask.cols;
                   cv::resize(mask, mask, size_, 0, 0, cv::INTER_LINEAR);
                   mask = RefineBorder(ReadPhotograph(paths_[i]),
-                                      mask > 127,
+                                      mask >= kObjectThreshold,
                                       kBorderReach * scale);
                 }
                 encoded[i] = EncodeMask(mask);

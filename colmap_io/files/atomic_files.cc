@@ -43,7 +43,10 @@ fs::path ResolveTarget(const fs::path& path) {
     return path;
   }
   const fs::path target = fs::canonical(path, error);
-  return error ? path : target;
+  if (error) {
+    Fail(path, "is a symbolic link that leads to no file");
+  }
+  return target;
 }
 
 // Creates a file that did not exist, with the permissions of any new file.

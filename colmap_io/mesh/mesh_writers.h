@@ -29,8 +29,8 @@ void WriteOff(const IndexedMesh& mesh, std::ostream& stream);
 void WriteStl(const IndexedMesh& mesh, std::ostream& stream);
 
 // 3MF with the millimetre as its unit and colours of the corners (materials
-// extension), through lib3mf, which writes six decimals. The stream must be one
-// that can seek. Throws Error where the library refuses the mesh.
+// extension), through lib3mf, which writes six decimals. Throws Error for a
+// mesh that is too small for those or too large for the library.
 void Write3mf(const IndexedMesh& mesh, std::ostream& stream);
 
 }  // namespace octacut

@@ -18,6 +18,9 @@ class ObjParser {
     std::string_view line;
     while (source_->ReadLine(&line)) {
       line_number_ = source_->LineNumber();
+      if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) {
+        line.remove_prefix(3);  // the byte order mark
+      }
       if (line.ends_with('\\')) {
         JoinLines(&line);
       }

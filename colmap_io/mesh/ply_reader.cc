@@ -142,6 +142,9 @@ class PlyBody {
         AppendNormal(Eigen::Vector3d(read[3], read[4], read[5]).cast<float>());
       }
       if (layout.has[kConfidence]) {
+        if (!std::isfinite(read[kConfidence])) {
+          values_.Fail("confidence is not finite");
+        }
         confidence.push_back(float(read[kConfidence]));
       }
       if (has_colors) {

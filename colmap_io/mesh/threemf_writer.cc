@@ -3,12 +3,14 @@
 
 #include <bit>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "colmap_io/mesh/mesh_writers.h"
 #include "core/base/error.h"
 #include "core/base/hash.h"
+#include "core/mesh/bounding_box.h"
 
 namespace octacut {
 namespace {
@@ -31,6 +33,32 @@ struct Release {
   }
 };
 using Object = std::unique_ptr<NMR::PLib3MFBase, Release>;
+
+// The library writes millionths of a millimetre.
+void CheckSize(const IndexedMesh& mesh) {
+  constexpr double kLeast = 0.1;
+  constexpr double kLargest = 1e9;  // NMR_MESH_MAXCOORDINATE
+  const Eigen::AlignedBox3d box = BoundingBox(mesh);
+  if (mesh.triangles.empty()) {
+    return;
+  }
+  if (box.sizes().maxCoeff() < kLeast) {
+    throw Error(
+        fmt::format("3MF has six decimals of a millimetre, and the mesh has a "
+                    "size of {:g} mm: it must be at least {:g}",
+                    box.sizes().maxCoeff(),
+                    kLeast));
+  }
+  const double farthest =
+      box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  if (farthest > kLargest) {
+    throw Error(
+        fmt::format("the mesh has coordinates up to {:g} mm: 3MF files of "
+                    "lib3mf hold at most {:g}",
+                    farthest,
+                    kLargest));
+  }
+}
 
 // An identifier made from what the mesh holds, so that the same mesh gives the
 // same file; the library would draw one at random.
@@ -123,6 +151,7 @@ uint32_t SeekTo(uint64_t position, void* stream) {
 }  // namespace
 
 void Write3mf(const IndexedMesh& mesh, std::ostream& stream) {
+  CheckSize(mesh);
   NMR::PLib3MFBase* raw = nullptr;
   if (NMR::lib3mf_createmodel(&raw) != 0) {
     throw Error("lib3mf: no model could be made");
@@ -149,12 +178,15 @@ void Write3mf(const IndexedMesh& mesh, std::ostream& stream) {
           item.get());
   Require(NMR::lib3mf_model_querywriter(model.get(), "3mf", &raw), model.get());
   const Object writer(raw);
+  // In memory: the library ends the program where a callback fails.
+  std::ostringstream bytes;
   Require(
       NMR::lib3mf_writer_writetocallback(writer.get(),
                                          reinterpret_cast<void*>(&WriteBytes),
                                          reinterpret_cast<void*>(&SeekTo),
-                                         static_cast<std::ostream*>(&stream)),
+                                         static_cast<std::ostream*>(&bytes)),
       writer.get());
+  stream << bytes.view();
 }
 
 }  // namespace octacut

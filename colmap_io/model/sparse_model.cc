@@ -2,13 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <string>
 #include <unordered_map>
 
 #include "core/base/error.h"
 
 namespace octacut {
 namespace {
+
+// Of cameras from the origin: squares and products of such lengths are floats.
+constexpr double kMaxDistance = 1e15;
 
 // Id -> position, for the checks.
 template <typename Id, typename Item>
@@ -26,6 +32,13 @@ std::unordered_map<Id, size_t> IndexById(const std::vector<Item>& items,
   return index;
 }
 
+// Commands write files of the images' names into folders of their own.
+bool LeavesItsFolder(const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.is_absolute() ||
+         std::find(path.begin(), path.end(), "..") != path.end();
+}
+
 void CheckImage(const SparseImage& image,
                 const std::unordered_map<uint32_t, size_t>& cameras,
                 const SparseModelNames& names) {
@@ -34,6 +47,9 @@ void CheckImage(const SparseImage& image,
         "{}: image {} ({}): {}", names.images, image.id, image.name, message));
   };
   if (image.name.empty()) fail("its name is empty");
+  if (LeavesItsFolder(image.name)) {
+    fail("its name must be a path below the folder of the images, without ..");
+  }
   if (!cameras.contains(image.camera_id)) {
     fail(fmt::format("camera_id = {}: {} has no such camera",
                      image.camera_id,
@@ -44,6 +60,25 @@ void CheckImage(const SparseImage& image,
     fail(fmt::format("quaternion of length {}: must be 1", norm));
   }
   if (!image.translation.allFinite()) fail("its translation is not finite");
+  if (image.translation.norm() > kMaxDistance) {
+    fail(fmt::format("translation of length {:g}: must be at most {:g}",
+                     image.translation.norm(),
+                     kMaxDistance));
+  }
+}
+
+void CheckNamesDiffer(const SparseModel& model, const SparseModelNames& names) {
+  std::unordered_map<std::string, uint32_t> id_of;
+  for (const SparseImage& image : model.images) {
+    const auto [other, is_new] = id_of.emplace(image.name, image.id);
+    if (!is_new) {
+      throw InputError(fmt::format("{}: images {} and {} have the same name {}",
+                                   names.images,
+                                   other->second,
+                                   image.id,
+                                   image.name));
+    }
+  }
 }
 
 void CheckObservations(const SparseImage& image,
@@ -115,6 +150,7 @@ void CheckSparseModel(const SparseModel& model, const SparseModelNames& names) {
     CheckImage(image, cameras, names);
     CheckObservations(image, points, names);
   }
+  CheckNamesDiffer(model, names);
   for (const SparsePoint& point : model.points) {
     CheckPoint(point, model, images, names);
   }

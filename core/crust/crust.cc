@@ -1,10 +1,9 @@
 #include "core/crust/crust.h"
 
-#include <bit>
-
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/crust/medial_voxels.h"
+#include "core/grid/count_bits.h"
 #include "core/grid/morphology.h"
 #include "core/grid/parallel_voxels.h"
 #include "core/grid/voxel_walk.h"
@@ -56,7 +55,7 @@ void EstimatePrior(const LabelHierarchy& hierarchy,
 }
 
 float InsideShare(FaceLabels labels) {
-  return float(std::popcount(labels)) / kNumFaces;
+  return float(CountBits(labels)) / kNumFaces;
 }
 
 Crust MakeCrust(const LabelHierarchy& hierarchy,
@@ -92,12 +91,7 @@ Crust RefineCrust(const LabelHierarchy& hierarchy,
                   const CrustOptions& options,
                   const Context& context) {
   options.Check();
-  const LabeledVoxels& coarse = hierarchy.Finest();
-  std::vector<uint8_t> cut(coarse.labels.size());
-  for (size_t i = 0; i < cut.size(); ++i) {
-    cut[i] = IsCut(coarse.labels[i]);
-  }
-  const VoxelGrid proxy = Children(Subset(coarse.voxels, cut));
+  const VoxelGrid proxy = Children(VoxelsOfCut(hierarchy.Finest()));
   return MakeCrust(
       hierarchy, Dilate(proxy, options.crust_dilation, context), context);
 }

@@ -12,8 +12,6 @@ namespace {
 constexpr size_t kMedialGrain = 256;
 // Deeper voxels are no part of anything thin.
 constexpr int kMaxDepth = 12;
-constexpr FaceTies kAllOutside = 0x3f;
-constexpr FaceTies kAllInside = 0x3f << 6;
 
 // Whether any of a voxel's neighbours is one that `fits`.
 template <typename Fits>

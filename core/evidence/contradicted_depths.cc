@@ -97,11 +97,7 @@ SurfaceCounts CountSurfaces(const ViewSet& views,
 int CountAt(const VoxelGrid& hull,
             const std::vector<uint16_t>& counts,
             const Eigen::Vector3f& point) {
-  if ((point.array() < 0).any() || (point.array() >= 1).any()) {
-    return 0;
-  }
-  const VoxelGrid::Index index = hull.Find(
-      Eigen::Vector3i((point * float(hull.Resolution())).cast<int>()));
+  const VoxelGrid::Index index = hull.FindAt(point);
   return index == VoxelGrid::kNone ? 0 : counts[index];
 }
 
@@ -171,6 +167,18 @@ std::vector<JudgedMap> JudgeDepths(const ViewSet& views,
     }
   });
   return judged;
+}
+
+std::vector<SweptDepthMap> WithoutOutvoted(
+    std::vector<SweptDepthMap> maps, const std::vector<JudgedMap>& judged) {
+  for (size_t i = 0; i < maps.size(); ++i) {
+    for (size_t k = 0; k < maps[i].depths.size(); ++k) {
+      if (judged[i].is_outvoted(int(k)) != 0) {
+        maps[i].depths[k] = 0;
+      }
+    }
+  }
+  return maps;
 }
 
 }  // namespace octacut

@@ -11,18 +11,17 @@
 
 namespace octacut {
 
-// Which samples of a map have a depth, which of those are contradicted by
-// surfaces that their ray passes through, and which are outvoted by those that
-// it passes within a voxel. Nearly contradicted are also depths whose ray
-// passes a surface within a voxel, as rays into a cup pass its rim: right
-// depths in hollows are among them, but where few depths are found only they
-// show which contradict each other.
-//
-// The images hold 0 or 1 for each sample of the map.
+// What is known of the samples of a map; each image holds 0 or 1 for each.
 struct JudgedMap {
-  cv::Mat1b is_depth;
+  cv::Mat1b is_depth;  // it has one
+  // The ray passes through a surface that enough other views have found, well
+  // before the depth.
   cv::Mat1b is_contradicted;
+  // Or within a voxel of one, as rays into a cup pass its rim. Right depths in
+  // hollows are among them, but where few depths are found only they show which
+  // contradict each other.
   cv::Mat1b is_nearly_contradicted;
+  // There, more views have found a surface than at the depth.
   cv::Mat1b is_outvoted;
 };
 
@@ -31,5 +30,9 @@ std::vector<JudgedMap> JudgeDepths(const ViewSet& views,
                                    const VoxelGrid& hull,
                                    const std::vector<SweptDepthMap>& maps,
                                    const Context& context);
+
+// `maps` without the depths that are outvoted.
+std::vector<SweptDepthMap> WithoutOutvoted(
+    std::vector<SweptDepthMap> maps, const std::vector<JudgedMap>& judged);
 
 }  // namespace octacut

@@ -5,7 +5,7 @@
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/evidence/confirmed_depths.h"
-#include "core/evidence/depth_confidence.h"
+#include "core/evidence/contradicted_depths.h"
 #include "core/evidence/depth_sweep.h"
 #include "core/hull/visual_hull.h"
 #include "core/views/view_set.h"
@@ -83,8 +83,8 @@ std::vector<cv::Mat> SweepDenseDepths(const Scene& scene,
       SweepDepths(views, hull, DepthSweepOptions(), context, &neighbors);
   const auto counts = CountAgreeing(views, maps, neighbors, voxel, context);
   maps = KeepAgreeing(std::move(maps), counts, kMinAgreeingViews);
-  // Outvoted depths go; the confidence in the others is not asked.
-  maps = EstimateDepthConfidence(views, hull, maps, 0, 1, context).maps;
+  const std::vector<JudgedMap> judged = JudgeDepths(views, hull, maps, context);
+  maps = WithoutOutvoted(std::move(maps), judged);
   // Samples half a voxel apart on a surface that turns away by 70 degrees.
   const float tolerance = kDepthAgreement * voxel;
   std::vector<cv::Mat> depths(maps.size());

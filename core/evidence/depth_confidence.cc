@@ -145,24 +145,20 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
                                        float shown,
                                        const Context& context) {
   const std::vector<JudgedMap> judged = JudgeDepths(views, hull, maps, context);
-  ReliableDepths result{maps, std::vector<std::vector<float>>(maps.size())};
+  ReliableDepths result{WithoutOutvoted(maps, judged),
+                        std::vector<std::vector<float>>(maps.size())};
   std::vector<size_t> num_depths(maps.size());
-  std::vector<size_t> num_contradicted(maps.size());
+  std::vector<size_t> num_nearly_contradicted(maps.size());
   std::vector<size_t> num_samples(maps.size());
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       num_samples[i] = CountObjectSamples(views[i].silhouette, maps[i]);
       num_depths[i] = size_t(cv::countNonZero(judged[i].is_depth));
-      num_contradicted[i] =
+      num_nearly_contradicted[i] =
           size_t(cv::countNonZero(judged[i].is_nearly_contradicted));
-      for (size_t k = 0; k < maps[i].depths.size(); ++k) {
-        if (judged[i].is_outvoted(int(k)) != 0) {
-          result.maps[i].depths[k] = 0;
-        }
-      }
     }
   });
-  result.contradicted_share = ShareOf(num_contradicted, num_depths);
+  result.contradicted_share = ShareOf(num_nearly_contradicted, num_depths);
   result.found_share = ShareOf(num_depths, num_samples);
   result.scene_confidence = ConfidenceOfScene(
       result.contradicted_share, result.found_share, surrounded_share, shown);

@@ -29,7 +29,7 @@ struct ReliableDepths {
   // all depths is contradicted or views that could see more have found next to
   // nothing.
   std::vector<std::vector<float>> confidence;
-  // 0 .. 1; by this the confidence of the parts of all views is multiplied.
+  // 0 .. 1; `confidence` has been multiplied by it.
   float scene_confidence = 1;
   // The share of all depths that have a surface on the way to them, or within
   // a voxel of it.

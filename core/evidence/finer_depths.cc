@@ -26,14 +26,6 @@ constexpr int kLongestWay = 25;
 constexpr int kReachBehind = 4;
 constexpr int kReachBeside = 2;
 
-VoxelGrid CutVoxels(const LabeledVoxels& surface) {
-  std::vector<uint8_t> cut(surface.labels.size());
-  for (size_t i = 0; i < cut.size(); ++i) {
-    cut[i] = IsCut(surface.labels[i]);
-  }
-  return Subset(surface.voxels, cut);
-}
-
 // The ray of a depth through the voxels of a crust and behind it.
 class DepthRay {
  public:
@@ -159,7 +151,7 @@ FinerMaps SweepNearSurface(const ViewSet& views,
   const std::vector<std::vector<int>> neighbors = SelectNeighborViews(
       views, sweep.num_neighbors, sweep.min_angle, sweep.max_angle);
   Phase phase(context, "finer depth sweep", 3 * views.size());
-  const VoxelGrid cut = CutVoxels(surface);
+  const VoxelGrid cut = VoxelsOfCut(surface);
   std::vector<SweepView> reduced(views.size());
   FinerMaps maps;
   maps.swept.resize(views.size());

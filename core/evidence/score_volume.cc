@@ -10,6 +10,11 @@
 namespace octacut {
 namespace {
 
+// What one neighbour's correlation has to be better than the mean of several to
+// count instead of it: the best of four chance correlations, whose deviation is
+// 0.2 in windows of 25 samples, is as much above the mean of the best two.
+constexpr float kBestAlone = 0.1f;
+
 // Grey-level variance below which a window counts as plain.
 constexpr float kPlainVariance = 4;
 // Grey values are taken from their middle: small numbers keep the digits that

@@ -21,15 +21,10 @@ struct ScoreVolume {
   std::vector<float> scores;
 };
 
-// What one neighbour's correlation has to be better than the mean of several to
-// count instead of it: the best of four chance correlations, whose deviation is
-// 0.2 in windows of 25 samples, is as much above the mean of the best two.
-inline constexpr float kBestAlone = 0.1f;
-
 // Zero-mean normalised cross-correlation of windows of (2 window_radius + 1)^2
 // samples, the mean over the best half of the neighbours; `one_is_enough`: or
-// that of the best one less kBestAlone, where that is more, for points that few
-// views see.
+// that of the best one less 0.1, where that is more, for points that few views
+// see.
 ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
                         int reference,
                         const std::vector<int>& neighbors,

@@ -26,5 +26,7 @@ inline constexpr FaceTies OutsideTie(int face) { return FaceTies(1u << face); }
 inline constexpr FaceTies InsideTie(int face) {
   return FaceTies(1u << (6 + face));
 }
+inline constexpr FaceTies kAllOutside = 0x3f;
+inline constexpr FaceTies kAllInside = 0x3f << 6;
 
 }  // namespace octacut

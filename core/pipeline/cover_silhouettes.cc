@@ -6,13 +6,11 @@
 #include "core/cut/fixed_point.h"
 #include "core/evidence/covering_voxels.h"
 #include "core/evidence/silhouette_samples.h"
-#include "core/visibility/surface_shape.h"
+#include "core/pipeline/coarser_surface.h"
 
 namespace octacut {
 namespace {
 
-// Averagings that take the steps of coarser voxels from what they have inside.
-constexpr int kDepthBlurSteps = 4;
 // Share of the score that the depth in the hull has: it tells the middle of a
 // part from its border where averaging has everything inside.
 constexpr float kDepthShare = 0.2f;
@@ -24,8 +22,7 @@ CoverCandidates FindCandidates(const Crust& crust,
                                const Context& context) {
   CoverCandidates candidates;
   if (preference.evidence.empty()) {
-    candidates.scores = SmoothPrior(
-        crust.voxels, crust.ties, crust.prior, kDepthBlurSteps, context);
+    candidates.scores = CoarserInside(crust, context);
     candidates.is_likely.resize(candidates.scores.size());
     for (size_t i = 0; i < candidates.scores.size(); ++i) {
       candidates.is_likely[i] = candidates.scores[i] >= 0.5f;
@@ -37,7 +34,7 @@ CoverCandidates FindCandidates(const Crust& crust,
   }
   for (size_t i = 0; i < candidates.scores.size(); ++i) {
     const float depth = preference.hull_depth[i];
-    const bool is_outside = (crust.ties[i] & kAllFaces) != 0;
+    const bool is_outside = (crust.ties[i] & kAllOutside) != 0;
     float& score = candidates.scores[i];
     score = depth < 0 || is_outside
                 ? -1

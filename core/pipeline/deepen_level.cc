@@ -28,7 +28,9 @@ std::vector<FaceLabels> CutByFinerDepths(const LevelInputs& inputs,
                                          const std::vector<float>& finer,
                                          const SilhouetteTerms& silhouettes,
                                          LevelSteps* steps) {
-  CutTerms terms{NeutralWeights(crust.voxels.Size(), inputs.options), finer};
+  CutTerms terms{
+      std::vector<float>(crust.voxels.Size(), NeutralWeight(inputs.options)),
+      finer};
   for (size_t i = 0; i < terms.evidence.size(); ++i) {
     if (terms.evidence[i] == 0) {
       terms.evidence[i] = kPresentWeight * (2 * crust.prior[i] - 1);

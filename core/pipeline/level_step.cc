@@ -27,8 +27,9 @@ OctahedralCut CutByEvidence(const LevelInputs& inputs,
                             LevelSteps* steps,
                             std::vector<float>* evidence) {
   const ReconstructionOptions& options = inputs.options;
-  CutTerms terms{NeutralWeights(crust.voxels.Size(), options),
-                 std::move(*evidence)};
+  CutTerms terms{
+      std::vector<float>(crust.voxels.Size(), NeutralWeight(options)),
+      std::move(*evidence)};
   OctahedralCutState state;
   double weight = options.evidence.cover_weight;
   for (int round = 0;; ++round, weight *= 2) {

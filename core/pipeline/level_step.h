@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/crust/label_hierarchy.h"
-#include "core/grid/labeled_voxels.h"
 #include "core/grid/voxel_grid.h"
 #include "core/pipeline/level_steps.h"
 #include "core/pipeline/summary.h"

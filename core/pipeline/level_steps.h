@@ -2,7 +2,6 @@
 // the level's summary, so that the code that strings them together need not.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "core/base/context.h"

@@ -5,7 +5,7 @@
 
 #include "core/base/context.h"
 #include "core/mesh/keep_components.h"
-#include "core/scene/region.h"
+#include "core/scene/scene.h"
 #include "core/views/view_set.h"
 
 namespace octacut {

@@ -46,7 +46,8 @@ struct LevelSummary {
 
 struct ReconstructionSummary {
   size_t num_false_gaps = 0;  // in masks, filled
-  // By view: pixels by which the borders of single masks were moved inwards.
+  // By view: pixels by which the borders of its mask were moved inwards, singly
+  // or as those of all masks; none where 0.
   std::map<std::string, double> moved_masks;
   std::optional<BorderEdges> border_edges;
   VisualHullSummary hull;

@@ -6,7 +6,8 @@
 #include "core/base/ramp.h"
 #include "core/consistency/local_agreement.h"
 #include "core/grid/parallel_voxels.h"
-#include "core/visibility/surface_shape.h"
+#include "core/pipeline/coarser_surface.h"
+#include "core/pipeline/voxel_terms.h"
 
 namespace octacut {
 namespace {
@@ -17,9 +18,6 @@ namespace {
 constexpr float kHoldingWeight = 0.2f;
 // The same outside the border of the hull.
 constexpr float kBorderWeight = 0.5f;
-// Averagings that take the steps of the coarser voxels from the surface that
-// holds.
-constexpr int kBlurSteps = 4;
 // Depth in the hull, voxels, within which an undecided surface is let out to
 // the hull's border: what a coarser level cannot tell from it.
 constexpr float kNearHull = 2.5f;
@@ -81,8 +79,7 @@ double DecidedShare(const std::vector<FaceLabels>& labels,
 std::vector<float> DecidedWeights(const Decision& decision,
                                   const std::vector<float>& phi,
                                   const ReconstructionOptions& options) {
-  const float unseen =
-      EdgeWeights({float(options.consistency.neutral)}, options.energy)[0];
+  const float unseen = NeutralWeight(options);
   std::vector<float> weights = EdgeWeights(phi, options.energy);
   for (size_t i = 0; i < weights.size(); ++i) {
     weights[i] = unseen + decision.here[i] * (weights[i] - unseen);
@@ -104,8 +101,7 @@ void HoldUndecidedSurface(const Crust& crust,
                           const std::vector<float>& hull_depth,
                           const Context& context,
                           std::vector<float>* evidence) {
-  const std::vector<float> inside =
-      SmoothPrior(crust.voxels, crust.ties, crust.prior, kBlurSteps, context);
+  const std::vector<float> inside = CoarserInside(crust, context);
   for (size_t i = 0; i < evidence->size(); ++i) {
     const float undecided = 1 - decision.here[i];
     if (hull_depth[i] < 0) {

@@ -14,7 +14,6 @@
 #include "core/grid/face.h"
 #include "core/grid/voxel_values.h"
 #include "core/pipeline/options.h"
-#include "core/pipeline/voxel_terms.h"
 
 namespace octacut {
 

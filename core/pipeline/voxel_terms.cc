@@ -77,11 +77,8 @@ std::vector<float> EdgeWeights(const std::vector<float>& phi,
   return weights;
 }
 
-std::vector<float> NeutralWeights(size_t num_voxels,
-                                  const ReconstructionOptions& options) {
-  return EdgeWeights(
-      std::vector<float>(num_voxels, float(options.consistency.neutral)),
-      options.energy);
+float NeutralWeight(const ReconstructionOptions& options) {
+  return EdgeWeights({float(options.consistency.neutral)}, options.energy)[0];
 }
 
 namespace {

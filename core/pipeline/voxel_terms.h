@@ -25,9 +25,8 @@ struct VoxelTerms {
 // psi(phi) + a of every voxel, HK06 eq. (3).
 std::vector<float> EdgeWeights(const std::vector<float>& phi,
                                const EnergyOptions& options);
-// The same of voxels that nobody sees.
-std::vector<float> NeutralWeights(size_t num_voxels,
-                                  const ReconstructionOptions& options);
+// The same of a voxel that nobody sees.
+float NeutralWeight(const ReconstructionOptions& options);
 
 struct SilhouetteTerms {
   // Evidence for outside (< 0) of voxels outside the border of some view's

@@ -18,6 +18,8 @@ namespace {
 // Bounds the error of a coordinate of size <= 1 after rounding to float, and
 // of Embree's arithmetic on it.
 constexpr double kFloatSlack = 1e-6;
+// Normalized; the mesh lies within 1.
+constexpr float kFar = 1e15f;
 
 void ThrowUnlessUsable(const IndexedMesh& mesh) {
   if (mesh.triangles.empty()) {
@@ -127,6 +129,8 @@ struct RayScene::Impl {
     RTCRay ray;
     double offset;
     double per_unit;
+    // False far from the mesh, where Embree's arithmetic overflows.
+    bool is_near;
   };
 
   LocalRay MakeRay(const Eigen::Vector3d& origin,
@@ -143,6 +147,7 @@ struct RayScene::Impl {
         std::max(min_distance / local.per_unit, -start.dot(unit) - 2.0);
     local.offset = skip * local.per_unit;
     const Eigen::Vector3f from = (start + skip * unit).cast<float>();
+    local.is_near = from.cwiseAbs().maxCoeff() < kFar;
     const Eigen::Vector3f toward = unit.cast<float>();
     RTCRay& ray = local.ray;
     ray.org_x = from.x();
@@ -211,6 +216,9 @@ std::optional<RayScene::Hit> RayScene::FirstHit(
     double min_distance) const {
   Impl::LocalRay local = impl_->MakeRay(
       origin, direction, min_distance, std::numeric_limits<double>::infinity());
+  if (!local.is_near) {
+    return std::nullopt;
+  }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit query;
@@ -231,8 +239,8 @@ bool RayScene::IsOccluded(const Eigen::Vector3d& origin,
                           double max_distance) const {
   Impl::LocalRay local =
       impl_->MakeRay(origin, direction, min_distance, max_distance);
-  if (!(local.ray.tfar >= 0)) {
-    return false;  // ends before the mesh begins
+  if (!(local.ray.tfar >= 0) || !local.is_near) {
+    return false;  // ends before the mesh begins, or passes far from it
   }
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);

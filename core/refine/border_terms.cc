@@ -27,15 +27,15 @@ constexpr double kUsualDeviation = 0.15;
 // open, in units of the noise (docs/experiments/refinement_silhouettes.md).
 constexpr double kThinStructureBias = 1.5;
 constexpr double kThinStructureNoise = 2;
-// By how much vertices may leave a mask, pixels: the border of a mask of whole
-// pixels is known to 0.29 of one, and where masks contradict one another to
-// twice the usual distance of contours from borders, which is 1.3 standard
-// deviations.
+// Pixels by which vertices may leave a mask at least: about what is known of
+// the border of a mask of whole pixels.
 constexpr double kLeastTolerance = 0.25;
+// The same where masks contradict one another, in median distances of contours
+// from borders: 1.3 standard deviations.
+constexpr double kToleratedDistance = 2;
 // A hundredth of what is normally distributed lies farther out on one side than
 // so many median distances.
 constexpr double kNormalTail = 3.45;
-constexpr double kToleratedDistance = 2;
 
 // Pixels to which what the occluding contours say can be known: no better than
 // they agree with one another.

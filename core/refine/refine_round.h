@@ -76,9 +76,9 @@ struct RoundInputs {
 };
 
 // Aligns `views` if it is to, moves the vertices of `mesh` (unit
-// coordinates) as far as it stays valid, and leaves the normals that belong to
-// the positions before. `agreement` is that of the views about the mesh as it
-// is, if the plan can harm.
+// coordinates) as far as it stays valid, and leaves normals that belong to no
+// positions in particular. `agreement` is that of the views about the mesh as
+// it is, if the plan can harm.
 RoundSummary RefineOnce(const RoundInputs& inputs,
                         const RoundPlan& plan,
                         const SurfaceAgreement& agreement,

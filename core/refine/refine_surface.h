@@ -21,13 +21,13 @@ struct RefineSummary {
   size_t num_moved = 0;
   double mean_displacement = 0;  // of the moved ones, pixels
   double max_displacement = 0;
-  // Pixels by which the masks' borders are taken to lie too far outside; 0
-  // also where nothing could be measured.
+  // Pixels by which the masks' borders are taken to lie too far outside; where
+  // nothing could be measured, that of the views.
   double border_shift = 0;
   // Mean agreement of the views where at least two see the surface.
   double agreement_before = 0;
   double agreement_after = 0;
-  // The sum over all rounds.
+  // In all rounds, and where positions are rounded to floats.
   size_t num_withdrawn = 0;
   ViewMotion view_motion;  // of the alignment, at the surface
   std::vector<RoundSummary> rounds;

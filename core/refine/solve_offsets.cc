@@ -114,7 +114,7 @@ class Builder {
           &offsets_[v]);
     } else {
       problem_.AddResidualBlock(
-          new PlaceCost(kAnchor, input_.targets[v]), nullptr, &offsets_[v]);
+          new PlaceCost(kAnchor, 0), nullptr, &offsets_[v]);
     }
   }
 

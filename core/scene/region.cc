@@ -17,14 +17,26 @@ namespace {
 constexpr size_t kMinPoints = 8;
 // The share of views that have to show a sparse point of the object inside.
 constexpr double kMinShareOfViews = 0.9;
+// Of an object: floats hold the squares of its lengths, and their inverses.
+constexpr double kLeastSize = 1e-15;
+constexpr double kLargestSize = 1e15;
 
 Region MakeRegion(const Eigen::AlignedBox3d& box,
                   RegionSource source,
                   const RegionOptions& options) {
+  const double size = box.sizes().maxCoeff();
+  if (!(size >= kLeastSize && size <= kLargestSize)) {
+    throw InputError(fmt::format(
+        "the object has a size of {:g} in the frame of the model: must be in "
+        "[{:g}, {:g}]. Scale the model (colmap model_transformer)",
+        size,
+        kLeastSize,
+        kLargestSize));
+  }
   Region region;
   region.box = box;
   region.source = source;
-  region.cube.edge = box.sizes().maxCoeff() * (1 + options.margin);
+  region.cube.edge = size * (1 + options.margin);
   region.cube.min_corner =
       box.center() - Eigen::Vector3d::Constant(region.cube.edge / 2);
   return region;
@@ -150,6 +162,13 @@ void RegionOptions::Check() const {
                             box.max().y(),
                             box.max().z()),
                 "must be x0,y0,z0,x1,y1,z1, finite and with min < max");
+    const double least = box.sizes().minCoeff();
+    CheckOption(least >= kLeastSize && box.sizes().maxCoeff() <= kLargestSize,
+                "bounding_box",
+                fmt::format("{:g}", least),
+                fmt::format("the sides of the box must be in [{:g}, {:g}]",
+                            kLeastSize,
+                            kLargestSize));
   }
   CheckOption(
       margin >= 0 && margin <= 10, "margin", margin, "must be in [0, 10]");

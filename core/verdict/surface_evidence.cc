@@ -1,7 +1,6 @@
 #include "core/verdict/surface_evidence.h"
 
 #include <algorithm>
-#include <cmath>
 #include <Eigen/Geometry>
 #include <optional>
 #include <utility>

@@ -1,7 +1,6 @@
 // What photographs and silhouettes say of a finished surface, point by point.
 #pragma once
 
-#include <cstdint>
 #include <Eigen/Core>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <Eigen/Core>
 #include <filesystem>
 
 #include "core/base/check_option.h"
@@ -63,7 +64,8 @@ void MeshAuditor::DeclareOptions(OptionManager& options) {
 }
 
 void MeshAuditor::Check() const {
-  CheckOption(ToVector(up_).norm() > 0 && ToVector(up_).allFinite(),
+  CheckOption(Eigen::Vector3d(up_.data()).norm() > 0 &&
+                  Eigen::Vector3d(up_.data()).allFinite(),
               "up",
               fmt::format("{},{},{}", up_[0], up_[1], up_[2]),
               "must be a direction that is not zero");
@@ -161,8 +163,8 @@ void MeshAuditor::Run(const CommandEnvironment& environment) {
   walls_.min_wall = min_wall_;
   const WallThickness walls =
       MeasureWallThickness(measured.mesh, walls_, context);
-  const Overhangs overhangs =
-      MeasureOverhangs(measured.mesh, ToVector(up_), max_overhang_);
+  const Overhangs overhangs = MeasureOverhangs(
+      measured.mesh, Eigen::Vector3d(up_.data()), max_overhang_);
   Warn(audit, *measured.result.self_intersections, walls.thin_share, context);
   environment.out << AuditTable(audit, *measured.result.self_intersections)
                   << '\n'

@@ -15,6 +15,7 @@
 #include "core/base/check_option.h"
 #include "core/base/median.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/bounding_box.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/self_intersections.h"
 #include "core/mesh/untangle.h"
@@ -131,7 +132,7 @@ Eigen::Vector3d ParseUp(const std::string& text) {
   } catch (const OptionError&) {
     numbers = {0, 0, 0};
   }
-  Eigen::Vector3d up = ToVector(numbers);
+  Eigen::Vector3d up = Eigen::Vector3d(numbers.data());
   CheckOption(up.allFinite() && up.norm() > 0,
               "up",
               text,
@@ -170,10 +171,7 @@ std::optional<Workspace> MeshExporter::OpenIfNeeded(
 // The error of the points: what their reprojection errors are at the distance
 // of the object.
 Surroundings SurroundingsOf(const IndexedMesh& mesh, const SparseModel& model) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    box.extend(position);
-  }
+  const Eigen::AlignedBox3d box = BoundingBox(mesh);
   Surroundings surroundings;
   std::vector<double> pixels;
   for (const SparseImage& image : model.images) {

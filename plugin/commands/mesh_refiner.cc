@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "colmap_io/mesh/mesh_io.h"
+#include "core/base/error.h"
 #include "core/mesh/audit.h"
 #include "core/pipeline/prepare_scene.h"
 #include "core/scene/region.h"
@@ -46,6 +49,20 @@ void MeshRefiner::DeclareOptions(OptionManager& options) {
   DeclareRefinementOptions(options, &refinement_);
 }
 
+void RequireSeen(const std::filesystem::path& path,
+                 const RefineSummary& summary) {
+  const bool is_seen =
+      std::any_of(summary.rounds.begin(),
+                  summary.rounds.end(),
+                  [](const RoundSummary& round) { return round.num_seen > 0; });
+  if (!is_seen) {
+    throw InputError(
+        fmt::format("{}: no two views show the mesh; is it in another frame "
+                    "than the sparse model?",
+                    path.string()));
+  }
+}
+
 void MeshRefiner::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   masks_.Check();
@@ -68,6 +85,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   ViewSet& views = prepared.views;
   RefinedSurface refined = RefineSurface(
       std::move(mesh), loaded.region.cube, refinement_, context, &views);
+  RequireSeen(mesh_path_, refined.summary);
   const MeshAudit audit = AuditMesh(refined.mesh, context);
   CheckAudit(audit);
   const MeshVerdict verdict =

@@ -6,7 +6,6 @@
 #include <functional>
 #include <sstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "colmap_io/files/atomic_files.h"

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/error.h"
+#include "core/mesh/bounding_box.h"
 
 namespace octacut {
 namespace {
@@ -13,35 +14,18 @@ namespace {
 // may lie beside each other by as much.
 constexpr double kMostApart = 0.2;
 
-Eigen::AlignedBox3d BoxOf(const IndexedMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    box.extend(position);
-  }
-  return box;
-}
-
 }  // namespace
-
-std::vector<std::string> NamesOf(const std::vector<ComparedMesh>& meshes) {
-  std::vector<std::string> names;
-  names.reserve(meshes.size());
-  for (const ComparedMesh& mesh : meshes) {
-    names.push_back(mesh.name);
-  }
-  return names;
-}
 
 void CheckOverlap(const std::filesystem::path& path,
                   const IndexedMesh& mesh,
                   const std::filesystem::path& reference_path,
                   const IndexedMesh& reference) {
-  const Eigen::AlignedBox3d box = BoxOf(reference);
+  const Eigen::AlignedBox3d box = BoundingBox(reference);
   if (!(box.diagonal().norm() > 0)) {
     throw InputError(fmt::format("{}: all points lie in one place",
                                  reference_path.string()));
   }
-  const double gap = box.exteriorDistance(BoxOf(mesh));
+  const double gap = box.exteriorDistance(BoundingBox(mesh));
   const double diagonal = box.diagonal().norm();
   if (gap > kMostApart * diagonal) {
     throw InputError(fmt::format(

@@ -9,11 +9,8 @@
 #include "core/benchmark/compare/align_meshes.h"
 #include "core/benchmark/compare/seen_reference.h"
 #include "core/mesh/indexed_mesh.h"
-#include "plugin/comparison_tables.h"
 
 namespace octacut {
-
-std::vector<std::string> NamesOf(const std::vector<ComparedMesh>& meshes);
 
 // Distances between meshes of different frames mean nothing: throws InputError
 // when the boxes are more than a fifth of the reference's diagonal apart, or

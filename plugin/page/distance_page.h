@@ -1,7 +1,6 @@
 // The page of mesh_comparer: meshes with their distances from a reference.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 

@@ -1,9 +1,9 @@
 #include "plugin/page/page_mesh.h"
 
-#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 
+#include "core/mesh/bounding_box.h"
 #include "plugin/vector_json.h"
 
 namespace octacut {
@@ -55,10 +55,7 @@ Json PlacesToArray(const std::vector<RemarkablePlace>& places) {
 
 Json PageMeshToJson(const PageMesh& mesh, PageBlobs* blobs) {
   const IndexedMesh& display = mesh.display.mesh;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& position : display.positions) {
-    box.extend(position);
-  }
+  const Eigen::AlignedBox3d box = BoundingBox(display);
   Json json;
   json["name"] = mesh.name;
   json["reference"] = mesh.is_reference;

@@ -104,6 +104,8 @@ TEST(RunApplication, FailsWhenOutputIsLost) {
   const std::vector<std::string> arguments = {"failing_command"};
   EXPECT_EQ(RunApplication(arguments, kCommands, out, err, nullptr), 1);
   EXPECT_EQ(err.str(), "ERROR: cannot write to standard output\n");
+  const std::vector<std::string> help = {"help"};
+  EXPECT_EQ(RunApplication(help, kCommands, out, err, nullptr), 1);
 }
 
 TEST(RunApplication, HelpInAllItsForms) {

@@ -134,6 +134,12 @@ TEST_F(MeshRefiner, MistakesAreNamed) {
                                       "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n"
                                       "0 1 0\n3 0 1 2\n3 0 2 3\n");
   ExpectError("open.off: 4 boundary edge", {"--mesh_path", open.string()});
+  const fs::path far =
+      folder_.Write("far.off",
+                    "OFF\n4 4 0\n100 0 0\n101 0 0\n100 1 0\n100 0 1\n"
+                    "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  ExpectError("far.off: no two views show the mesh",
+              {"--mesh_path", far.string()});
   const std::string closed = (Workspace() / "gt" / "reference.ply").string();
   for (const std::string option : {"OctahedralMeshing.mask_tolerance",
                                    "OctahedralMeshing.chroma_weight"}) {

@@ -126,6 +126,16 @@ TEST(WriteFile, ASymbolicLinkStaysAndItsTargetIsReplaced) {
   EXPECT_EQ(ReadFile(target), "new");
 }
 
+TEST(WriteFile, ASymbolicLinkToNothingStays) {
+  const TemporaryFolder folder;
+  const fs::path link = folder.Path() / "link";
+  fs::create_symlink("gone/real", link);
+  EXPECT_THAT([&] { WriteFile(link, Writer("x")); },
+              ThrowsMessage<InputError>(HasSubstr("leads to no file")));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(folder.NumFiles(), 1u);
+}
+
 TEST(WriteFile, ManyAtOnceInOneFolderDoNotMeet) {
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "a.txt";

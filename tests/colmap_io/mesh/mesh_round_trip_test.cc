@@ -2,7 +2,9 @@
 
 #include <clocale>
 #include <locale>
+#include <sstream>
 
+#include "colmap_io/mesh/mesh_writers.h"
 #include "core/base/error.h"
 #include "tests/colmap_io/mesh/test_meshes.h"
 
@@ -62,6 +64,31 @@ TEST(PlyRoundTrip, KeepsTheConfidence) {
   EXPECT_EQ(read.confidence, mesh.confidence);
   EXPECT_EQ(read.colors, mesh.colors);
   EXPECT_EQ(read.triangles, mesh.triangles);
+}
+
+TEST(Write3mf, FailsWithTheStream) {
+  std::ostream lost(nullptr);
+  EXPECT_NO_THROW(Write3mf(TestMesh(true, true), lost));
+  EXPECT_FALSE(lost.good());
+}
+
+TEST(Write3mf, RefusesSizesThatFilesCannotHold) {
+  const auto error = [](double size) {
+    IndexedMesh mesh = TestMesh(false, false);
+    for (Eigen::Vector3d& position : mesh.positions) {
+      position *= size;
+    }
+    std::ostringstream stream;
+    try {
+      Write3mf(mesh, stream);
+    } catch (const Error& failure) {
+      return std::string(failure.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(error(1), "none");
+  EXPECT_THAT(error(1e-6), testing::HasSubstr("six decimals of a millimetre"));
+  EXPECT_THAT(error(1e12), testing::HasSubstr("coordinates up to"));
 }
 
 INSTANTIATE_TEST_SUITE_P(

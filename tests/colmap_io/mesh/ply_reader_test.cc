@@ -231,6 +231,8 @@ TEST(PlyReader, ErrorsNameTheElement) {
   EXPECT_THAT(error("element face 1\nproperty int a\n", "0"),
               HasSubstr("vertex_indices"));
   EXPECT_THAT(error("", ""), HasSubstr("no element vertex"));
+  EXPECT_THAT(error(two + "property float confidence\n", "0 0 0 1 1 1 1 nan"),
+              HasSubstr("vertex 1: confidence is not finite"));
 }
 
 TEST(PlyReader, ErrorsOfTheHeader) {

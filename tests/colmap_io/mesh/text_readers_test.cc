@@ -34,6 +34,16 @@ TEST(ObjReader, EveryFormOfAFace) {
   EXPECT_TRUE(file.mesh.colors.empty());
 }
 
+TEST(ObjReader, SkipsAByteOrderMark) {
+  const IndexedMesh mesh = ReadText(
+                               "\xEF\xBB\xBFv 5 0 0\nv 1 0 0\nv 0 1 0\n"
+                               "f 1 2 3\n",
+                               MeshFormat::kObj)
+                               .mesh;
+  ASSERT_EQ(mesh.positions.size(), 3u);
+  EXPECT_EQ(mesh.positions[0], Eigen::Vector3d(5, 0, 0));
+}
+
 TEST(ObjReader, NegativeIndicesCountFromTheLine) {
   const MeshFile file = ReadText(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\n"

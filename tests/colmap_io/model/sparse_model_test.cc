@@ -165,6 +165,17 @@ TEST(CheckSparseModel, RefusesEachInconsistency) {
               HasSubstr("track has point2D_idx = 5 of image 7, which has 5"));
   EXPECT_THAT(message([](auto& m) { m.images[0].name.clear(); }),
               HasSubstr("name is empty"));
+  for (const char* name : {"../a.jpg", "a/../../b.jpg", "/a.jpg"}) {
+    EXPECT_THAT(message([&](auto& m) { m.images[0].name = name; }),
+                AllOf(HasSubstr(name), HasSubstr("must be a path below")));
+  }
+  EXPECT_EQ(message([](auto& m) { m.images[0].name = "a..b/..c.jpg"; }),
+            "no InputError");
+  EXPECT_THAT(message([](auto& m) { m.images[2].name = m.images[1].name; }),
+              AllOf(HasSubstr("I: images 32 and 27 have the same name"),
+                    HasSubstr(good.images[1].name)));
+  EXPECT_THAT(message([](auto& m) { m.images[0].translation.x() = 1e30; }),
+              HasSubstr("translation of length 1e+30: must be at most"));
   EXPECT_THAT(message([](auto& m) { m.images[0].rotation.w() = 3; }),
               HasSubstr("quaternion of length"));
   EXPECT_THAT(message([](auto& m) { m.images[0].translation.x() = NAN; }),

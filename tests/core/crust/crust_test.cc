@@ -24,8 +24,6 @@ using testing::OneLevel;
 using testing::Rod;
 using testing::Solid;
 
-constexpr FaceTies kOutside = 0x3f;
-
 CrustOptions Dilation(int steps) {
   CrustOptions options;
   options.crust_dilation = steps;
@@ -124,7 +122,7 @@ TEST(InitialCrust, IsTheHullTiedToTheOutside) {
   EXPECT_EQ(crust.voxels.Codes(), hull.Codes());
   ExpectTiesAgree(crust);
   for (const FaceTies ties : crust.ties) {
-    EXPECT_EQ(ties & ~kOutside, 0);
+    EXPECT_EQ(ties & ~kAllOutside, 0);
   }
   for (const float prior : crust.prior) {
     EXPECT_EQ(prior, 1);

@@ -19,9 +19,6 @@ using testing::OneLevel;
 using testing::Rod;
 using testing::Solid;
 
-constexpr FaceTies kAllOutside = 0x3f;
-constexpr FaceTies kAllInside = 0x3f << 6;
-
 // The crust of the level after `coarse_level`.
 Crust CrustOf(const Solid& solid, int coarse_level, int dilation = 2) {
   CrustOptions options;

@@ -39,15 +39,16 @@ class CoveringVoxelsTest : public ::testing::Test {
     candidates_.scores.assign(hull_.Size(), 0.5f);
   }
 
-  std::vector<SampleMap> Maps(const std::vector<FaceLabels>& labels) const {
-    return MapSamples(test_.views, hull_, labels, Context(2));
+  std::vector<SampleMap> Maps(const std::vector<FaceLabels>& labels,
+                              int num_threads = 2) const {
+    return MapSamples(test_.views, hull_, labels, Context(num_threads));
   }
 
   CoveringVoxels Find(int num_threads = 2) const {
     return FindCoveringVoxels(test_.views,
                               hull_,
                               labels_,
-                              Maps(labels_),
+                              Maps(labels_, num_threads),
                               candidates_,
                               Context(num_threads));
   }

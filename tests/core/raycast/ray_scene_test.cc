@@ -201,6 +201,21 @@ TEST(RayScene, DegenerateTrianglesHaveClosestPointsOnly) {
   EXPECT_NEAR(closest.distance, 2, 1e-15);
 }
 
+// Seen from its own size away times more than floats hold.
+TEST(RayScene, NoRayHitsWhatHasNoSize) {
+  IndexedMesh mesh;
+  for (const double size : {0.0, 1e-30}) {
+    mesh.positions = {{1, 1, 1}, {1 + size, 1, 1}, {1, 1 + size, 1}};
+    mesh.positions[0] *= size == 0 ? 1 : size;
+    mesh.triangles = {{0, 1, 2}};
+    const RayScene scene(mesh);
+    const Eigen::Vector3d origin(5, 3, 2);
+    EXPECT_FALSE(scene.FirstHit(origin, {-4, -1, 3}).has_value());
+    EXPECT_FALSE(scene.IsOccluded(
+        origin, {-4, -1, 3}, 0, std::numeric_limits<double>::infinity()));
+  }
+}
+
 TEST(RayScene, OutlivesItsMeshAndMoves) {
   RayScene moved = [] {
     RayScene scene(UnitQuad({0, 0, 0}));

@@ -13,6 +13,7 @@
 #include "core/mesh/untangle.h"
 #include "core/mesh/vertex_corners.h"
 #include "core/refine/refine_round.h"
+#include "tests/core/base/stopper.h"
 #include "tests/core/refine/refine_scene.h"
 
 namespace octacut {
@@ -22,6 +23,7 @@ using testing::Bumps;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::RefineScene;
+using testing::Stopper;
 
 // A mesh with edges of about one and a half pixels that is up to two pixels
 // off.
@@ -265,40 +267,19 @@ TEST(RefineSurface, GivesTheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(one.summary.agreement_after, two.summary.agreement_after);
 }
 
-class Stopper : public ProgressSink {
- public:
-  Stopper(int stop_at, std::atomic<bool>* stop)
-      : stop_at_(stop_at), stop_(stop) {}
-  void BeginPhase(std::string_view, size_t) override {
-    if (num_phases++ == stop_at_) {
-      stop_->store(true);
-    }
-  }
-  void Advance(size_t) override {}
-  void EndPhase() override {}
-  void Info(std::string_view) override {}
-  void Warn(std::string_view) override {}
-
-  int num_phases = 0;
-
- private:
-  int stop_at_;
-  std::atomic<bool>* stop_;
-};
-
 TEST(RefineSurface, CanBeCancelledInEveryPhase) {
   const RefineScene scene = testing::MakeRefineScene();
   const IndexedMesh mesh = RefineScene::Mesh(10, Bumps(2 * scene.Pixel()));
   std::atomic<bool> stop{false};
   Stopper counter(-1, &stop);
   RefineMesh(mesh, scene, Context(2, &counter, &stop));
-  EXPECT_GE(counter.num_phases, 5);
-  for (int phase = 0; phase < counter.num_phases; ++phase) {
+  EXPECT_GE(counter.phases.size(), 5u);
+  for (size_t phase = 0; phase < counter.phases.size(); ++phase) {
     stop = false;
-    Stopper stopper(phase, &stop);
+    Stopper stopper(int(phase), &stop);
     EXPECT_THROW(RefineMesh(mesh, scene, Context(2, &stopper, &stop)),
                  CancelledError);
-    EXPECT_EQ(stopper.num_phases, phase + 1) << "it went on";
+    EXPECT_EQ(stopper.phases.size(), phase + 1) << "it went on";
   }
 }
 

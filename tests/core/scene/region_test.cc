@@ -226,6 +226,9 @@ TEST(RegionOptions, BoundingBoxFromNumbers) {
   EXPECT_THROW(BoundingBoxFromNumbers({1, 2, 3, 1, 5, 6}), OptionError);
   EXPECT_THROW(BoundingBoxFromNumbers({1, 2, 7, 4, 5, 6}), OptionError);
   EXPECT_THROW(BoundingBoxFromNumbers({1, 2, nan, 4, 5, 6}), OptionError);
+  // Beyond what floats can hold the squares of.
+  EXPECT_THROW(BoundingBoxFromNumbers({0, 0, 0, 1, 1, 1e-40}), OptionError);
+  EXPECT_THROW(BoundingBoxFromNumbers({-1e39, 0, 0, 1, 1, 1}), OptionError);
 }
 
 TEST(Region, FloatsMustResolveTheVoxels) {

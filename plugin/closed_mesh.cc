@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
@@ -11,10 +15,48 @@ namespace octacut {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+double MeanSide(const IndexedMesh& mesh) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sum += (mesh.positions[b] - mesh.positions[a]).norm();
+  }
+  return sum / double(std::max<size_t>(mesh.triangles.size(), 1));
+}
+
+// Rounding may move vertices by a twentieth of a side, as far as a surface is
+// rounded in reconstruction.
+void RequireFloatsSuffice(const IndexedMesh& mesh,
+                          const std::vector<Eigen::Vector3d>& rounded,
+                          const fs::path& path) {
+  constexpr double kMaxShareOfSide = 0.05;
+  double most = 0;
+  for (size_t v = 0; v < rounded.size(); ++v) {
+    most = std::max(most, (rounded[v] - mesh.positions[v]).norm());
+  }
+  const double side = MeanSide(mesh);
+  if (most > kMaxShareOfSide * side) {
+    throw InputError(
+        fmt::format("{}: in single precision, which octacut keeps meshes in, "
+                    "vertices move by up to {:.3g}, and the sides of triangles "
+                    "have a mean length of {:.3g}. Move the mesh to the origin "
+                    "first",
+                    path.string(),
+                    most,
+                    side));
+  }
+}
+
+}  // namespace
+
 IndexedMesh ReadClosedMesh(const fs::path& path, const Context& context) {
   IndexedMesh mesh = ReadMesh(path).mesh;
   // What is audited is what steps keep and files hold.
-  RoundToFloats(&mesh.positions);
+  std::vector<Eigen::Vector3d> rounded = mesh.positions;
+  RoundToFloats(&rounded);
+  RequireFloatsSuffice(mesh, rounded, path);
+  mesh.positions = std::move(rounded);
   const std::string failure = AuditMesh(mesh, context).DescribeFailure();
   if (!failure.empty()) {
     throw InputError(fmt::format("{}: {}", path.string(), failure));

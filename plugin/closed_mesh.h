@@ -10,7 +10,8 @@ namespace octacut {
 
 // With its positions rounded to floats, which is what files hold. Throws
 // InputError that names what the mesh lacks unless it is a closed 2-manifold,
-// oriented outward.
+// oriented outward, and where it is so far from the origin that floats are too
+// coarse for it.
 IndexedMesh ReadClosedMesh(const std::filesystem::path& path,
                            const Context& context);
 

@@ -75,6 +75,10 @@ MeasuredMesh MeasureMesh(IndexedMesh mesh,
   MeasuredMesh measured;
   measured.result.name = name;
   measured.result.audit = AuditMesh(mesh, context);
+  if (!mesh.triangles.empty() && !(measured.result.audit.area > 0)) {
+    throw InputError(
+        fmt::format("{}: its triangles have no area", path.string()));
+  }
   measured.json["name"] = name;
   measured.json["path"] = path.string();
   measured.json["notes"] = Json::array();

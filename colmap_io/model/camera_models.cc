@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "colmap_io/model/camera_projector.h"
@@ -73,14 +72,16 @@ void CheckSize(std::string_view field,
                uint64_t value,
                const SparseCamera& camera,
                std::string_view source) {
-  if (value >= 1 && value <= uint64_t(std::numeric_limits<int32_t>::max())) {
+  constexpr uint64_t kLargest = 1'000'000;  // some ten times what files hold
+  if (value >= 1 && value <= kLargest) {
     return;
   }
-  throw InputError(fmt::format("{}: camera {}: {} = {}: must be 1 to 2^31 - 1",
+  throw InputError(fmt::format("{}: camera {}: {} = {}: must be 1 to {}",
                                source,
                                camera.id,
                                field,
-                               value));
+                               value,
+                               kLargest));
 }
 
 }  // namespace

@@ -107,6 +107,12 @@ TEST_F(MeshAuditorTest, MistakesAreNamed) {
   EXPECT_THAT(Run(folder_.Write("part.3mf", "PK"), report).err,
               HasSubstr("part.3mf: 3MF can be written, but not read"));
   EXPECT_THAT(Run(mesh, mesh).err, HasSubstr("--output_path = "));
+  EXPECT_THAT(Run(folder_.Write("flat.off",
+                                "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n"
+                                "3 0 1 2\n"),
+                  report)
+                  .err,
+              HasSubstr("flat.off: its triangles have no area"));
 }
 
 }  // namespace

@@ -213,6 +213,17 @@ TEST_F(MeshExporterTest, MistakesAreNamed) {
     EXPECT_THAT(result.out, IsEmpty());
   }
   EXPECT_EQ(ReadFile(folder_ / "out.stl"), "precious");
+  folder_.Write("far.off",
+                "OFF\n4 4 0\n1e7 0 0\n10000000.3 0 0\n1e7 0.3 0\n1e7 0 0.3\n"
+                "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  EXPECT_THAT(RunOctacut({"mesh_exporter",
+                          "--input_path",
+                          Path("far.off"),
+                          "--output_path",
+                          Path("out.stl")})
+                  .err,
+              HasSubstr("far.off: in single precision"));
+  EXPECT_EQ(ReadFile(folder_ / "out.stl"), "precious");
   fs::remove(folder_ / "w" / "images" / "view_3.png");
   EXPECT_THAT(Export({"--aruco_side", "25", "--workspace_path", workspace}).err,
               HasSubstr("view_3.png"));

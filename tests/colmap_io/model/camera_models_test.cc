@@ -76,6 +76,8 @@ TEST(CheckCamera, NamesFileCameraFieldAndValue) {
   EXPECT_THAT(message([](auto& c) { c.params.pop_back(); }),
               HasSubstr("7 parameters, but OPENCV has 8"));
   EXPECT_THAT(message([](auto& c) { c.width = 0; }), HasSubstr("width = 0"));
+  EXPECT_THAT(message([](auto& c) { c.height = 2147483647; }),
+              HasSubstr("height = 2147483647: must be 1 to 1000000"));
   EXPECT_THAT(message([](auto& c) { c.height = 1ull << 31; }),
               HasSubstr("height = 2147483648"));
   EXPECT_THAT(message([](auto& c) { c.model_id = 17; }),

@@ -100,8 +100,8 @@ TEST(CameraModels, ProjectionInvertsOverTheWholeImage) {
     SCOPED_TRACE(FindCameraModel(camera.model_id)->name);
     SCOPED_TRACE(camera.id);
     const CameraProjector projector(camera);
-    for (double y = 0; y <= 480; y += 12) {
-      for (double x = 0; x <= 640; x += 16) {
+    for (int y = 0; y <= 480; y += 12) {
+      for (int x = 0; x <= 640; x += 16) {
         const auto ray = projector.CamFromImg({x, y});
         ASSERT_TRUE(ray.has_value()) << x << " " << y;
         ASSERT_NEAR(ray->norm(), 1, 1e-12);

@@ -42,7 +42,7 @@ fs::path ResolveTarget(const fs::path& path) {
   if (!fs::is_symlink(fs::symlink_status(path, error))) {
     return path;
   }
-  const fs::path target = fs::canonical(path, error);
+  fs::path target = fs::canonical(path, error);
   if (error) {
     Fail(path, "is a symbolic link that leads to no file");
   }

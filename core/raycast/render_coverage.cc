@@ -39,10 +39,12 @@ cv::Mat RenderCoverage(const RayScene& rays,
   const auto sampled = [&](int x, int y) {
     int num_hits = 0;
     for (int k = 0; k < samples * samples; ++k) {
+      const int column = k % samples;
+      const int row = k / samples;
       const Eigen::Vector3d ray =
           world_from_cam.rotation *
-          camera.Unproject({x + (k % samples + 0.5) / samples,
-                            y + (k / samples + 0.5) / samples});
+          camera.Unproject(
+              {x + (column + 0.5) / samples, y + (row + 0.5) / samples});
       num_hits += rays.IsOccluded(world_from_cam.translation,
                                   ray,
                                   0,

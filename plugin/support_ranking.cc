@@ -24,6 +24,7 @@ std::vector<double> SupportByView(const SupportedMesh& mesh) {
 
 Json RankBySupport(const std::vector<SupportedMesh>& meshes, uint64_t seed) {
   std::vector<const SupportedMesh*> order;
+  order.reserve(meshes.size());
   for (const SupportedMesh& mesh : meshes) {
     order.push_back(&mesh);
   }

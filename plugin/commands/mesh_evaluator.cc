@@ -268,6 +268,7 @@ void CompareWithFirst(std::vector<JudgedMesh>* meshes, const Context& context) {
 
 Json Rank(const std::vector<JudgedMesh>& meshes, uint64_t seed) {
   std::vector<SupportedMesh> supported;
+  supported.reserve(meshes.size());
   for (const JudgedMesh& mesh : meshes) {
     supported.push_back(
         {mesh.measured.result.name, mesh.evaluation.view_support});

@@ -47,6 +47,7 @@ Json DistancePage::Add(const std::string& name,
 
 ComparisonPage DistancePage::Take(bool reference_is_truth) {
   std::vector<std::string> names;
+  names.reserve(page_.meshes.size());
   for (const PageMesh& mesh : page_.meshes) {
     names.push_back(mesh.name);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 #include "core/base/check_option.h"
 #include "core/base/error.h"
@@ -152,20 +153,21 @@ void RegionOptions::Check() const {
   if (bounding_box) {
     const auto& box = *bounding_box;
     const bool finite = box.min().allFinite() && box.max().allFinite();
+    const std::string numbers = fmt::format("{},{},{},{},{},{}",
+                                            box.min().x(),
+                                            box.min().y(),
+                                            box.min().z(),
+                                            box.max().x(),
+                                            box.max().y(),
+                                            box.max().z());
     CheckOption(finite && (box.min().array() < box.max().array()).all(),
                 "bounding_box",
-                fmt::format("{},{},{},{},{},{}",
-                            box.min().x(),
-                            box.min().y(),
-                            box.min().z(),
-                            box.max().x(),
-                            box.max().y(),
-                            box.max().z()),
+                numbers,
                 "must be x0,y0,z0,x1,y1,z1, finite and with min < max");
-    const double least = box.sizes().minCoeff();
-    CheckOption(least >= kLeastSize && box.sizes().maxCoeff() <= kLargestSize,
+    CheckOption(box.sizes().minCoeff() >= kLeastSize &&
+                    box.sizes().maxCoeff() <= kLargestSize,
                 "bounding_box",
-                fmt::format("{:g}", least),
+                numbers,
                 fmt::format("the sides of the box must be in [{:g}, {:g}]",
                             kLeastSize,
                             kLargestSize));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "colmap_io/files/byte_order_mark.h"
 #include "core/base/error.h"
 #include "plugin/trim.h"
 
@@ -28,8 +29,8 @@ std::vector<IniEntry> ReadIni(std::istream& stream,
   std::string text;
   for (int line_number = 1; std::getline(stream, text); ++line_number) {
     std::string_view line = text;
-    if (line_number == 1 && line.starts_with("\xEF\xBB\xBF")) {
-      line.remove_prefix(3);  // byte order mark
+    if (line_number == 1) {
+      SkipByteOrderMark(&line);
     }
     line = Trim(WithoutComment(line));
     if (line.empty()) {

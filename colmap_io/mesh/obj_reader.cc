@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "colmap_io/files/byte_order_mark.h"
 #include "colmap_io/mesh/mesh_readers.h"
 #include "colmap_io/mesh/text_numbers.h"
 
@@ -18,8 +19,8 @@ class ObjParser {
     std::string_view line;
     while (source_->ReadLine(&line)) {
       line_number_ = source_->LineNumber();
-      if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) {
-        line.remove_prefix(3);  // the byte order mark
+      if (line_number_ == 1) {
+        SkipByteOrderMark(&line);
       }
       if (line.ends_with('\\')) {
         JoinLines(&line);

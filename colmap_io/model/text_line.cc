@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "colmap_io/files/byte_order_mark.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -65,10 +66,7 @@ bool TextLines::Next() {
   if (!std::getline(stream_, buffer_)) return false;
   ++number_;
   line_ = buffer_;
-  // Editors of other systems put a byte order mark in front.
-  if (number_ == 1 && line_.starts_with("\xEF\xBB\xBF")) {
-    line_.remove_prefix(3);
-  }
+  if (number_ == 1) SkipByteOrderMark(&line_);
   TrimEnd(&line_);
   return true;
 }

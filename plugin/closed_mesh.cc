@@ -9,6 +9,7 @@
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/mean_edge.h"
 #include "core/mesh/untangle.h"
 
 namespace octacut {
@@ -16,14 +17,6 @@ namespace octacut {
 namespace fs = std::filesystem;
 
 namespace {
-
-double MeanSide(const IndexedMesh& mesh) {
-  double sum = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    sum += (mesh.positions[b] - mesh.positions[a]).norm();
-  }
-  return sum / double(std::max<size_t>(mesh.triangles.size(), 1));
-}
 
 // Rounding may move vertices by a twentieth of a side, as far as a surface is
 // rounded in reconstruction.
@@ -35,7 +28,7 @@ void RequireFloatsSuffice(const IndexedMesh& mesh,
   for (size_t v = 0; v < rounded.size(); ++v) {
     most = std::max(most, (rounded[v] - mesh.positions[v]).norm());
   }
-  const double side = MeanSide(mesh);
+  const double side = MeanEdge(mesh);
   if (most > kMaxShareOfSide * side) {
     throw InputError(
         fmt::format("{}: in single precision, which octacut keeps meshes in, "

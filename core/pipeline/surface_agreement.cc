@@ -5,6 +5,7 @@
 
 #include "core/mesh/vertex_corners.h"
 #include "core/pipeline/finish_mesh.h"
+#include "core/refine/seen_surface.h"
 
 namespace octacut {
 
@@ -22,11 +23,7 @@ MeasuredSurface MeasureSurface(const ViewSet& views,
   if (mesh.triangles.empty()) {
     return {};
   }
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    center += position / double(mesh.positions.size());
-  }
-  const double pixel = PixelSize(views, center.cast<float>());
+  const double pixel = PixelSizeAt(views, mesh);
   if (!(pixel > 0)) {
     return {};
   }

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/mean_edge.h"
 #include "core/mesh/self_intersections.h"
 #include "core/mesh/untangle.h"
 #include "core/print/polygon_triangles.h"
@@ -20,18 +21,6 @@ namespace {
 
 // Fraction of the mean edge.
 constexpr double kClearance = 0.05;
-
-double MeanEdge(const IndexedMesh& mesh) {
-  double sum = 0;
-  for (const auto& triangle : mesh.triangles) {
-    for (int i = 0; i < 3; ++i) {
-      sum +=
-          (mesh.positions[triangle[i]] - mesh.positions[triangle[(i + 1) % 3]])
-              .norm();
-    }
-  }
-  return sum / (3.0 * double(mesh.triangles.size()));
-}
 
 class Cutter {
  public:

@@ -100,24 +100,24 @@ double HullTolerance(const std::vector<ContourTarget>& contours, double scale) {
 
 }  // namespace
 
-void JudgeBorders(const std::vector<ContourTarget>& contours,
-                  const std::vector<LocalSurface>& surfaces,
-                  const std::vector<OffsetMeasurement>& measurements,
-                  const RoundPlan& plan,
-                  RoundSummary* summary) {
-  summary->num_contour_targets = contours.size();
-  summary->hull_tolerance = HullTolerance(contours, plan.scale);
-  if (summary->KnowsMost()) {
-    // Offsets on dark and ruffled surfaces lie too far inside, and claim shifts
-    // that the edges contradict (docs/experiments/mask_borders.md).
-    const BorderFindings borders =
-        FindBorders(contours, surfaces, measurements, plan);
-    summary->border_shift = std::clamp(borders.shift,
-                                       plan.edge_shift - plan.edge_shift_slack,
-                                       plan.edge_shift + plan.edge_shift_slack);
-    summary->hull_tolerance = std::clamp(
-        borders.bites, summary->hull_tolerance, kLargestHullTolerance);
+BorderVerdict JudgeBorders(const std::vector<ContourTarget>& contours,
+                           const std::vector<LocalSurface>& surfaces,
+                           const std::vector<OffsetMeasurement>& measurements,
+                           const RoundPlan& plan,
+                           bool knows_most) {
+  const double tolerance = HullTolerance(contours, plan.scale);
+  if (!knows_most) {
+    return {.shift = plan.border_shift, .hull_tolerance = tolerance};
   }
+  // Offsets on dark and ruffled surfaces lie too far inside, and claim shifts
+  // that the edges contradict (docs/experiments/mask_borders.md).
+  const BorderFindings borders =
+      FindBorders(contours, surfaces, measurements, plan);
+  return {.shift = std::clamp(borders.shift,
+                              plan.edge_shift - plan.edge_shift_slack,
+                              plan.edge_shift + plan.edge_shift_slack),
+          .hull_tolerance =
+              std::clamp(borders.bites, tolerance, kLargestHullTolerance)};
 }
 
 void AddContourTargets(const std::vector<ContourTarget>& contours,

@@ -17,14 +17,21 @@ namespace octacut {
 // border.
 inline constexpr double kLargestHullTolerance = 1.5;
 
-// Sets num_contour_targets, border_shift and hull_tolerance of `summary`. The
-// shift is judged only where `summary` knows the offsets of most points, of
-// which `surfaces` and `measurements` have one each.
-void JudgeBorders(const std::vector<ContourTarget>& contours,
-                  const std::vector<LocalSurface>& surfaces,
-                  const std::vector<OffsetMeasurement>& measurements,
-                  const RoundPlan& plan,
-                  RoundSummary* summary);
+// Pixels of the views.
+struct BorderVerdict {
+  double shift = 0;  // by which the borders lie too far outside
+  // By which vertices may leave a mask.
+  double hull_tolerance = kLargestHullTolerance;
+};
+
+// `surfaces` and `measurements` have an element for each point. Where most
+// points that are seen have no offset (`knows_most` is false), the shift stays
+// that of the plan.
+BorderVerdict JudgeBorders(const std::vector<ContourTarget>& contours,
+                           const std::vector<LocalSurface>& surfaces,
+                           const std::vector<OffsetMeasurement>& measurements,
+                           const RoundPlan& plan,
+                           bool knows_most);
 
 // Adds the edge targets to `problem`, whose lengths are in pixels.
 void AddContourTargets(const std::vector<ContourTarget>& contours,

@@ -40,16 +40,18 @@ double MeanSpacing(const IndexedMesh& mesh, const SurfacePoints& points) {
   return sum / double(std::max<size_t>(points.neighbors.corners.size(), 1));
 }
 
-void Align(const SeenSurface& seen,
-           const RefineOptions& options,
-           const Context& context,
-           ViewSet* views,
-           RoundSummary* summary) {
+// Returns how many views the last step has aligned.
+size_t Align(const SeenSurface& seen,
+             const RefineOptions& options,
+             const Context& context,
+             ViewSet* views) {
   const Phase phase(context, "refinement: pose alignment");
+  size_t num_aligned = 0;
   for (int i = 0; i < options.alignment_steps; ++i) {
-    summary->num_aligned =
+    num_aligned =
         AlignViews(seen.surfaces, seen.choices, options.patch, context, views);
   }
+  return num_aligned;
 }
 
 // Offsets of the fitted surfaces that others support.
@@ -74,54 +76,59 @@ std::vector<OffsetMeasurement> MeasureOffsets(const ViewSet& views,
   return measurements;
 }
 
-// Lengths in pixels.
-OffsetProblem MakeOffsetTerms(
-    const SeenSurface& seen,
-    const std::vector<OffsetMeasurement>& measurements,
-    double pixel,
-    double scale,
-    RoundSummary* summary) {
+SeenSurface LookAt(const ViewSet& views,
+                   const RoundPlan& plan,
+                   const RoundInputs& inputs,
+                   const Context& context,
+                   IndexedMesh* mesh) {
+  const double spacing =
+      inputs.options.measure_spacing * plan.scale * inputs.pixel;
+  return LookAtSurface({.views = views,
+                        .neighbors = inputs.neighbors,
+                        .options = inputs.options,
+                        .pixel = inputs.pixel,
+                        .scale = plan.scale,
+                        .spacing = spacing},
+                       context,
+                       mesh);
+}
+
+// None where silhouettes have no weight.
+std::vector<ContourTarget> FindContours(const ViewSet& views,
+                                        const SeenSurface& seen,
+                                        const RoundPlan& plan,
+                                        const RefineOptions& options,
+                                        const Context& context) {
+  if (options.silhouette_weight == 0) {
+    return {};
+  }
+  return FindContourTargets(
+      views,
+      seen.rays,
+      seen.surfaces,
+      seen.points.neighbors,
+      {.range = plan.range * plan.scale, .border_shift = plan.border_shift},
+      context);
+}
+
+// What photographs and masks say of the surface that is seen; lengths in
+// pixels.
+OffsetProblem MakeProblem(const SeenSurface& seen,
+                          const std::vector<OffsetMeasurement>& measurements,
+                          const std::vector<ContourTarget>& contours,
+                          const RoundPlan& plan,
+                          const RoundInputs& inputs) {
+  const double pixel = inputs.pixel;
   OffsetProblem problem;
   for (size_t i = 0; i < measurements.size(); ++i) {
     const OffsetMeasurement& measurement = measurements[i];
     problem.normals.push_back(seen.surfaces[i].normal);
     problem.targets.push_back(float(measurement.offset / pixel));
-    problem.weights.push_back(float(measurement.weight / scale));
+    problem.weights.push_back(float(measurement.weight / plan.scale));
   }
-  summary->num_measured = NumMeasured(measurements);
+  AddContourTargets(
+      contours, pixel, inputs.options.silhouette_weight, &problem);
   problem.is_free = Dilate(seen.is_seen, seen.points.neighbors, kBlendRings);
-  return problem;
-}
-
-// What photographs and masks say of the surface that is seen.
-OffsetProblem MakeProblem(const ViewSet& views,
-                          const SeenSurface& seen,
-                          const RoundPlan& plan,
-                          const RoundInputs& inputs,
-                          const Context& context,
-                          RoundSummary* summary) {
-  Stopwatch stopwatch;
-  const std::vector<OffsetMeasurement> measurements =
-      MeasureOffsets(views, seen, plan, inputs, context);
-  OffsetProblem problem =
-      MakeOffsetTerms(seen, measurements, inputs.pixel, plan.scale, summary);
-  summary->search_seconds = stopwatch.Lap();
-  summary->border_shift = plan.border_shift;
-  summary->hull_tolerance = kLargestHullTolerance;
-  const RefineOptions& options = inputs.options;
-  if (options.silhouette_weight > 0) {
-    const std::vector<ContourTarget> contours = FindContourTargets(
-        views,
-        seen.rays,
-        seen.surfaces,
-        seen.points.neighbors,
-        {.range = summary->range, .border_shift = plan.border_shift},
-        context);
-    JudgeBorders(contours, seen.surfaces, measurements, plan, summary);
-    AddContourTargets(
-        contours, inputs.pixel, options.silhouette_weight, &problem);
-  }
-  summary->silhouette_seconds = stopwatch.Lap();
   return problem;
 }
 
@@ -170,56 +177,64 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
                         const Context& context,
                         ViewSet* views,
                         IndexedMesh* mesh) {
-  const RefineOptions& options = inputs.options;
-  const double pixel = inputs.pixel;
   RoundSummary summary;
   summary.scale = plan.scale;
   summary.range = plan.range * plan.scale;
   const std::vector<Eigen::Vector3d> before = mesh->positions;
-  Stopwatch stopwatch;
-  SeenSurface seen =
-      LookAtSurface({.views = *views,
-                     .neighbors = inputs.neighbors,
-                     .options = options,
-                     .pixel = pixel,
-                     .scale = plan.scale,
-                     .spacing = options.measure_spacing * plan.scale * pixel},
-                    context,
-                    mesh);
+  SeenSurface seen = Timed(&summary.look_seconds, [&] {
+    return LookAt(*views, plan, inputs, context, mesh);
+  });
   summary.num_points = seen.choices.size();
   summary.num_seen = seen.NumSeen();
-  summary.fit_seconds = seen.fit_seconds;
-  summary.view_seconds = seen.view_seconds;
-  stopwatch.Lap();
   if (plan.aligns) {
-    Align(seen, options, context, views, &summary);
+    summary.num_aligned = Timed(&summary.alignment_seconds, [&] {
+      return Align(seen, inputs.options, context, views);
+    });
   }
-  summary.alignment_seconds = stopwatch.Lap();
+  const std::vector<OffsetMeasurement> measurements = Timed(
+      &summary.search_seconds,
+      [&] { return MeasureOffsets(*views, seen, plan, inputs, context); });
+  summary.num_measured = NumMeasured(measurements);
+  const std::vector<ContourTarget> contours =
+      Timed(&summary.silhouette_seconds, [&] {
+        return FindContours(*views, seen, plan, inputs.options, context);
+      });
+  summary.num_contour_targets = contours.size();
+  const BorderVerdict borders = JudgeBorders(
+      contours, seen.surfaces, measurements, plan, summary.KnowsMost());
+  summary.border_shift = borders.shift;
+  summary.hull_tolerance = borders.hull_tolerance;
   OffsetProblem problem =
-      MakeProblem(*views, seen, plan, inputs, context, &summary);
-  stopwatch.Lap();
-  summary.mean_displacement = MovePoints(
-      std::move(seen), std::move(problem), plan.smooths, inputs, context, mesh);
-  summary.solve_seconds = stopwatch.Lap();
+      MakeProblem(seen, measurements, contours, plan, inputs);
+  summary.mean_displacement = Timed(&summary.solve_seconds, [&] {
+    return MovePoints(std::move(seen),
+                      std::move(problem),
+                      plan.smooths,
+                      inputs,
+                      context,
+                      mesh);
+  });
   if (plan.CanHarm()) {
-    summary.taken_back =
-        TakeBackHarm({*views, inputs.neighbors, pixel, options},
-                     before,
-                     agreement,
-                     context,
-                     mesh);
+    summary.taken_back = Timed(&summary.agreement_seconds, [&] {
+      return TakeBackHarm(
+          {*views, inputs.neighbors, inputs.pixel, inputs.options},
+          before,
+          agreement,
+          context,
+          mesh);
+    });
   }
-  summary.agreement_seconds = stopwatch.Lap();
   // In each round: what is moved back would stay a pit, and the next round
   // makes it smooth.
   const double tolerance =
-      summary.hull_tolerance + std::max(0.0, -summary.border_shift);
-  summary.num_withdrawn = KeepValid(*views,
-                                    inputs.neighbors,
-                                    {inputs.start, before, tolerance, pixel},
-                                    context,
-                                    mesh);
-  summary.validity_seconds = stopwatch.Lap();
+      borders.hull_tolerance + std::max(0.0, -borders.shift);
+  summary.num_withdrawn = Timed(&summary.validity_seconds, [&] {
+    return KeepValid(*views,
+                     inputs.neighbors,
+                     {inputs.start, before, tolerance, inputs.pixel},
+                     context,
+                     mesh);
+  });
   return summary;
 }
 

@@ -34,8 +34,7 @@ struct RoundSummary {
   // triangles that were too thin or intersected others.
   size_t num_withdrawn = 0;
   double agreement_seconds = 0;  // after it
-  double fit_seconds = 0;
-  double view_seconds = 0;
+  double look_seconds = 0;
   double alignment_seconds = 0;
   double search_seconds = 0;
   double silhouette_seconds = 0;

@@ -13,6 +13,7 @@
 #include "core/raycast/unit_mesh.h"
 #include "core/refine/agreement.h"
 #include "core/refine/keep_valid.h"
+#include "core/refine/seen_surface.h"
 
 namespace octacut {
 namespace {
@@ -52,22 +53,6 @@ void CheckInput(const IndexedMesh& mesh, const ViewSet& views) {
       throw InputError("refinement: a view has no image");
     }
   }
-}
-
-// The size of a pixel at the mesh's centre, unit coordinates.
-double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& position : mesh.positions) {
-    sum += position;
-  }
-  const double pixel =
-      PixelSize(views, (sum / double(mesh.positions.size())).cast<float>());
-  if (!(pixel > 0)) {
-    throw InputError(
-        "refinement: no view sees the mesh, because it lies behind all "
-        "cameras");
-  }
-  return pixel;
 }
 
 std::vector<Eigen::Vector3d> SomePositions(const IndexedMesh& mesh) {
@@ -181,7 +166,12 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   const std::vector<Eigen::Vector3d> start = unit.positions;
   const VertexCorners neighbors =
       FindVertexNeighbors(start.size(), unit.triangles);
-  const double pixel = PixelAt(*views, unit);
+  const double pixel = PixelSizeAt(*views, unit);
+  if (!(pixel > 0)) {
+    throw InputError(
+        "refinement: no view sees the mesh, because it lies behind all "
+        "cameras");
+  }
   summary.pixel_size = pixel * cube.edge;
   std::vector<ViewProjection> projections;
   for (const PreparedView& view : *views) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/stopwatch.h"
+#include "core/mesh/mean_edge.h"
 #include "core/mesh/normals.h"
 #include "core/refine/thinned_surface.h"
 
@@ -38,6 +38,14 @@ LinesOfSight MakeLines(double edge, const Look& look) {
 
 }  // namespace
 
+double PixelSizeAt(const ViewSet& views, const IndexedMesh& mesh) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    sum += position;
+  }
+  return PixelSize(views, (sum / double(mesh.positions.size())).cast<float>());
+}
+
 size_t SeenSurface::NumSeen() const {
   return size_t(std::count(is_seen.begin(), is_seen.end(), 1));
 }
@@ -45,21 +53,16 @@ size_t SeenSurface::NumSeen() const {
 SeenSurface LookAtSurface(const Look& look,
                           const Context& context,
                           IndexedMesh* mesh) {
-  Stopwatch stopwatch;
-  SurfacePoints points = SpreadPoints(*mesh, look.neighbors, look.spacing);
-  const double spread_seconds = stopwatch.Lap();
-  SeenSurface seen = LookAtPoints(std::move(points), look, context, mesh);
-  seen.fit_seconds += spread_seconds;
-  return seen;
+  return LookAtPoints(
+      SpreadPoints(*mesh, look.neighbors, look.spacing), look, context, mesh);
 }
 
 SeenSurface LookAtPoints(SurfacePoints points,
                          const Look& look,
                          const Context& context,
                          IndexedMesh* mesh) {
-  Stopwatch stopwatch;
   mesh->normals = ComputeVertexNormals(*mesh, context);
-  const double edge = MeanEdge(*mesh, look.neighbors);
+  const double edge = MeanEdge(*mesh);
   const double fit_radius =
       look.options.fit_radius * look.pixel * std::min(look.scale, kMaxFitScale);
   std::vector<LocalSurface> surfaces =
@@ -70,7 +73,6 @@ SeenSurface LookAtPoints(SurfacePoints points,
                        context);
   SeenSurface seen{
       edge, std::move(points), std::move(surfaces), RayScene(*mesh), {}, {}};
-  seen.fit_seconds = stopwatch.Lap();
   seen.choices = ChooseViews(look.views,
                              seen.rays,
                              seen.surfaces,
@@ -80,7 +82,6 @@ SeenSurface LookAtPoints(SurfacePoints points,
   for (const ChosenViews& chosen : seen.choices) {
     seen.is_seen.push_back(chosen.count >= 2);
   }
-  seen.view_seconds = stopwatch.Lap();
   return seen;
 }
 

@@ -18,6 +18,10 @@
 
 namespace octacut {
 
+// The size of a pixel of `views` at the mean position of `mesh` (unit
+// coordinates), which has vertices; 0 where that lies behind all cameras.
+double PixelSizeAt(const ViewSet& views, const IndexedMesh& mesh);
+
 // What a round looks at, and how; lengths in unit coordinates.
 struct Look {
   const ViewSet& views;
@@ -35,8 +39,6 @@ struct SeenSurface {
   RayScene rays;                       // of the mesh
   std::vector<ChosenViews> choices;    // of the points
   std::vector<uint8_t> is_seen;        // by at least two views
-  double fit_seconds = 0;
-  double view_seconds = 0;
 
   size_t NumSeen() const;
 };

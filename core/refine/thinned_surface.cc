@@ -1,6 +1,6 @@
 #include "core/refine/thinned_surface.h"
 
-#include <algorithm>
+#include "core/mesh/mean_edge.h"
 
 namespace octacut {
 namespace {
@@ -11,21 +11,11 @@ constexpr double kMinSpacing = 1.5;
 
 }  // namespace
 
-double MeanEdge(const IndexedMesh& mesh, const VertexCorners& neighbors) {
-  double sum = 0;
-  for (size_t v = 0; v < mesh.positions.size(); ++v) {
-    for (const uint32_t next : neighbors.Of(v)) {
-      sum += (mesh.positions[next] - mesh.positions[v]).norm();
-    }
-  }
-  return sum / double(std::max<size_t>(neighbors.corners.size(), 1));
-}
-
 ThinnedSurface::ThinnedSurface(const IndexedMesh& mesh,
                                const VertexCorners& neighbors,
                                double spacing)
     : mesh_(mesh), neighbors_(neighbors) {
-  if (spacing <= kMinSpacing * MeanEdge(mesh, neighbors)) {
+  if (spacing <= kMinSpacing * MeanEdge(mesh)) {
     return;
   }
   points_ = SpreadPoints(mesh, neighbors, spacing);

@@ -14,10 +14,6 @@
 
 namespace octacut {
 
-// Over the edges of the mesh, whose `neighbors` are those of
-// FindVertexNeighbors.
-double MeanEdge(const IndexedMesh& mesh, const VertexCorners& neighbors);
-
 // `mesh`, which has normals, and `neighbors` must outlive it.
 class ThinnedSurface {
  public:

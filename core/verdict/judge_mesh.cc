@@ -61,6 +61,53 @@ size_t CountThinPixels(const ViewSet& views,
   return count;
 }
 
+// What the photographs say of `unit`, and rays of it.
+RayScene JudgeSurface(const JudgedScene& scene,
+                      const JudgeOptions& options,
+                      const Context& context,
+                      IndexedMesh* unit,
+                      MeshVerdict* verdict) {
+  if (!HaveImages(scene.views)) {
+    return RayScene(*unit);
+  }
+  SurfaceEvidence evidence = MeasureSurfaceEvidence(
+      scene.views,
+      {.refinement = options.refinement,
+       .spacing = options.confidence ? kFineSpacing : kSpacing,
+       .border_shift = options.border_shift},
+      context,
+      unit);
+  verdict->surface = SumUpSupport(evidence.values, scene.given, scene.views);
+  if (options.confidence) {
+    verdict->confidence = VertexConfidence(*unit, evidence, context);
+  }
+  return std::move(evidence.rays);
+}
+
+// What the masks say of the mesh that `rays` hit, and of what was `removed`.
+void JudgeSilhouettes(const RayScene& rays,
+                      const IndexedMesh& removed,
+                      const JudgedScene& scene,
+                      const JudgeOptions& options,
+                      const Context& context,
+                      MeshVerdict* verdict) {
+  SilhouetteCheck check =
+      CheckSilhouettes(rays,
+                       scene.given,
+                       scene.repaired,
+                       scene.views,
+                       UncertaintiesOf(scene.given, options),
+                       context);
+  verdict->removed_pixels = CountPixelsOfRemoved(
+      UnitMesh(removed, scene.cube), scene.views, check.missed, context);
+  if (options.hull_level > 0) {
+    verdict->num_thin_pixels =
+        CountThinPixels(scene.views, check.missed, options.hull_level);
+  }
+  verdict->given_masks = std::move(check.given);
+  verdict->repaired_masks = std::move(check.repaired);
+}
+
 }  // namespace
 
 MeshVerdict JudgeMesh(const IndexedMesh& mesh,
@@ -68,45 +115,16 @@ MeshVerdict JudgeMesh(const IndexedMesh& mesh,
                       const JudgedScene& scene,
                       const JudgeOptions& options,
                       const Context& context) {
-  Stopwatch stopwatch;
   MeshVerdict verdict;
   verdict.border_shift = options.border_shift;
   verdict.hull_level = options.hull_level;
   IndexedMesh unit = UnitMesh(mesh, scene.cube);
-  std::optional<RayScene> rays;
-  if (HaveImages(scene.views)) {
-    SurfaceEvidence evidence = MeasureSurfaceEvidence(
-        scene.views,
-        {.refinement = options.refinement,
-         .spacing = options.confidence ? kFineSpacing : kSpacing,
-         .border_shift = options.border_shift},
-        context,
-        &unit);
-    verdict.surface = SumUpSupport(evidence.values, scene.given, scene.views);
-    if (options.confidence) {
-      verdict.confidence = VertexConfidence(unit, evidence, context);
-    }
-    rays = std::move(evidence.rays);
-  } else {
-    rays.emplace(unit);
-  }
-  verdict.surface_seconds = stopwatch.Lap();
-  SilhouetteCheck check =
-      CheckSilhouettes(*rays,
-                       scene.given,
-                       scene.repaired,
-                       scene.views,
-                       UncertaintiesOf(scene.given, options),
-                       context);
-  verdict.removed_pixels = CountPixelsOfRemoved(
-      UnitMesh(removed, scene.cube), scene.views, check.missed, context);
-  if (options.hull_level > 0) {
-    verdict.num_thin_pixels =
-        CountThinPixels(scene.views, check.missed, options.hull_level);
-  }
-  verdict.given_masks = std::move(check.given);
-  verdict.repaired_masks = std::move(check.repaired);
-  verdict.silhouette_seconds = stopwatch.Lap();
+  const RayScene rays = Timed(&verdict.surface_seconds, [&] {
+    return JudgeSurface(scene, options, context, &unit, &verdict);
+  });
+  Timed(&verdict.silhouette_seconds, [&] {
+    JudgeSilhouettes(rays, removed, scene, options, context, &verdict);
+  });
   return verdict;
 }
 

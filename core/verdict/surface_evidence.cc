@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/parallel.h"
-#include "core/mesh/bounding_box.h"
 #include "core/mesh/vertex_corners.h"
 #include "core/refine/offset_search.h"
 #include "core/refine/seen_surface.h"
@@ -54,11 +53,6 @@ void MeasureHull(const ViewSet& views,
   }
 }
 
-double PixelAt(const ViewSet& views, const IndexedMesh& mesh) {
-  const Eigen::AlignedBox3d box = BoundingBox(mesh);
-  return PixelSize(views, box.center().cast<float>());
-}
-
 }  // namespace
 
 SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
@@ -67,7 +61,7 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
                                        IndexedMesh* mesh) {
   const VertexCorners neighbors =
       FindVertexNeighbors(mesh->positions.size(), mesh->triangles);
-  const double pixel = PixelAt(views, *mesh);
+  const double pixel = PixelSizeAt(views, *mesh);
   SeenSurface seen = LookAtSurface({.views = views,
                                     .neighbors = neighbors,
                                     .options = options.refinement,

@@ -14,9 +14,9 @@ constexpr int kCount = 2000;
 // Occluding contours between two planes. The border of the mask is
 // `distance(i)` pixels outside of the i-th one, and photographs find the
 // surface `offset` pixels outside.
-RoundSummary JudgeAt(float (*distance)(int),
-                     float offset = 0,
-                     size_t num_seen = 2) {
+BorderVerdict JudgeAt(float (*distance)(int),
+                      float offset = 0,
+                      bool knows_most = true) {
   std::vector<ContourTarget> contours;
   contours.reserve(kCount);
   for (int i = 0; i < kCount; ++i) {
@@ -26,15 +26,11 @@ RoundSummary JudgeAt(float (*distance)(int),
   OffsetMeasurement measured;
   measured.offset = offset / kPixelsPerUnit;
   measured.weight = 4;
-  RoundSummary summary;
-  summary.num_seen = num_seen;
-  summary.num_measured = 2;
-  JudgeBorders(contours,
-               std::vector<LocalSurface>(2),
-               {measured, measured},
-               {.scale = 1},
-               &summary);
-  return summary;
+  return JudgeBorders(contours,
+                      std::vector<LocalSurface>(2),
+                      {measured, measured},
+                      {.scale = 1},
+                      knows_most);
 }
 
 float SmallNoise(int i) { return 0.2f * std::sin(float(i)); }
@@ -47,14 +43,14 @@ TEST(JudgeBorders, LetsVerticesLeaveMasksByTheUsualDistance) {
 
 TEST(JudgeBorders, LetsVerticesLeaveBitesOfMasks) {
   EXPECT_NEAR(JudgeAt(NoiseAndBites).hull_tolerance, 1.2, 0.01);
-  EXPECT_NEAR(JudgeAt(NoiseAndBites).border_shift, 0, 0.01);
+  EXPECT_NEAR(JudgeAt(NoiseAndBites).shift, 0, 0.01);
 }
 
 // Where offsets say that the masks are wrong as a whole, or most points have
 // none, there may be no bites.
 TEST(JudgeBorders, DoesNotTakeWrongOffsetsForBites) {
   EXPECT_NEAR(JudgeAt(NoiseAndBites, -1).hull_tolerance, 0.28, 0.02);
-  EXPECT_NEAR(JudgeAt(NoiseAndBites, 0, 5).hull_tolerance, 0.28, 0.02);
+  EXPECT_NEAR(JudgeAt(NoiseAndBites, 0, false).hull_tolerance, 0.28, 0.02);
 }
 
 }  // namespace

@@ -18,6 +18,9 @@
 
 namespace octacut {
 
+// Depths of at least this confidence are rather right than wrong.
+inline constexpr float kRatherRight = 0.5f;
+
 struct ReliableDepths {
   // Without the depths that are outvoted: in one voxel on the ray to them, or
   // beside it, more views have found a surface than at the depth itself.

@@ -17,7 +17,6 @@ namespace {
 
 // The depths that are rather right than wrong.
 std::vector<SweptDepthMap> KeepReliable(const ReliableDepths& depths) {
-  constexpr float kRatherRight = 0.5f;
   std::vector<SweptDepthMap> kept = depths.maps;
   for (size_t i = 0; i < kept.size(); ++i) {
     for (size_t k = 0; k < kept[i].depths.size(); ++k) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/evidence/depth_confidence.h"
 #include "core/evidence/pick_depths.h"
 #include "core/evidence/score_volume.h"
 
@@ -27,7 +28,6 @@ constexpr int kStep = 8;
 // two, is in the sample, scattered evenly.
 constexpr float kBlock = 32;
 constexpr int kSampleShare = 8;
-constexpr float kRatherRight = 0.5f;
 // Depth of rays that are part of windows alone.
 constexpr float kNoDepth = 1e-12f;
 

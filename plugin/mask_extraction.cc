@@ -30,7 +30,6 @@ namespace fs = std::filesystem;
 
 // Photograph, window of it with its features, and the cut's graph.
 constexpr size_t kBytesPerPixel = 48;
-constexpr size_t kDecodeBudget = size_t{1} << 30;
 // Pixels of the segmented views by which their borders may be off.
 constexpr double kReach = 2;
 // Saliency from which on a network's word is taken for object, and up to which
@@ -67,12 +66,12 @@ class Extractor {
     reduced_.resize(files_.files.size());
   }
 
-  MaskExtraction Run() {
+  MaskList Run() {
     segmentation_ = SegmentObject(files_.input, context_);
     RefineAll();
     Judge();
     Write();
-    return std::move(result_);
+    return std::move(list_);
   }
 
  private:
@@ -98,7 +97,7 @@ class Extractor {
   std::vector<std::vector<uchar>> encoded_;  // PNG files
   std::vector<cv::Mat> reduced_;  // final masks at the size of the views
   std::vector<ViewConfidence> confidences_;
-  MaskExtraction result_;
+  MaskList list_;
 };
 
 // What the user's network takes for the object in each view.
@@ -180,8 +179,7 @@ cv::Mat Extractor::RefinedMask(size_t view) const {
 void Extractor::RefineAll() {
   ForEachFile(
       {.count = files_.files.size(),
-       .bytes_per_file = BytesOfLargest(files_.files, kBytesPerPixel),
-       .byte_budget = kDecodeBudget},
+       .bytes_per_file = BytesOfLargest(files_.files, kBytesPerPixel)},
       "refining borders",
       context_,
       [&](size_t i) {
@@ -200,20 +198,16 @@ void Extractor::Judge() {
   confidences_ = JudgeViews(segmentation_, reduced_);
   for (size_t i = 0; i < files_.files.size(); ++i) {
     const SegmentationFile& file = files_.files[i];
-    ListedMask& listed = result_.list.views.emplace_back();
+    ListedMask& listed = list_.views.emplace_back();
     listed.image = file.image->name;
     listed.confidence = confidences_[i].confidence;
     if (!file.given_mask.empty()) {
       listed.status = MaskStatus::kGiven;
       listed.confidence = 1;
-      ++result_.num_given;
     } else if (!confidences_[i].doubt.empty()) {
       listed.status = MaskStatus::kUnsure;
       listed.doubt = confidences_[i].doubt;
-      ++result_.num_unsure;
       continue;
-    } else {
-      ++result_.num_extracted;
     }
     if (!file.given_mask.empty() && IsInPlace(i)) {
       listed.mask =
@@ -228,16 +222,16 @@ void Extractor::Judge() {
 
 void Extractor::Write() {
   for (size_t i = 0; i < files_.files.size(); ++i) {
-    const ListedMask& listed = result_.list.views[i];
+    const ListedMask& listed = list_.views[i];
     const bool stays = listed.status == MaskStatus::kGiven && IsInPlace(i);
     if (listed.status == MaskStatus::kUnsure || stays) {
       encoded_[i].clear();
     }
   }
   WriteMaskFolder(options_.output_path,
-                  result_.list,
+                  list_,
                   encoded_,
-                  DrawContactSheet(files_.input.views, reduced_, result_.list));
+                  DrawContactSheet(files_.input.views, reduced_, list_));
 }
 
 }  // namespace
@@ -265,9 +259,9 @@ void DeclareMaskExtractionOptions(OptionManager& options,
               "that something stands on such a plane.");
 }
 
-MaskExtraction ExtractMasks(const Workspace& workspace,
-                            const MaskExtractionOptions& options,
-                            const Context& context) {
+MaskList ExtractMasks(const Workspace& workspace,
+                      const MaskExtractionOptions& options,
+                      const Context& context) {
   return Extractor(workspace, options, context).Run();
 }
 

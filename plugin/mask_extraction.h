@@ -28,20 +28,14 @@ struct MaskExtractionOptions {
 void DeclareMaskExtractionOptions(OptionManager& options,
                                   MaskExtractionOptions* extraction);
 
-struct MaskExtraction {
-  MaskList list;  // one a photograph, in the order of the model
-  size_t num_extracted = 0;
-  size_t num_unsure = 0;
-  size_t num_given = 0;
-};
-
 // Segments the object in all photographs and writes masks (<image name>.png),
 // masks.json and the contact sheet to the folder, which is created. Masks there
 // that octacut did not make, or that were changed since, are used and stay;
 // earlier masks of views that are unsure now are removed. All files appear
-// together, after everything has been found. Throws InputError.
-MaskExtraction ExtractMasks(const Workspace& workspace,
-                            const MaskExtractionOptions& options,
-                            const Context& context);
+// together, after everything has been found. The list has an element for each
+// photograph, in the order of the model. Throws InputError.
+MaskList ExtractMasks(const Workspace& workspace,
+                      const MaskExtractionOptions& options,
+                      const Context& context);
 
 }  // namespace octacut

@@ -36,7 +36,6 @@ constexpr double kBorderReach = 2;  // of these pixels
 constexpr size_t kMinPhotographs = 3;
 // Photograph, its part around the border with features, and the cut's graph.
 constexpr size_t kTurntableBytesPerPixel = 48;
-constexpr size_t kTurntableBudget = size_t{1} << 30;
 
 bool IsPhotograph(const fs::path& path) {
   const std::string extension = LowerExtension(path);
@@ -164,26 +163,25 @@ std::vector<cv::Mat> TurntableFolder::Read(const std::vector<fs::path>& paths) {
     size_ = ReadPhotograph(paths.front()).size();
   }
   std::vector<cv::Mat> images(paths.size());
-  ForEachFile({.count = paths.size(),
-               .bytes_per_file = 8 * size_t(size_.area()),
-               .byte_budget = kTurntableBudget},
-              "reading photographs",
-              context_,
-              [&](size_t i) {
-                const cv::Mat image = ReadPhotograph(paths[i]);
-                if (image.size() != size_) {
-                  throw InputError(fmt::format(
-                      "{}: the image has {}x{} pixels, but {} has {}x{}; those "
-                      "of a turntable's camera are of one size",
-                      paths[i].string(),
-                      image.cols,
-                      image.rows,
-                      paths_.front().string(),
-                      size_.width,
-                      size_.height));
-                }
-                images[i] = Reduced(image);
-              });
+  ForEachFile(
+      {.count = paths.size(), .bytes_per_file = 8 * size_t(size_.area())},
+      "reading photographs",
+      context_,
+      [&](size_t i) {
+        const cv::Mat image = ReadPhotograph(paths[i]);
+        if (image.size() != size_) {
+          throw InputError(fmt::format(
+              "{}: the image has {}x{} pixels, but {} has {}x{}; those "
+              "of a turntable's camera are of one size",
+              paths[i].string(),
+              image.cols,
+              image.rows,
+              paths_.front().string(),
+              size_.width,
+              size_.height));
+        }
+        images[i] = Reduced(image);
+      });
   return images;
 }
 
@@ -198,25 +196,25 @@ void TurntableFolder::Extract(MaskList* list,
   const std::vector<TurntableView> found = SegmentTurntable(input, context_);
   std::vector<std::vector<uchar>> encoded(paths_.size());
   const bool is_reduced = input.images.front().size() != size_;
-  ForEachFile({.count = paths_.size(),
-               .bytes_per_file = kTurntableBytesPerPixel * size_t(size_.area()),
-               .byte_budget = kTurntableBudget},
-              "refining borders",
-              context_,
-              [&](size_t i) {
-                cv::Mat mask = found[i].mask;
-                if (!found[i].doubt.empty()) {
-                  return;
-                }
-                if (is_reduced) {
-                  const double scale = double(size_.width) / mask.cols;
-                  cv::resize(mask, mask, size_, 0, 0, cv::INTER_LINEAR);
-                  mask = RefineBorder(ReadPhotograph(paths_[i]),
-                                      mask >= kObjectThreshold,
-                                      kBorderReach * scale);
-                }
-                encoded[i] = EncodeMask(mask);
-              });
+  ForEachFile(
+      {.count = paths_.size(),
+       .bytes_per_file = kTurntableBytesPerPixel * size_t(size_.area())},
+      "refining borders",
+      context_,
+      [&](size_t i) {
+        cv::Mat mask = found[i].mask;
+        if (!found[i].doubt.empty()) {
+          return;
+        }
+        if (is_reduced) {
+          const double scale = double(size_.width) / mask.cols;
+          cv::resize(mask, mask, size_, 0, 0, cv::INTER_LINEAR);
+          mask = RefineBorder(ReadPhotograph(paths_[i]),
+                              mask >= kObjectThreshold,
+                              kBorderReach * scale);
+        }
+        encoded[i] = EncodeMask(mask);
+      });
   const std::optional<MaskList> before = ReadMaskList(options_.output_path);
   for (size_t i = 0; i < paths_.size(); ++i) {
     ListedMask& listed = list->views.emplace_back();
@@ -249,14 +247,14 @@ void TurntableFolder::Extract(MaskList* list,
 
 }  // namespace
 
-MaskExtraction ExtractTurntableMasks(const TurntableExtractionOptions& options,
-                                     const Context& context) {
+MaskList ExtractTurntableMasks(const TurntableExtractionOptions& options,
+                               const Context& context) {
   RequireFolder(options.image_path, "image_path");
   if (!options.background_path.empty()) {
     RequireFolder(options.background_path, "background_path");
   }
-  MaskExtraction result;
-  result.list.is_of_turntable = true;
+  MaskList list;
+  list.is_of_turntable = true;
   std::vector<std::vector<uchar>> pngs;
   std::vector<UnsegmentedView> views;
   std::vector<cv::Mat> masks;
@@ -267,18 +265,11 @@ MaskExtraction ExtractTurntableMasks(const TurntableExtractionOptions& options,
   }
   for (const fs::path& folder : folders) {
     TurntableFolder(options, folder, context)
-        .Extract(&result.list, &pngs, &views, &masks);
+        .Extract(&list, &pngs, &views, &masks);
   }
-  for (const ListedMask& mask : result.list.views) {
-    result.num_extracted += mask.status == MaskStatus::kExtracted;
-    result.num_unsure += mask.status == MaskStatus::kUnsure;
-    result.num_given += mask.status == MaskStatus::kGiven;
-  }
-  WriteMaskFolder(options.output_path,
-                  result.list,
-                  pngs,
-                  DrawContactSheet(views, masks, result.list));
-  return result;
+  WriteMaskFolder(
+      options.output_path, list, pngs, DrawContactSheet(views, masks, list));
+  return list;
 }
 
 }  // namespace octacut

@@ -19,7 +19,7 @@ struct TurntableExtractionOptions {
 // each folder are from one camera that did not move; those of the empty set are
 // in a folder of the same name in `background_path`, or in that itself. Masks
 // in the output folder that octacut did not make stay. Throws InputError.
-MaskExtraction ExtractTurntableMasks(const TurntableExtractionOptions& options,
-                                     const Context& context);
+MaskList ExtractTurntableMasks(const TurntableExtractionOptions& options,
+                               const Context& context);
 
 }  // namespace octacut

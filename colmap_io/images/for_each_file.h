@@ -9,10 +9,15 @@
 
 namespace octacut {
 
+// Bytes that decoded files may take, where nothing else is asked for: a few
+// photographs of a phone with what is computed from them.
+inline constexpr size_t kDecodeBudget = size_t{1} << 30;
+
 struct FileLoop {
   size_t count = 0;           // of files
   size_t bytes_per_file = 1;  // that decoding one takes, at most
-  size_t byte_budget = 1;     // that all in flight may take; one always may
+  // What all in flight may take; one always may.
+  size_t byte_budget = kDecodeBudget;
 };
 
 // Calls body(i) for every file, on as many threads as the budget allows, in a

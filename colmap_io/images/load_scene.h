@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "colmap_io/images/bad_views.h"
+#include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/mask_geometry.h"
 #include "colmap_io/images/view_window.h"
 #include "colmap_io/images/workspace.h"
@@ -34,7 +35,7 @@ struct LoadSceneOptions {
   RegionOptions region;
   WindowOptions window;
   // Bytes that decoded files may take at a time while loading.
-  size_t decode_budget = size_t{1} << 30;
+  size_t decode_budget = kDecodeBudget;
 
   void Check() const;
 };

@@ -11,7 +11,6 @@ namespace {
 
 // Colours, grey values and thresholds of several windows.
 constexpr size_t kBytesPerPixel = 8;
-constexpr size_t kByteBudget = size_t{1} << 30;
 
 std::vector<MarkerSighting> SightingsIn(const Workspace& workspace,
                                         const SparseImage& image,
@@ -52,14 +51,13 @@ std::vector<MarkerSighting> FindMarkerSightings(const Workspace& workspace,
   const size_t most_pixels =
       MostPixels(workspace.model.cameras,
                  [](const SparseCamera& camera) { return &camera; });
-  ForEachFile({.count = images.size(),
-               .bytes_per_file = kBytesPerPixel * most_pixels,
-               .byte_budget = kByteBudget},
-              "ArUco markers",
-              context,
-              [&](size_t i) {
-                found[i] = SightingsIn(workspace, images[i], dictionary);
-              });
+  ForEachFile(
+      {.count = images.size(), .bytes_per_file = kBytesPerPixel * most_pixels},
+      "ArUco markers",
+      context,
+      [&](size_t i) {
+        found[i] = SightingsIn(workspace, images[i], dictionary);
+      });
   std::vector<MarkerSighting> sightings;
   for (const auto& part : found) {
     sightings.insert(sightings.end(), part.begin(), part.end());

@@ -74,6 +74,13 @@ const ListedMask* MaskList::Find(const std::string& image) const {
   return found == views.end() ? nullptr : &*found;
 }
 
+size_t MaskList::Count(MaskStatus status) const {
+  return size_t(
+      std::count_if(views.begin(), views.end(), [&](const ListedMask& mask) {
+        return mask.status == status;
+      }));
+}
+
 std::string HashOfBytes(std::string_view bytes) {
   uint64_t hash = 0xcbf29ce484222325u;
   for (const char byte : bytes) {

@@ -35,6 +35,7 @@ struct MaskList {
 
   // Null where the list does not have the image.
   const ListedMask* Find(const std::string& image) const;
+  size_t Count(MaskStatus status) const;
 };
 
 // 16 hexadecimal digits (FNV-1a): enough to tell whether a file was changed.

@@ -12,7 +12,7 @@ namespace octacut {
 struct MissingFiles {
   std::string_view what;  // as the option names them: "image" or "mask"
   size_t count = 0;
-  std::filesystem::path first;
+  std::filesystem::path first{};
 
   void Add(const std::filesystem::path& path);
   // If files are missing: one warning if `skip`, else InputError that names the

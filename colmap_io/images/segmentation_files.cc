@@ -197,8 +197,7 @@ SegmentationFiles ReadSegmentationFiles(const Workspace& workspace,
   result.files = FindFiles(workspace, options, context);
   result.input.views.resize(result.files.size());
   ForEachFile({.count = result.files.size(),
-               .bytes_per_file = BytesOfLargest(result.files, kDecodedBytes),
-               .byte_budget = options.decode_budget},
+               .bytes_per_file = BytesOfLargest(result.files, kDecodedBytes)},
               "reading photographs",
               context,
               [&](size_t i) {

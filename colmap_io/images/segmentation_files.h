@@ -26,8 +26,6 @@ struct SegmentationFilesOptions {
   bool skip_missing_images = false;
   // Longest side of the views that are made, pixels.
   int longest_side = 320;
-  // Bytes that decoded files may take at a time.
-  size_t decode_budget = size_t{1} << 30;
 };
 
 // A photograph that takes part; points into the workspace.

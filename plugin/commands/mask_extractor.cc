@@ -22,9 +22,9 @@ class MaskExtractor : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
-  MaskExtraction RunTurntable(const Context& context) const;
+  MaskList RunTurntable(const Context& context) const;
   void Report(const CommandEnvironment& environment,
-              const MaskExtraction& extraction) const;
+              const MaskList& list) const;
 
   MaskMode mode_ = MaskMode::kSparseModel;
   std::filesystem::path workspace_path_;
@@ -100,7 +100,7 @@ void MaskExtractor::Run(const CommandEnvironment& environment) {
          ExtractMasks(workspace, extraction_, environment.context));
 }
 
-MaskExtraction MaskExtractor::RunTurntable(const Context& context) const {
+MaskList MaskExtractor::RunTurntable(const Context& context) const {
   for (const auto& [name, value] :
        {std::pair("image_path", workspace_.image_path),
         std::pair("output_path", extraction_.output_path)}) {
@@ -129,12 +129,12 @@ MaskExtraction MaskExtractor::RunTurntable(const Context& context) const {
 }
 
 void MaskExtractor::Report(const CommandEnvironment& environment,
-                           const MaskExtraction& extraction) const {
+                           const MaskList& list) const {
   environment.out << fmt::format("{}: {} masks, {} given, {} views unsure\n",
                                  extraction_.output_path.string(),
-                                 extraction.num_extracted,
-                                 extraction.num_given,
-                                 extraction.num_unsure);
+                                 list.Count(MaskStatus::kExtracted),
+                                 list.Count(MaskStatus::kGiven),
+                                 list.Count(MaskStatus::kUnsure));
 }
 
 }  // namespace

@@ -25,7 +25,6 @@ namespace fs = std::filesystem;
 
 // Mask, undistorted mask and file.
 constexpr size_t kBytesPerPixel = 8;
-constexpr size_t kDecodeBudget = size_t{1} << 30;
 
 class MaskUndistorter : public Command {
  public:
@@ -127,8 +126,8 @@ void MaskUndistorter::Run(const CommandEnvironment& environment) {
   std::vector<std::vector<uchar>> pngs(views.size());
   ForEachFile(
       {.count = views.size(),
-       .bytes_per_file = kBytesPerPixel * MostPixels(views, &ViewFiles::camera),
-       .byte_budget = kDecodeBudget},
+       .bytes_per_file =
+           kBytesPerPixel * MostPixels(views, &ViewFiles::camera)},
       "undistorting masks",
       context,
       [&](size_t i) {

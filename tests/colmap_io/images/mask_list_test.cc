@@ -27,6 +27,8 @@ TEST_F(MaskListTest, IsReadAsItWasWritten) {
   EXPECT_EQ(read->Find("c.jpg")->doubt, "dark");
   EXPECT_EQ(read->Find("d.jpg")->hash, "ab");
   EXPECT_EQ(read->Find("e.jpg"), nullptr);
+  EXPECT_EQ(read->Count(MaskStatus::kExtracted), 1u);
+  EXPECT_EQ(read->Count(MaskStatus::kUnsure), 1u);
 }
 
 TEST_F(MaskListTest, NoListIsNoError) { EXPECT_FALSE(ReadMaskList(folder_)); }

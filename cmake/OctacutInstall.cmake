@@ -57,8 +57,8 @@ install(
   RENAME octacut
   COMPONENT runtime)
 # They look for the executable beside themselves, then in the PATH.
-set(scripts after_mapper.sh align_model.sh compare_dense.sh find_octacut.sh
-            images_to_mesh.sh option_value.sh run_colmap.sh)
+set(scripts after_mapper.sh align_model.sh colmap_options.sh compare_dense.sh
+            find_octacut.sh images_to_mesh.sh option_value.sh run_colmap.sh)
 list(TRANSFORM scripts PREPEND ${PROJECT_SOURCE_DIR}/workflows/)
 install(PROGRAMS ${scripts}
         DESTINATION ${CMAKE_INSTALL_DATADIR}/octacut/workflows

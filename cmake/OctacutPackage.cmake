@@ -18,6 +18,6 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # The pages of mesh_comparer and mesh_evaluator contain three.js.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS libjs-three)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libjs-three, jq")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS colmap)
 include(CPack)

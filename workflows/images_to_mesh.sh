@@ -5,7 +5,8 @@
 #   workflows/images_to_mesh.sh IMAGES WORKSPACE [options]
 #
 # IMAGES                 folder of the photographs, which stays as it is
-# WORKSPACE              folder for all results; created where missing
+# WORKSPACE              folder for all results; created where missing. Its
+#                        folder images becomes a link to IMAGES unless it exists
 # --turntable 1          the camera stood still and the object turned: what does
 #                        not turn is masked before COLMAP sees it
 # --background_path F    photographs of the empty set, for --turntable 1
@@ -159,12 +160,11 @@ mesh() {
     --image_path "$images" "${meshing[@]}"
 }
 
-extraction=SiftExtraction
-matching=SiftMatching
-if colmap feature_extractor -h 2>&1 | grep -q FeatureExtraction.use_gpu; then
-  extraction=FeatureExtraction  # since COLMAP 3.13
-  matching=FeatureMatching
-fi
+# shellcheck source-path=SCRIPTDIR source=colmap_options.sh
+source "$workflows/colmap_options.sh"
+# Where other commands look for the photographs of the workspace.
+[[ -e $workspace/images || -L $workspace/images ]] ||
+  ln -s "$(cd "$images" && pwd)" "$workspace/images"
 
 previous=$(cd "$images" && pwd -P)
 previous+=$(files_of "$images")

@@ -26,6 +26,9 @@ if ! command -v colmap >/dev/null; then
   exit 1
 fi
 
+workflows=$(dirname "${BASH_SOURCE[0]}")
+# shellcheck source-path=SCRIPTDIR source=colmap_options.sh
+source "$workflows/colmap_options.sh"
 export QT_QPA_PLATFORM=offscreen
 work=$output/work
 rm -rf "$work"
@@ -44,9 +47,9 @@ run() {
 run feature_extractor --database_path "$work/database.db" \
   --image_path "$images" --ImageReader.mask_path "$example/masks" \
   --ImageReader.single_camera 1 --ImageReader.camera_model SIMPLE_RADIAL \
-  --SiftExtraction.use_gpu 0
+  --"$extraction".use_gpu 0
 run exhaustive_matcher --database_path "$work/database.db" \
-  --SiftMatching.use_gpu 0
+  --"$matching".use_gpu 0
 run mapper --database_path "$work/database.db" --image_path "$images" \
   --output_path "$work/mapped"
 if [[ ! -f $work/mapped/0/images.bin ]]; then
@@ -54,5 +57,5 @@ if [[ ! -f $work/mapped/0/images.bin ]]; then
   exit 1
 fi
 
-"$(dirname "${BASH_SOURCE[0]}")/align_model.sh" "$example/sparse/0" \
+"$workflows/align_model.sh" "$example/sparse/0" \
   "$work/mapped/0" "$output/sparse/0" "$log"

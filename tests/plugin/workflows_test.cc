@@ -190,6 +190,8 @@ touch "$database"
     return ReadFile(folder / "ran");
   };
   EXPECT_EQ(run(""), "feature_extractor\nexhaustive_matcher\nmapper\n");
+  // Later commands find the photographs without --image_path.
+  EXPECT_TRUE(fs::equivalent(folder / "w" / "images", example / "images"));
   const fs::path mesh = folder / "w" / "meshed-octahedral.ply";
   const std::string bytes = ReadFile(mesh);
   const auto masks_time = fs::last_write_time(folder / "w/masks/masks.json");

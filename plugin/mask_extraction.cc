@@ -28,8 +28,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Photograph, window of it with its features, and the cut's graph.
-constexpr size_t kBytesPerPixel = 48;
 // Pixels of the segmented views by which their borders may be off.
 constexpr double kReach = 2;
 // Saliency from which on a network's word is taken for object, and up to which
@@ -179,7 +177,8 @@ cv::Mat Extractor::RefinedMask(size_t view) const {
 void Extractor::RefineAll() {
   ForEachFile(
       {.count = files_.files.size(),
-       .bytes_per_file = BytesOfLargest(files_.files, kBytesPerPixel)},
+       .bytes_per_file =
+           BytesOfLargest(files_.files, kRefineBorderBytesPerPixel)},
       "refining borders",
       context_,
       [&](size_t i) {

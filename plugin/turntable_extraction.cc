@@ -34,8 +34,6 @@ namespace fs = std::filesystem;
 constexpr int kComparedSide = 1024;
 constexpr double kBorderReach = 2;  // of these pixels
 constexpr size_t kMinPhotographs = 3;
-// Photograph, its part around the border with features, and the cut's graph.
-constexpr size_t kTurntableBytesPerPixel = 48;
 
 bool IsPhotograph(const fs::path& path) {
   const std::string extension = LowerExtension(path);
@@ -198,7 +196,7 @@ void TurntableFolder::Extract(MaskList* list,
   const bool is_reduced = input.images.front().size() != size_;
   ForEachFile(
       {.count = paths_.size(),
-       .bytes_per_file = kTurntableBytesPerPixel * size_t(size_.area())},
+       .bytes_per_file = kRefineBorderBytesPerPixel * size_t(size_.area())},
       "refining borders",
       context_,
       [&](size_t i) {

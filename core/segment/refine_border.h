@@ -1,9 +1,14 @@
 // A mask's border to the pixel, in the photograph itself.
 #pragma once
 
+#include <cstddef>
 #include <opencv2/core/mat.hpp>
 
 namespace octacut {
+
+// Bytes for each pixel of an image that RefineBorder and its caller need:
+// photograph, window of it with its features, and the cut's graph.
+inline constexpr size_t kRefineBorderBytesPerPixel = 48;
 
 // Moves the border of `mask` (CV_8UC1, 0 or 255, of the size of `image`,
 // CV_8UC3) to where the photograph has it: by the minimal cut, in a band of

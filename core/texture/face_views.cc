@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/parallel.h"
+#include "core/mesh/mean_edge.h"
 #include "core/texture/face_neighbors.h"
 #include "core/texture/occlusion_guard.h"
 #include "core/texture/pixel_sampler.h"
@@ -69,18 +70,16 @@ struct Surface {
 Surface MakeSurface(const IndexedMesh& mesh, const RayScene& rays) {
   Surface surface{mesh, rays, FindFaceNeighbors(mesh), {}};
   Eigen::AlignedBox3d box;
-  double sum = 0;
   for (const auto& triangle : mesh.triangles) {
     const Eigen::Vector3d& a = mesh.positions[triangle[0]];
     const Eigen::Vector3d& b = mesh.positions[triangle[1]];
     const Eigen::Vector3d& c = mesh.positions[triangle[2]];
     surface.normals.push_back((b - a).cross(c - a).cast<float>());
-    sum += (b - a).norm() + (c - b).norm() + (a - c).norm();
     box.extend(a);
     box.extend(b);
     box.extend(c);
   }
-  surface.mean_edge = sum / (3.0 * double(mesh.triangles.size()));
+  surface.mean_edge = MeanEdge(mesh);
   // Embree's floats resolve a millionth of the size.
   surface.ray_offset =
       std::max(0.1 * surface.mean_edge, 4e-6 * box.diagonal().norm());

@@ -26,10 +26,10 @@ if ! command -v colmap >/dev/null; then
   exit 1
 fi
 
+export QT_QPA_PLATFORM=offscreen
 workflows=$(dirname "${BASH_SOURCE[0]}")
 # shellcheck source-path=SCRIPTDIR source=colmap_options.sh
 source "$workflows/colmap_options.sh"
-export QT_QPA_PLATFORM=offscreen
 work=$output/work
 rm -rf "$work"
 mkdir -p "$work/mapped" "$output"

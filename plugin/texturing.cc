@@ -10,6 +10,7 @@
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
+#include "core/mesh/bounding_box.h"
 #include "core/raycast/ray_scene.h"
 #include "core/texture/bake_normals.h"
 #include "core/texture/held_out_scores.h"
@@ -44,16 +45,6 @@ Photographs Subset(const Photographs& all, size_t step, bool first) {
     return load(numbers[i]);
   };
   return subset;
-}
-
-Eigen::AlignedBox3d BoxOf(const IndexedMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& triangle : mesh.triangles) {
-    for (const uint32_t corner : triangle) {
-      box.extend(mesh.positions[corner]);
-    }
-  }
-  return box;
 }
 
 Json SummaryToJson(const TextureSummary& summary,
@@ -286,7 +277,7 @@ Json TextureAndWrite(const IndexedMesh& mesh,
   if (mesh.triangles.empty()) {
     throw InputError(fmt::format("{}: the mesh has no faces", mesh_name));
   }
-  options.box = BoxOf(mesh);
+  options.box = BoxOfTriangles(mesh);
   const PhotographFiles files =
       OpenPhotographs(workspace_path, options, context);
   const Photographs photographs =

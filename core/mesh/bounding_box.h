@@ -15,4 +15,16 @@ inline Eigen::AlignedBox3d BoundingBox(const IndexedMesh& mesh) {
   return box;
 }
 
+// The box around the triangles alone: vertices that none of them has as a
+// corner do not count.
+inline Eigen::AlignedBox3d BoxOfTriangles(const IndexedMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const auto& triangle : mesh.triangles) {
+    for (const uint32_t corner : triangle) {
+      box.extend(mesh.positions[corner]);
+    }
+  }
+  return box;
+}
+
 }  // namespace octacut

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/mesh/bounding_box.h"
 
 namespace octacut {
 namespace {
@@ -22,17 +23,14 @@ constexpr double kLeastEigenvalue = 1e-3;
 
 using Triangle = std::array<uint32_t, 3>;
 
-Eigen::AlignedBox3d BoxOfTriangles(const IndexedMesh& mesh) {
-  Eigen::AlignedBox3d box;
+void RequireFinite(const IndexedMesh& mesh) {
   for (const Triangle& triangle : mesh.triangles) {
     for (const uint32_t corner : triangle) {
       if (!mesh.positions[corner].allFinite()) {
         throw InputError("simplification: coordinates are not finite");
       }
-      box.extend(mesh.positions[corner]);
     }
   }
-  return box;
 }
 
 struct CellGrid {
@@ -264,6 +262,7 @@ ClusteredMesh ClusterVertices(const IndexedMesh& mesh,
   if (mesh.triangles.empty()) {
     throw InputError("simplification: the mesh has no triangles");
   }
+  RequireFinite(mesh);
   const Eigen::AlignedBox3d box = BoxOfTriangles(mesh);
   if (mesh.triangles.size() <= max_triangles || !(box.sizes().maxCoeff() > 0)) {
     ClusteredMesh whole = WithoutUnusedVertices(mesh);

@@ -45,6 +45,15 @@ VertexCorners FindVertexNeighbors(
   return result;
 }
 
+VertexCorners FindVertexFaces(
+    size_t num_vertices, std::span<const std::array<uint32_t, 3>> triangles) {
+  VertexCorners result = FindVertexCorners(num_vertices, triangles);
+  for (uint32_t& corner : result.corners) {
+    corner /= 3;
+  }
+  return result;
+}
+
 std::vector<uint8_t> Dilate(std::vector<uint8_t> set,
                             const VertexCorners& neighbors,
                             int rings) {

@@ -31,6 +31,10 @@ VertexCorners FindVertexCorners(
 VertexCorners FindVertexNeighbors(
     size_t num_vertices, std::span<const std::array<uint32_t, 3>> triangles);
 
+// The same with the triangles in place of the corners.
+VertexCorners FindVertexFaces(
+    size_t num_vertices, std::span<const std::array<uint32_t, 3>> triangles);
+
 // The vertices of `set` (1: in it) and so many rings of `neighbors` around.
 std::vector<uint8_t> Dilate(std::vector<uint8_t> set,
                             const VertexCorners& neighbors,

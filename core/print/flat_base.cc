@@ -41,16 +41,12 @@ class Cutter {
     for (const auto& triangle : mesh_.triangles) {
       Clip(triangle);
     }
-    num_sides_ = out_.triangles.size();
     FlatBase base;
     AddBase(&base);
     Compact();
     base.mesh = std::move(out_);
     return base;
   }
-
-  // Triangles from here on are of the base.
-  size_t FirstOfBase() const { return num_sides_; }
 
  private:
   bool IsAbove(uint32_t vertex) const { return out_.positions[vertex].z() > 0; }
@@ -187,7 +183,6 @@ class Cutter {
 
   const IndexedMesh& mesh_;
   IndexedMesh out_;
-  size_t num_sides_ = 0;
   std::unordered_map<uint64_t, uint32_t> crossings_;
   std::map<uint32_t, uint32_t> next_;  // along the loops
 };

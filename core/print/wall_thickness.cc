@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/mesh/bounding_box.h"
 #include "core/mesh/surface_samples.h"
 #include "core/raycast/ray_scene.h"
 
@@ -26,16 +27,6 @@ Eigen::Vector3d UnitNormal(const IndexedMesh& mesh, uint32_t triangle) {
   return (mesh.positions[b] - mesh.positions[a])
       .cross(mesh.positions[c] - mesh.positions[a])
       .normalized();
-}
-
-double Diagonal(const IndexedMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& triangle : mesh.triangles) {
-    for (const uint32_t corner : triangle) {
-      box.extend(mesh.positions[corner]);
-    }
-  }
-  return box.diagonal().norm();
 }
 
 std::optional<double> ThicknessAt(const SurfaceSample& sample,
@@ -75,7 +66,7 @@ WallThickness MeasureWallThickness(const IndexedMesh& mesh,
                                    const Context& context) {
   const std::vector<SurfaceSample> samples =
       SampleSurface(mesh, size_t(options.num_samples), context.Seed(), context);
-  const double diagonal = Diagonal(mesh);
+  const double diagonal = BoxOfTriangles(mesh).diagonal().norm();
   const RayScene scene(mesh);
   std::vector<double> thickness(samples.size(), -1);
   {

@@ -10,6 +10,7 @@
 #include "core/base/check_option.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
+#include "core/mesh/bounding_box.h"
 #include "core/raycast/sampling.h"
 #include "core/raycast/tone_curve.h"
 
@@ -101,13 +102,7 @@ class ShadedRenderer {
     if (mesh.normals.empty()) {
       own_normals_ = MeanNormals(mesh);
     }
-    Eigen::AlignedBox3d box;
-    for (const auto& triangle : mesh.triangles) {
-      for (const uint32_t corner : triangle) {
-        box.extend(mesh.positions[corner]);
-      }
-    }
-    size_ = box.diagonal().norm();
+    size_ = BoxOfTriangles(mesh).diagonal().norm();
     // From the upper left, and a weak one from the right.
     const Eigen::Matrix3d& turn = pixel_rays.world_from_cam.rotation;
     key_light_ = (turn * Vector3d(-0.55, -0.75, -0.75)).normalized();

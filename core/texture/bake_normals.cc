@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/bounding_box.h"
 #include "core/mesh/normals.h"
 #include "core/texture/fill_gaps.h"
 #include "core/texture/pixel_sampler.h"
@@ -130,14 +131,9 @@ class FullSurface {
     if (mesh.normals.empty()) {
       own_normals_ = ComputeVertexNormals(mesh, context);
     }
-    Eigen::AlignedBox3d box;
-    for (const auto& triangle : mesh.triangles) {
-      for (const uint32_t corner : triangle) {
-        box.extend(mesh.positions[corner]);
-      }
-    }
-    max_distance_ = kMaxDistance * box.diagonal().norm();
-    step_back_ = kStepBack * box.diagonal().norm();
+    const double size = BoxOfTriangles(mesh).diagonal().norm();
+    max_distance_ = kMaxDistance * size;
+    step_back_ = kStepBack * size;
   }
 
   double MaxDistance() const { return max_distance_; }

@@ -49,7 +49,7 @@ VertexViews ToVertexViews(size_t num_vertices,
 class Fader {
  public:
   Fader(const IndexedMesh& mesh,
-        const VertexFaces& vertex_faces,
+        const VertexCorners& vertex_faces,
         const FaceChoice& chosen)
       : mesh_(mesh),
         vertex_faces_(vertex_faces),
@@ -72,7 +72,6 @@ class Fader {
       phase.Advance();
     }
     std::vector<VertexView> entries;
-    // Vertices away from all borders.
     for (const VertexView& own : own_) {
       entries.push_back(own);
     }
@@ -81,11 +80,6 @@ class Fader {
   }
 
  private:
-  std::span<const uint32_t> FacesOf(uint32_t v) const {
-    return {vertex_faces_.faces.data() + vertex_faces_.first[v],
-            vertex_faces_.first[v + 1] - vertex_faces_.first[v]};
-  }
-
   // Entries of the views chosen around each vertex with weight 1, and the
   // vertices at which several meet.
   void CollectOwn() {
@@ -93,7 +87,7 @@ class Fader {
     std::vector<uint32_t> around;
     for (uint32_t v = 0; v < mesh_.positions.size(); ++v) {
       around.clear();
-      for (const uint32_t f : FacesOf(v)) {
+      for (const uint32_t f : vertex_faces_.Of(v)) {
         if (chosen_.chosen[f] != kNoView) {
           around.push_back(chosen_.chosen[f]);
         }
@@ -117,7 +111,7 @@ class Fader {
   }
 
   bool MayShow(uint32_t v, uint32_t view) const {
-    for (const uint32_t f : FacesOf(v)) {
+    for (const uint32_t f : vertex_faces_.Of(v)) {
       if (chosen_.chosen[f] != view && chosen_.chosen[f] != kNoView &&
           Suitability(chosen_, f, view) < 1 - kMaxFadeCost) {
         return false;
@@ -127,7 +121,7 @@ class Fader {
   }
 
   bool IsInside(uint32_t v, uint32_t view) const {
-    for (const uint32_t f : FacesOf(v)) {
+    for (const uint32_t f : vertex_faces_.Of(v)) {
       if (chosen_.chosen[f] == view) {
         return true;
       }
@@ -157,7 +151,7 @@ class Fader {
         continue;
       }
       AddFaded(view, v, distance);
-      for (const uint32_t f : FacesOf(v)) {
+      for (const uint32_t f : vertex_faces_.Of(v)) {
         for (const uint32_t other : mesh_.triangles[f]) {
           const float next =
               distance +
@@ -207,7 +201,7 @@ class Fader {
   }
 
   const IndexedMesh& mesh_;
-  const VertexFaces& vertex_faces_;
+  const VertexCorners& vertex_faces_;
   const FaceChoice& chosen_;
   std::vector<float> density_;  // pixels a unit of length, of vertices
   std::vector<VertexView> own_;
@@ -230,14 +224,14 @@ int64_t VertexViews::Find(uint32_t vertex, uint32_t view) const {
 }
 
 VertexViews FadeViews(const IndexedMesh& mesh,
-                      const VertexFaces& vertex_faces,
+                      const VertexCorners& vertex_faces,
                       const FaceChoice& chosen,
                       const Context& context) {
   return Fader(mesh, vertex_faces, chosen).Run(context);
 }
 
 VertexViews AllViews(const IndexedMesh& mesh,
-                     const VertexFaces& vertex_faces,
+                     const VertexCorners& vertex_faces,
                      const FaceChoice& chosen,
                      const Context& context) {
   const size_t num_vertices = mesh.positions.size();
@@ -249,9 +243,7 @@ VertexViews AllViews(const IndexedMesh& mesh,
       kVerticesAtOnce,
       [&](size_t chunk, size_t begin, size_t end) {
         for (size_t v = begin; v < end; ++v) {
-          const std::span<const uint32_t> faces(
-              vertex_faces.faces.data() + vertex_faces.first[v],
-              vertex_faces.first[v + 1] - vertex_faces.first[v]);
+          const std::span<const uint32_t> faces = vertex_faces.Of(v);
           std::vector<uint32_t> views;
           for (const uint32_t f : faces) {
             for (const FaceView& view : chosen.views.Of(f)) {

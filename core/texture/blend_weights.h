@@ -8,7 +8,7 @@
 
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
-#include "core/texture/face_neighbors.h"
+#include "core/mesh/vertex_corners.h"
 #include "core/texture/face_views.h"
 #include "core/texture/view_costs.h"
 
@@ -49,7 +49,7 @@ inline constexpr float kFadePixels = 8;
 // triangle has an entry of the view chosen for it, with weight 0 where others
 // take its place.
 VertexViews FadeViews(const IndexedMesh& mesh,
-                      const VertexFaces& vertex_faces,
+                      const VertexCorners& vertex_faces,
                       const FaceChoice& chosen,
                       const Context& context);
 
@@ -63,7 +63,7 @@ inline constexpr float kFullSupport = (1 - kMinShare) * (1 - kMinShare);
 // vertex may be textured from, weighted by the squares of what their shares of
 // the best resolution exceed kMinShare by.
 VertexViews AllViews(const IndexedMesh& mesh,
-                     const VertexFaces& vertex_faces,
+                     const VertexCorners& vertex_faces,
                      const FaceChoice& chosen,
                      const Context& context);
 

@@ -123,8 +123,7 @@ class ChartMaker {
     return faces;
   }
 
-  // Those of `faces` that `keep` names become a chart if they hang together,
-  // or several; the order is that of growing.
+  // The parts of `faces` that hang together, in the order of growing.
   std::vector<std::vector<uint32_t>> Components(
       const std::vector<uint32_t>& faces) {
     for (const uint32_t f : faces) {
@@ -190,10 +189,10 @@ class ChartMaker {
   // Takes half of the triangles away where the box exceeds the limit.
   std::vector<uint32_t> TooLarge(std::vector<uint32_t>* faces) const {
     const Eigen::AlignedBox2d box = BoxOf(*faces);
+    const Eigen::Array2i size(SizeOf(box.min().x(), box.max().x()),
+                              SizeOf(box.min().y(), box.max().y()));
     int axis = 0;
-    box.sizes().maxCoeff(&axis);
-    if (SizeOf(box.min()[axis], box.max()[axis]) <= options_.max_size ||
-        faces->size() == 1) {
+    if (size.maxCoeff(&axis) <= options_.max_size || faces->size() == 1) {
       return {};
     }
     const auto center = [&](uint32_t f) {

@@ -7,10 +7,10 @@ namespace octacut {
 namespace {
 
 constexpr int kNotActive = -1;
-// A bound that ends without a doubt; expansions seldom need more than four.
 // Rounds that gain less than this share of the energy are the last: expansions
 // end within a few percent of the minimum anyway.
 constexpr double kLeastGain = 1e-3;
+// Expansions seldom need more than four.
 constexpr int kMaxRounds = 20;
 
 class Expander {

@@ -49,25 +49,4 @@ std::vector<std::array<uint32_t, 3>> FindFaceNeighbors(
   return neighbors;
 }
 
-VertexFaces FindVertexFaces(const IndexedMesh& mesh) {
-  VertexFaces result;
-  result.first.assign(mesh.positions.size() + 1, 0);
-  for (const auto& triangle : mesh.triangles) {
-    for (const uint32_t corner : triangle) {
-      ++result.first[corner + 1];
-    }
-  }
-  for (size_t v = 0; v < mesh.positions.size(); ++v) {
-    result.first[v + 1] += result.first[v];
-  }
-  std::vector<uint32_t> next(result.first.begin(), result.first.end() - 1);
-  result.faces.resize(3 * mesh.triangles.size());
-  for (size_t f = 0; f < mesh.triangles.size(); ++f) {
-    for (const uint32_t corner : mesh.triangles[f]) {
-      result.faces[next[corner]++] = uint32_t(f);
-    }
-  }
-  return result;
-}
-
 }  // namespace octacut

@@ -17,12 +17,4 @@ inline constexpr uint32_t kNoFace = std::numeric_limits<uint32_t>::max();
 // triangles.
 std::vector<std::array<uint32_t, 3>> FindFaceNeighbors(const IndexedMesh& mesh);
 
-// The triangles at each vertex, one vertex after the other: those of vertex v
-// are faces[first[v]] .. faces[first[v + 1] - 1].
-struct VertexFaces {
-  std::vector<uint32_t> first;
-  std::vector<uint32_t> faces;
-};
-VertexFaces FindVertexFaces(const IndexedMesh& mesh);
-
 }  // namespace octacut

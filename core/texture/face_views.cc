@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/parallel.h"
+#include "core/mesh/bounding_box.h"
 #include "core/mesh/mean_edge.h"
 #include "core/texture/face_neighbors.h"
 #include "core/texture/occlusion_guard.h"
@@ -23,6 +24,8 @@ constexpr double kMinCosine = 0.087;
 constexpr double kOcclusionSpacing = 8;
 constexpr double kColorSpacing = 2;
 constexpr int kMaxSamples = 8;
+// Of triangles of fewer pixels, the corners show whether they are hidden.
+constexpr double kSmallTriangle = 8;
 
 struct FoundView {
   uint32_t face;
@@ -69,20 +72,16 @@ struct Surface {
 
 Surface MakeSurface(const IndexedMesh& mesh, const RayScene& rays) {
   Surface surface{mesh, rays, FindFaceNeighbors(mesh), {}};
-  Eigen::AlignedBox3d box;
   for (const auto& triangle : mesh.triangles) {
     const Eigen::Vector3d& a = mesh.positions[triangle[0]];
     const Eigen::Vector3d& b = mesh.positions[triangle[1]];
     const Eigen::Vector3d& c = mesh.positions[triangle[2]];
     surface.normals.push_back((b - a).cross(c - a).cast<float>());
-    box.extend(a);
-    box.extend(b);
-    box.extend(c);
   }
   surface.mean_edge = MeanEdge(mesh);
   // Embree's floats resolve a millionth of the size.
-  surface.ray_offset =
-      std::max(0.1 * surface.mean_edge, 4e-6 * box.diagonal().norm());
+  surface.ray_offset = std::max(0.1 * surface.mean_edge,
+                                4e-6 * BoxOfTriangles(mesh).diagonal().norm());
   return surface;
 }
 
@@ -196,7 +195,7 @@ class ViewScan {
         return false;
       }
     }
-    if (pixels <= kOcclusionSpacing) {
+    if (pixels <= kSmallTriangle) {
       return true;
     }
     return ForSamples(

@@ -1,11 +1,10 @@
 #include "core/texture/level_colors.h"
 
+#include <algorithm>
+#include <array>
 #include <Eigen/Geometry>
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
 
-#include "core/base/parallel.h"
-#include "core/texture/charts.h"
+#include "core/texture/solve_channels.h"
 
 namespace octacut {
 namespace {
@@ -18,38 +17,17 @@ constexpr double kSeam = 16;
 // 60 degrees, halved; meshes of poor triangles may do with it, since smoothness
 // is all that is asked.
 constexpr double kEdgeOfTriangle = 0.29;
-// A correction off by a hundredth of a grey level changes no byte.
-constexpr double kTolerance = 1e-5;
-constexpr int kMaxIterations = 2000;
 
-using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
 Eigen::Vector3f ColorOf(const FaceView& view) {
   return {float(view.color[0]), float(view.color[1]), float(view.color[2])};
 }
 
-// Conjugate gradients for the three channels, from `x` on.
-void SolveChannels(const Matrix& matrix,
-                   const Eigen::MatrixX3d& right,
-                   const Context& context,
-                   Eigen::MatrixX3d* x) {
-  ParallelFor(context, 3, 1, [&](size_t begin, size_t end) {
-    for (size_t c = begin; c < end; ++c) {
-      Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper> solver;
-      solver.setTolerance(kTolerance);
-      solver.setMaxIterations(kMaxIterations);
-      solver.compute(matrix);
-      x->col(Eigen::Index(c)) = solver.solveWithGuess(
-          right.col(Eigen::Index(c)), x->col(Eigen::Index(c)));
-    }
-  });
-}
-
 class Leveler {
  public:
   Leveler(const IndexedMesh& mesh,
-          const VertexFaces& vertex_faces,
+          const VertexCorners& vertex_faces,
           const FaceChoice& chosen,
           const VertexViews& vertex_views)
       : mesh_(mesh),
@@ -68,10 +46,10 @@ class Leveler {
     for (size_t f = 0; f < mesh_.triangles.size(); ++f) {
       AddSmoothness(f);
     }
-    Matrix matrix(count, count);
+    SymmetricMatrix matrix(count, count);
     matrix.setFromTriplets(triplets_.begin(), triplets_.end());
     triplets_ = {};
-    SolveChannels(matrix, right_, context, &start_);
+    SolveChannels(matrix, right_, "seams", context, &start_);
     std::vector<Eigen::Vector3f> corrections(vertex_views_.entries.size());
     for (size_t i = 0; i < corrections.size(); ++i) {
       corrections[i] = start_.row(Eigen::Index(i)).transpose().cast<float>();
@@ -80,11 +58,6 @@ class Leveler {
   }
 
  private:
-  std::span<const uint32_t> FacesOf(uint32_t v) const {
-    return {vertex_faces_.faces.data() + vertex_faces_.first[v],
-            vertex_faces_.first[v + 1] - vertex_faces_.first[v]};
-  }
-
   // Pixels of a triangle in its best view.
   double PixelArea(size_t f) const {
     const auto& corners = mesh_.triangles[f];
@@ -99,7 +72,7 @@ class Leveler {
 
   void AddVertex(uint32_t v) {
     double pixels = 0;
-    for (const uint32_t f : FacesOf(v)) {
+    for (const uint32_t f : vertex_faces_.Of(v)) {
       pixels += PixelArea(f) / 3;
     }
     const uint32_t begin = vertex_views_.first[v];
@@ -116,7 +89,7 @@ class Leveler {
     const uint32_t view = vertex_views_.entries[entry].view;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     int count = 0;
-    for (const uint32_t f : FacesOf(v)) {
+    for (const uint32_t f : vertex_faces_.Of(v)) {
       if (const FaceView* const found = chosen_.views.Find(f, view)) {
         sum += chosen_.costs.consensus[f] - ColorOf(*found);
         ++count;
@@ -140,7 +113,7 @@ class Leveler {
     std::array<Eigen::Vector3f, 2> each = {both, both};
     std::array<int, 2> counts = {0, 0};
     int count = 0;
-    for (const uint32_t f : FacesOf(v)) {
+    for (const uint32_t f : vertex_faces_.Of(v)) {
       const FaceView* const of_a = chosen_.views.Find(f, a);
       const FaceView* const of_b = chosen_.views.Find(f, b);
       if (of_a != nullptr) {
@@ -197,7 +170,7 @@ class Leveler {
   }
 
   const IndexedMesh& mesh_;
-  const VertexFaces& vertex_faces_;
+  const VertexCorners& vertex_faces_;
   const FaceChoice& chosen_;
   const VertexViews& vertex_views_;
   Triplets triplets_;
@@ -208,81 +181,11 @@ class Leveler {
 }  // namespace
 
 std::vector<Eigen::Vector3f> LevelColors(const IndexedMesh& mesh,
-                                         const VertexFaces& vertex_faces,
+                                         const VertexCorners& vertex_faces,
                                          const FaceChoice& chosen,
                                          const VertexViews& vertex_views,
                                          const Context& context) {
   return Leveler(mesh, vertex_faces, chosen, vertex_views).Run(context);
-}
-
-std::vector<Eigen::Vector3f> FillColors(const IndexedMesh& mesh,
-                                        const VertexFaces& vertex_faces,
-                                        const FaceChoice& chosen,
-                                        const Context& context) {
-  const Phase phase(context, "unseen parts");
-  std::vector<Eigen::Vector3f> colors(mesh.positions.size());
-  std::vector<int> unknowns(mesh.positions.size(), -1);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  size_t num_known = 0;
-  int num_unknown = 0;
-  for (uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    Eigen::Vector3f around = Eigen::Vector3f::Zero();
-    int count = 0;
-    for (uint32_t i = vertex_faces.first[v]; i < vertex_faces.first[v + 1];
-         ++i) {
-      const uint32_t f = vertex_faces.faces[i];
-      if (chosen.chosen[f] != kNoView) {
-        around += chosen.costs.consensus[f];
-        ++count;
-      }
-    }
-    if (count > 0) {
-      colors[v] = around / float(count);
-      sum += colors[v].cast<double>();
-      ++num_known;
-    } else {
-      unknowns[v] = num_unknown++;
-    }
-  }
-  const Eigen::Vector3d mean = sum / double(std::max<size_t>(1, num_known));
-  Triplets triplets;
-  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(num_unknown, 3);
-  Eigen::MatrixX3d solution = mean.transpose().replicate(num_unknown, 1);
-  // So weak a pull that only pieces without any known vertex feel it.
-  constexpr double kToMean = 1e-6;
-  for (int i = 0; i < num_unknown; ++i) {
-    triplets.emplace_back(i, i, kToMean);
-    right.row(i) = kToMean * mean.transpose();
-  }
-  for (const auto& corners : mesh.triangles) {
-    for (size_t k = 0; k < 3; ++k) {
-      for (const uint32_t other :
-           {corners[(k + 1) % 3], corners[(k + 2) % 3]}) {
-        const int i = unknowns[corners[k]];
-        const int j = unknowns[other];
-        if (i < 0) {
-          continue;
-        }
-        triplets.emplace_back(i, i, 0.5);
-        if (j >= 0) {
-          triplets.emplace_back(i, j, -0.5);
-        } else {
-          right.row(i) += 0.5 * colors[other].cast<double>().transpose();
-        }
-      }
-    }
-  }
-  if (num_unknown > 0) {
-    Matrix matrix(num_unknown, num_unknown);
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
-    SolveChannels(matrix, right, context, &solution);
-    for (size_t v = 0; v < colors.size(); ++v) {
-      if (unknowns[v] >= 0) {
-        colors[v] = solution.row(unknowns[v]).transpose().cast<float>();
-      }
-    }
-  }
-  return colors;
 }
 
 }  // namespace octacut

@@ -6,8 +6,8 @@
 
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
+#include "core/mesh/vertex_corners.h"
 #include "core/texture/blend_weights.h"
-#include "core/texture/face_neighbors.h"
 
 namespace octacut {
 
@@ -23,17 +23,9 @@ namespace octacut {
 // the detail of the chosen photograph stays; what changes more slowly (shading
 // that moves with the camera, vignetting, exposure) becomes that of all views.
 std::vector<Eigen::Vector3f> LevelColors(const IndexedMesh& mesh,
-                                         const VertexFaces& vertex_faces,
+                                         const VertexCorners& vertex_faces,
                                          const FaceChoice& chosen,
                                          const VertexViews& vertex_views,
                                          const Context& context);
-
-// Colours (blue, green, red) of all vertices: the consensus where triangles
-// around are seen, and elsewhere the smoothest continuation of it (harmonic
-// over the mesh). Pieces of the mesh that no view shows get the mean colour.
-std::vector<Eigen::Vector3f> FillColors(const IndexedMesh& mesh,
-                                        const VertexFaces& vertex_faces,
-                                        const FaceChoice& chosen,
-                                        const Context& context);
 
 }  // namespace octacut

@@ -5,11 +5,37 @@
 #include <limits>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "core/scene/scene.h"
 #include "core/texture/face_views.h"
 
 namespace octacut {
+namespace {
+
+// The part of the line `from` + t * `along`, t from 0 to 1, that is in a frame
+// or a disc's radius beside it; begins after its end where there is none.
+std::pair<double, double> PartWithin(const Eigen::Vector2d& from,
+                                     const Eigen::Vector2d& along,
+                                     const Eigen::Vector2d& size) {
+  double begin = 0;
+  double end = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = -kGuardPixels - from[axis];
+    const double high = size[axis] + kGuardPixels - from[axis];
+    if (along[axis] == 0) {
+      if (low > 0 || high < 0) {
+        return {1, 0};
+      }
+      continue;
+    }
+    begin = std::max(begin, std::min(low / along[axis], high / along[axis]));
+    end = std::min(end, std::max(low / along[axis], high / along[axis]));
+  }
+  return {begin, end};
+}
+
+}  // namespace
 
 OcclusionGuard::OcclusionGuard(
     const IndexedMesh& mesh,
@@ -53,19 +79,21 @@ void OcclusionGuard::DrawEdge(const Eigen::Vector3f& a,
     return;
   }
   const Eigen::Vector2d from = camera.Project(a.cast<double>());
-  const Eigen::Vector2d to = camera.Project(b.cast<double>());
-  const Eigen::Array2d size(camera.width, camera.height);
-  const Eigen::Array2d low = from.cwiseMin(to).array() + kGuardPixels;
-  const Eigen::Array2d high = from.cwiseMax(to).array() - kGuardPixels;
-  if ((low < 0).any() || (high > size).any()) {
+  const Eigen::Vector2d along = camera.Project(b.cast<double>()) - from;
+  const Eigen::Vector2d size(camera.width, camera.height);
+  const auto [begin, end] = PartWithin(from, along, size);
+  if (!(begin <= end)) {
     return;
   }
   // Discs a pixel apart cover the line.
-  const int steps = std::max(1, int(std::ceil((to - from).norm())));
+  const double length = (end - begin) * along.norm();
+  const int steps = std::max(1, int(std::ceil(length)));
   for (int i = 0; i <= steps; ++i) {
-    const double t = double(i) / steps;
-    const Eigen::Vector2d pixel = from + t * (to - from);
-    DrawDisc(pixel.x(), pixel.y(), float((1 - t) * double(a.z()) + t * b.z()));
+    const double t = begin + (end - begin) * i / steps;
+    const Eigen::Vector2d pixel = from + t * along;
+    // Along the line it is the inverse of the depth that is linear.
+    const double depth = 1 / ((1 - t) / a.z() + t / b.z());
+    DrawDisc(pixel.x(), pixel.y(), float(depth));
   }
 }
 

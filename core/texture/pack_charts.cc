@@ -12,8 +12,6 @@
 namespace octacut {
 namespace {
 
-// Charts are placed on multiples of this many texels.
-constexpr int kCell = 4;
 // Room between charts that their outlines leave, of the area of the charts.
 constexpr double kWaste = 1.12;
 
@@ -29,8 +27,8 @@ struct Outline {
 
 Outline OutlineOf(const Charts& charts, const Chart& chart) {
   Outline outline;
-  const int width = (chart.width + kCell - 1) / kCell;
-  outline.height = (chart.height + kCell - 1) / kCell;
+  const int width = (chart.width + kPackingCell - 1) / kPackingCell;
+  outline.height = (chart.height + kPackingCell - 1) / kPackingCell;
   outline.low.assign(size_t(width), outline.height);
   outline.high.assign(size_t(width), -1);
   for (const uint32_t f : chart.faces) {
@@ -40,10 +38,10 @@ Outline OutlineOf(const Charts& charts, const Chart& chart) {
         texels[0].cwiseMin(texels[1]).cwiseMin(texels[2]) - margin;
     const Eigen::Vector2f high =
         texels[0].cwiseMax(texels[1]).cwiseMax(texels[2]) + margin;
-    const int x0 = std::max(0, int(low.x()) / kCell);
-    const int x1 = std::min(width - 1, int(high.x()) / kCell);
-    const int y0 = std::max(0, int(low.y()) / kCell);
-    const int y1 = std::min(outline.height - 1, int(high.y()) / kCell);
+    const int x0 = std::max(0, int(low.x()) / kPackingCell);
+    const int x1 = std::min(width - 1, int(high.x()) / kPackingCell);
+    const int y0 = std::max(0, int(low.y()) / kPackingCell);
+    const int y1 = std::min(outline.height - 1, int(high.y()) / kPackingCell);
     for (int x = x0; x <= x1; ++x) {
       outline.low[size_t(x)] = std::min(outline.low[size_t(x)], y0);
       outline.high[size_t(x)] = std::max(outline.high[size_t(x)], y1);
@@ -92,7 +90,8 @@ class OpenPage {
   }
 
   PageSize Size() const {
-    return {int(bottom_.size()) * kCell, std::max(1, height_) * kCell};
+    return {int(bottom_.size()) * kPackingCell,
+            std::max(1, height_) * kPackingCell};
   }
 
  private:
@@ -130,13 +129,14 @@ PackedCharts PackCharts(const Charts& charts,
     widest = std::max(widest, outlines.back().Width());
     highest = std::max(highest, outlines.back().height);
   }
-  const int limit = options.max_size / kCell;
+  // MakeCharts keeps to it, but for single triangles.
+  const int limit = options.max_size / kPackingCell;
   if (widest > limit || highest > limit) {
     throw OptionError(fmt::format(
         "texture_size = {}: one triangle takes {} texels; choose a larger "
         "texture_size or a smaller texel_scale",
         options.max_size,
-        std::max(widest, highest) * kCell));
+        std::max(widest, highest) * kPackingCell));
   }
   const int side = std::clamp(
       int(std::ceil(std::sqrt(kWaste * double(area)))), widest, limit);
@@ -149,8 +149,9 @@ PackedCharts PackCharts(const Charts& charts,
         pages.emplace_back(side, limit);
       }
       if (const auto place = pages[p].Place(outlines[chart])) {
-        result.places[chart] = {
-            uint32_t(p), place->first * kCell, place->second * kCell};
+        result.places[chart] = {uint32_t(p),
+                                place->first * kPackingCell,
+                                place->second * kPackingCell};
         break;
       }
     }

@@ -15,6 +15,7 @@
 #include "core/texture/choose_labels.h"
 #include "core/texture/face_neighbors.h"
 #include "core/texture/face_views.h"
+#include "core/texture/fill_colors.h"
 #include "core/texture/level_colors.h"
 #include "core/texture/view_costs.h"
 
@@ -173,6 +174,35 @@ void CheckInput(const IndexedMesh& mesh, const Photographs& photographs) {
   }
 }
 
+void RequireSeen(const TextureSummary& summary) {
+  if (summary.num_unseen == summary.num_triangles) {
+    throw MeshNotSeenError(fmt::format(
+        "none of the {} photographs shows a triangle of the mesh: it is not in "
+        "the frame of the sparse model, its triangles face inward, or the "
+        "masks leave it out",
+        summary.triangles_of_view.size()));
+  }
+}
+
+AtlasLayout LayOut(const IndexedMesh& mesh,
+                   const std::vector<std::array<uint32_t, 3>>& neighbors,
+                   const std::vector<uint32_t>& chosen,
+                   const std::vector<PhotographPose>& poses,
+                   const TexturingOptions& options,
+                   const Context& context) {
+  AtlasLayout layout;
+  const int chart_size = options.texture_size / kPackingCell * kPackingCell;
+  layout.charts = MakeCharts(mesh,
+                             neighbors,
+                             chosen,
+                             poses,
+                             {options.texel_scale, chart_size},
+                             context);
+  layout.packed = PackCharts(
+      layout.charts, {options.texture_size, options.max_pages}, context);
+  return layout;
+}
+
 }  // namespace
 
 void TexturingOptions::Check() const {
@@ -200,7 +230,8 @@ TexturingResult TextureMesh(const IndexedMesh& mesh,
   TextureSummary& summary = result.summary;
   summary.triangles_of_view.resize(photographs.poses.size());
   const auto neighbors = FindFaceNeighbors(mesh);
-  const VertexFaces vertex_faces = FindVertexFaces(mesh);
+  const VertexCorners vertex_faces =
+      FindVertexFaces(mesh.positions.size(), mesh.triangles);
   const FaceViews views =
       FindFaceViews(mesh, RayScene(mesh), photographs, context);
   const ViewCosts costs =
@@ -208,25 +239,10 @@ TexturingResult TextureMesh(const IndexedMesh& mesh,
   const std::vector<uint32_t> chosen =
       ChooseViews(mesh, neighbors, views, costs, context, &summary);
   Summarize(mesh, views, chosen, &summary);
-  if (summary.num_unseen == summary.num_triangles) {
-    throw MeshNotSeenError(fmt::format(
-        "none of the {} photographs shows a triangle of the mesh: it is not in "
-        "the frame of the sparse model, its triangles face inward, or the "
-        "masks "
-        "leave it out",
-        photographs.poses.size()));
-  }
+  RequireSeen(summary);
   summary.gains = costs.gains;
-
-  AtlasLayout layout;
-  layout.charts = MakeCharts(mesh,
-                             neighbors,
-                             chosen,
-                             photographs.poses,
-                             {options.texel_scale, options.texture_size},
-                             context);
-  layout.packed = PackCharts(
-      layout.charts, {options.texture_size, options.max_pages}, context);
+  AtlasLayout layout =
+      LayOut(mesh, neighbors, chosen, photographs.poses, options, context);
   const FaceChoice known{views, costs, chosen};
   const VertexViews fading = FadeViews(mesh, vertex_faces, known, context);
   const VertexViews all_views = AllViews(mesh, vertex_faces, known, context);

@@ -24,8 +24,7 @@ struct ViewCosts {
   std::vector<std::array<float, FaceViews::kMaxViews>> costs;
   // Pixels a unit of length in the best view of each triangle; 0 for none.
   std::vector<float> resolution;
-  // For each view: factors of exposure (blue, green, red), and the sharpness of
-  // its most blurred parts, for the report.
+  // For each view: factors of exposure (blue, green, red).
   std::vector<Eigen::Vector3f> gains;
 };
 

@@ -8,6 +8,7 @@
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/benchmark/compare/distance_curve.h"
+#include "core/mesh/bounding_box.h"
 #include "core/mesh/cloud.h"
 #include "core/mesh/surface_samples.h"
 #include "core/raycast/ray_scene.h"
@@ -157,16 +158,6 @@ DistanceStatistics Summarize(Distances* distances) {
   return statistics;
 }
 
-double Diagonal(const IndexedMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& triangle : mesh.triangles) {
-    for (const uint32_t vertex : triangle) {
-      box.extend(mesh.positions[vertex]);
-    }
-  }
-  return box.diagonal().norm();
-}
-
 void Score(const Distances& to_reference,
            const Distances& from_reference,
            const CompareMeshesOptions& options,
@@ -244,7 +235,7 @@ MeshComparison CompareMeshes(const IndexedMesh& mesh,
   const RayScene reference_scene(reference);
   RayScene mesh_scene(mesh);
   MeshComparison result;
-  result.reference_diagonal = Diagonal(reference);
+  result.reference_diagonal = BoxOfTriangles(reference).diagonal().norm();
   IndexedMesh moved;
   if (options.align) {
     result.alignment = AlignMeshes({mesh, mesh_scene},

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -16,7 +17,7 @@
 namespace octacut {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kPi = std::numbers::pi;
 
 // One stage: how many of the candidates of the stage before go on, with how
 // many samples on each surface and how many iterations.

@@ -15,7 +15,8 @@ namespace {
 constexpr size_t kMinCameras = 3;
 constexpr int kMaxRounds = 20;
 constexpr double kInlierMedians = 3;
-// Centres within this share of their distance from the origin coincide.
+// Centres whose squared deviations are within this share of their squared
+// distance from the origin coincide.
 constexpr double kCoincident = 1e-9;
 
 struct CenterPair {

@@ -1,25 +1,10 @@
 #include "core/benchmark/evaluate/evaluate_mesh.h"
 
-#include <Eigen/Geometry>
-
+#include "core/mesh/bounding_box.h"
 #include "core/raycast/ray_scene.h"
 #include "core/raycast/render.h"
 
 namespace octacut {
-namespace {
-
-Eigen::Vector3d MiddleOf(const IndexedMesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const auto& triangle : mesh.triangles) {
-    for (const uint32_t corner : triangle) {
-      box.extend(mesh.positions[corner]);
-    }
-  }
-  return box.center();
-}
-
-}  // namespace
-
 void EvaluateMeshOptions::Check() const { reprojection.Check(); }
 
 MeshEvaluation EvaluateMesh(const IndexedMesh& mesh,
@@ -40,8 +25,11 @@ MeshEvaluation EvaluateMesh(const IndexedMesh& mesh,
   MeshEvaluation evaluation;
   evaluation.silhouettes = MeasureSilhouettes(rays, views, depths, context);
   if (options.photometric) {
-    evaluation.reprojection = MeasureReprojection(
-        views, depths, MiddleOf(mesh), options.reprojection, context);
+    evaluation.reprojection = MeasureReprojection(views,
+                                                  depths,
+                                                  BoxOfTriangles(mesh).center(),
+                                                  options.reprojection,
+                                                  context);
     if (options.reprojection.keep_maps) {
       evaluation.view_support = MeasureViewSupport(
           views, evaluation.reprojection->maps, options.reprojection, context);

@@ -38,13 +38,6 @@ double HashNormal(uint64_t bits) {
   return radius * std::cos(angle);
 }
 
-Eigen::Vector3d HashDirection(uint64_t bits) {
-  const double z = 2 * HashUniform(HashBits(bits, 1)) - 1;
-  const double angle = 2 * std::numbers::pi * HashUniform(HashBits(bits, 2));
-  const double radius = std::sqrt(std::max(0.0, 1 - z * z));
-  return {radius * std::cos(angle), radius * std::sin(angle), z};
-}
-
 namespace {
 
 // The eight corners at once, in a form that compilers turn into vectors.

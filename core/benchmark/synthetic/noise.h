@@ -10,8 +10,6 @@ namespace octacut {
 
 // Standard normal deviate.
 double HashNormal(uint64_t bits);
-// Uniform on the unit sphere.
-Eigen::Vector3d HashDirection(uint64_t bits);
 
 // Smooth noise over space in [-1, 1] with one feature about a unit of length
 // (quintic interpolation of random values at the integer lattice).

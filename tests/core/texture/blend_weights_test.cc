@@ -26,9 +26,8 @@ class HalfSeenSphere : public ::testing::Test {
   }
 
   bool IsSeen(uint32_t v) const {
-    for (uint32_t i = vertex_faces_.first[v]; i < vertex_faces_.first[v + 1];
-         ++i) {
-      if (chosen_[vertex_faces_.faces[i]] != kNoView) {
+    for (const uint32_t f : vertex_faces_.Of(v)) {
+      if (chosen_[f] != kNoView) {
         return true;
       }
     }
@@ -36,7 +35,8 @@ class HalfSeenSphere : public ::testing::Test {
   }
 
   const IndexedMesh mesh_ = SmallSphere(4);
-  const VertexFaces vertex_faces_ = FindVertexFaces(mesh_);
+  const VertexCorners vertex_faces_ =
+      FindVertexFaces(mesh_.positions.size(), mesh_.triangles);
   const Photographs photographs_ =
       PhotographsOf({{1, 0, 1}, {-1, 0, 1}, {0, 1, 1}, {0, -1, 1}}, 160);
   const FaceViews views_;

@@ -91,5 +91,46 @@ TEST(FindFaceViews, ViewsBesideAnOccludingContourAreNotSure) {
   EXPECT_GT(num_far, 20u);
 }
 
+// Of a wide board before the lower half of the picture, the upper edge begins
+// and ends outside of the frame. It is 1.5 pixels below the lowest triangles
+// that are in sight, which are 8.4 pixels high.
+TEST(FindFaceViews, ContoursThatCrossTheFrameCount) {
+  const Photographs photographs =
+      PhotographsOf({Eigen::Vector3d::UnitX()}, kPhotographSize);
+  const Rigid3d world_from_cam = photographs.poses[0].cam_from_world.Inverse();
+  const IndexedMesh sphere = SmallSphere(4);
+  IndexedMesh mesh = sphere;
+  const auto first = uint32_t(mesh.positions.size());
+  for (const double y : {0.012, 9.0}) {
+    for (const double x : {-9.0, 9.0}) {
+      mesh.positions.push_back(world_from_cam * Eigen::Vector3d(x, y, 2));
+    }
+  }
+  mesh.triangles.push_back({first, first + 2, first + 1});
+  mesh.triangles.push_back({first + 1, first + 2, first + 3});
+  const FaceViews views =
+      FindFaceViews(mesh, RayScene(mesh), photographs, Context(1));
+  size_t num_near = 0;
+  size_t num_far = 0;
+  for (size_t f = 0; f < sphere.triangles.size(); ++f) {
+    const Eigen::Vector3d center =
+        photographs.poses[0].cam_from_world * CenterOf(mesh, f);
+    const FaceView* view = views.Find(f, 0);
+    if (view == nullptr || center.z() > 3.4) {
+      continue;
+    }
+    const double pixels = -256 * center.y() / center.z();
+    if (pixels < 7) {
+      ++num_near;
+      EXPECT_FALSE(view->is_sure);
+    } else if (pixels > 9) {
+      ++num_far;
+      EXPECT_TRUE(view->is_sure);
+    }
+  }
+  EXPECT_GT(num_near, 0u);
+  EXPECT_GT(num_far, 20u);
+}
+
 }  // namespace
 }  // namespace octacut

@@ -1,0 +1,49 @@
+#include "core/texture/solve_channels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <Eigen/IterativeLinearSolvers>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+// A correction off by a hundredth of a grey level changes no byte.
+constexpr double kTolerance = 1e-5;
+constexpr int kMaxIterations = 2000;
+
+}  // namespace
+
+void SolveChannels(const SymmetricMatrix& matrix,
+                   const Eigen::MatrixX3d& right,
+                   std::string_view what,
+                   const Context& context,
+                   Eigen::MatrixX3d* x) {
+  std::array<double, 3> errors{};
+  ParallelFor(context, 3, 1, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c) {
+      Eigen::ConjugateGradient<SymmetricMatrix, Eigen::Lower | Eigen::Upper>
+          solver;
+      solver.setTolerance(kTolerance);
+      solver.setMaxIterations(kMaxIterations);
+      solver.compute(matrix);
+      x->col(Eigen::Index(c)) = solver.solveWithGuess(
+          right.col(Eigen::Index(c)), x->col(Eigen::Index(c)));
+      errors[c] = solver.error();
+    }
+  });
+  const double error = *std::max_element(errors.begin(), errors.end());
+  if (!(error <= kTolerance)) {
+    context.Warn(fmt::format(
+        "the colours of the texture are not solved for exactly: after {} steps "
+        "a part of {:.2g} is left, and {} may be visible",
+        kMaxIterations,
+        error,
+        what));
+  }
+}
+
+}  // namespace octacut

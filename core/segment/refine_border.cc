@@ -133,13 +133,13 @@ cv::Mat RefineBorder(const cv::Mat& image,
     result = result > 127;
     reach = kReducedReach * kReduction;
   }
+  ApplyLabels(labels, &result);
   if (cv::countNonZero(result) == 0) {
     return result;
   }
   const cv::Rect window = WindowAround(result, reach);
   cv::Mat inner = result(window);
   const cv::Mat inner_labels = labels.empty() ? cv::Mat() : labels(window);
-  ApplyLabels(inner_labels, &inner);
   BorderDistances distances(inner);
   const BandCutter cutter(image(window), distances, reach);
   for (int pass = 0; pass < kMaxPasses; ++pass) {

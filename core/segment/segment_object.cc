@@ -286,6 +286,10 @@ size_t Segmenter::CountDoubts() const {
 Segmentation Segmenter::Run() {
   ForEachView(
       [&](size_t i) { features_[i] = PixelFeatures(input_.views[i].image); });
+  const bool is_guessed = std::any_of(
+      input_.views.begin(), input_.views.end(), [](const auto& view) {
+        return view.proposal.empty();
+      });
   std::optional<Segmentation> best;
   size_t fewest = 0;
   for (const double middle : kMiddles) {
@@ -300,7 +304,7 @@ Segmentation Segmenter::Run() {
       result_.views.resize(poses_.size());
       fewest = doubts;
     }
-    if (double(fewest) <= kFewDoubts * double(poses_.size())) {
+    if (double(fewest) <= kFewDoubts * double(poses_.size()) || !is_guessed) {
       break;
     }
   }

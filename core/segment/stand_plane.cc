@@ -4,9 +4,11 @@
 #include <cmath>
 #include <Eigen/Eigenvalues>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/hash.h"
+#include "core/base/median.h"
 
 namespace octacut {
 namespace {
@@ -51,9 +53,7 @@ class PlaneFinder {
       sizes.push_back((cameras_.back() - region.center).norm() /
                       pose.camera.fx);
     }
-    const auto middle = sizes.begin() + ptrdiff_t(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    tolerance_ = *middle;
+    tolerance_ = Median(std::move(sizes));
   }
 
   std::optional<StandPlane> Find() {

@@ -62,10 +62,9 @@ float Tolerance(std::span<const cv::Mat> labs) {
   if (quartiles.empty()) {
     return kLeastTolerance;
   }
-  const auto middle = quartiles.begin() + ptrdiff_t(quartiles.size() / 2);
-  std::nth_element(quartiles.begin(), middle, quartiles.end());
-  return std::clamp(
-      kDeviations * *middle / kQuartile, kLeastTolerance, kMostTolerance);
+  return std::clamp(kDeviations * Median(std::move(quartiles)) / kQuartile,
+                    kLeastTolerance,
+                    kMostTolerance);
 }
 
 // The mean of the values that most photographs agree on.

@@ -29,8 +29,8 @@ inline constexpr int kStillWindow = 9;
 // An odd number of pixels, a twenty-fifth of the longer side.
 int WideWindow(const cv::Size& size);
 
-// `labs` are of one size. The noise is that of most pixels, which is right
-// where a quarter of them stand still.
+// `labs` are of one size. The noise is that of the quarter of the pixels that
+// change least: at least as many have to show what stands still.
 StillBackground FindStillBackground(std::span<const cv::Mat> labs,
                                     const Context& context);
 

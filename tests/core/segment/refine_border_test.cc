@@ -49,6 +49,17 @@ TEST(RefineBorder, WorksOffLargeReachesFromCoarseToFine) {
   EXPECT_GT(Overlap(refined, truth), 0.998);
 }
 
+// What a stroke says counts wherever it is.
+TEST(RefineBorder, KeepsStrokesFarFromTheMask) {
+  const cv::Size size(400, 300);
+  const cv::Mat truth = Disc(size, 50);
+  const cv::Rect stroke(10, 10, 20, 8);
+  cv::Mat labels(size, CV_8U, cv::Scalar(kNoLabel));
+  labels(stroke).setTo(kObjectLabel);
+  const cv::Mat refined = RefineBorder(PictureOf(truth), truth, 6, labels);
+  EXPECT_EQ(cv::countNonZero(refined(stroke)), stroke.area());
+}
+
 // A piece of the room 20 pixels wide, and a notch as deep, are four times as
 // far from the border as the reach.
 TEST(RefineBorder, GoesOnWhereTheBorderIsFartherAway) {

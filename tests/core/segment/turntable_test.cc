@@ -53,11 +53,16 @@ class TurntableTest : public ::testing::Test {
   static double Overlap(const cv::Mat& a, const cv::Mat& b) {
     return double(cv::countNonZero(a & b)) / cv::countNonZero(a | b);
   }
+  static std::vector<TurntableView> Segment(const TurntableInput& input) {
+    std::vector<TurntableView> views = SegmentTurntable(input, Context(2));
+    EXPECT_EQ(views.size(), input.images.size());
+    return views;
+  }
   // In all photographs, without a doubt.
   static void ExpectVaseAndPlate(const TurntableInput& input) {
     cv::Mat truth = PlateMask();
     truth(kVase).setTo(255);
-    for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
+    for (const TurntableView& view : Segment(input)) {
       EXPECT_EQ(view.doubt, "");
       EXPECT_GT(Overlap(view.mask, truth), 0.95);
     }
@@ -77,7 +82,7 @@ TEST_F(TurntableTest, FindsWhatTurns) {
     truths.push_back(truth | arm);
     input.images.push_back(image);
   }
-  const std::vector<TurntableView> views = SegmentTurntable(input, Context(2));
+  const std::vector<TurntableView> views = Segment(input);
   for (size_t i = 0; i < views.size(); ++i) {
     EXPECT_EQ(views[i].doubt, "") << i;
     EXPECT_GT(Overlap(views[i].mask, truths[i]), 0.93) << i;
@@ -134,7 +139,7 @@ TEST_F(TurntableTest, DoubtsPieces) {
     }
     input.images.push_back(image);
   }
-  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
+  for (const TurntableView& view : Segment(input)) {
     EXPECT_NE(view.doubt.find("falls into pieces"), std::string::npos);
   }
 }
@@ -148,7 +153,7 @@ TEST_F(TurntableTest, DoubtsWhatLooksLikeTheBackground) {
     Textured(77, {150, 90, 60}, 300 + uint64_t(i))(kVase).copyTo(image(kVase));
     input.images.push_back(image);
   }
-  for (const TurntableView& view : SegmentTurntable(input, Context(2))) {
+  for (const TurntableView& view : Segment(input)) {
     EXPECT_NE(view.doubt.find("background_path"), std::string::npos);
   }
 }

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "colmap_io/files/byte_order_mark.h"
+#include "colmap_io/files/trim.h"
 #include "core/base/error.h"
-#include "plugin/trim.h"
 
 namespace octacut {
 namespace {

@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <system_error>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_folder.h"
@@ -211,7 +212,7 @@ void Extractor::Judge() {
     if (!file.given_mask.empty() && IsInPlace(i)) {
       listed.mask =
           fs::path(file.given_mask).lexically_relative(options_.output_path);
-      listed.hash = HashOfBytes(ReadBytes(file.given_mask));
+      listed.hash = HashOfBytes(ReadFile(file.given_mask));
     } else {
       listed.mask = file.image->name + ".png";
       listed.hash = HashOfPng(encoded_[i]);

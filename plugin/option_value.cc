@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "plugin/trim.h"
+#include "colmap_io/files/trim.h"
 
 namespace octacut {
 namespace {

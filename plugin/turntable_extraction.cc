@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "colmap_io/files/lower_extension.h"
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_file.h"
@@ -225,7 +226,7 @@ void TurntableFolder::Extract(MaskList* list,
       listed.status = MaskStatus::kGiven;
       listed.confidence = 1;
       listed.mask = there->lexically_relative(options_.output_path).string();
-      listed.hash = HashOfBytes(ReadBytes(*there));
+      listed.hash = HashOfBytes(ReadFile(*there));
     } else if (!found[i].doubt.empty()) {
       listed.status = MaskStatus::kUnsure;
       listed.doubt = found[i].doubt;

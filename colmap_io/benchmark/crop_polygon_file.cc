@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -40,11 +40,7 @@ const json& Member(const std::filesystem::path& path,
 }
 
 json ReadJson(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  if (!stream) {
-    throw InputError(fmt::format("{}: cannot be opened", path.string()));
-  }
-  json document = json::parse(stream, nullptr, false);
+  json document = json::parse(ReadFile(path), nullptr, false);
   if (!document.is_object()) {
     throw InputError(
         fmt::format("{}: is not a JSON file with a crop volume of Tanks and "

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <opencv2/imgcodecs.hpp>
-#include <system_error>
-#include <vector>
+#include <string>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/images/image_header.h"
 #include "core/base/error.h"
 #include "core/scene/scene.h"
@@ -20,23 +19,8 @@ namespace {
 
 constexpr int kMaxLabels = 8;
 
-std::vector<uint8_t> ReadFile(const std::filesystem::path& path) {
-  std::error_code error;
-  const uintmax_t size = std::filesystem::file_size(path, error);
-  std::ifstream stream(path, std::ios::binary);
-  if (error || !stream) {
-    throw InputError(fmt::format("{}: the file cannot be read", path.string()));
-  }
-  std::vector<uint8_t> bytes(size);
-  stream.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(size));
-  if (!stream) {
-    throw InputError(fmt::format("{}: the file cannot be read", path.string()));
-  }
-  return bytes;
-}
-
 cv::Mat Decode(const std::filesystem::path& path,
-               const std::vector<uint8_t>& bytes,
+               const std::string& bytes,
                int flags) {
   if (IsTruncatedJpeg(bytes)) {
     throw InputError(fmt::format("{}: the file is truncated", path.string()));
@@ -44,7 +28,8 @@ cv::Mat Decode(const std::filesystem::path& path,
   cv::Mat pixels;
   try {
     if (!bytes.empty()) {
-      pixels = cv::imdecode(bytes, flags | cv::IMREAD_IGNORE_ORIENTATION);
+      pixels = cv::imdecode(cv::_InputArray(bytes.data(), int(bytes.size())),
+                            flags | cv::IMREAD_IGNORE_ORIENTATION);
     }
   } catch (const cv::Exception& exception) {
     throw InputError(fmt::format(
@@ -153,7 +138,7 @@ cv::Mat ReadPhotograph(const std::filesystem::path& path) {
 }
 
 cv::Mat ReadMask(const std::filesystem::path& path) {
-  const std::vector<uint8_t> bytes = ReadFile(path);
+  const std::string bytes = ReadFile(path);
   const cv::Mat pixels = Decode(path, bytes, cv::IMREAD_UNCHANGED);
   if (pixels.depth() != CV_8U && pixels.depth() != CV_16U) {
     throw InputError(fmt::format(

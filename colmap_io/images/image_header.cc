@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <span>
 
 namespace octacut {
 namespace {
@@ -89,15 +90,14 @@ std::optional<ImageSize> ReadImageSize(std::istream& stream) {
   return ImageSize{BigEndian(&rest[14], 4), BigEndian(&rest[18], 4)};
 }
 
-bool IsJpeg(const std::vector<uint8_t>& bytes) {
-  return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 &&
-         bytes[2] == 0xff;
-}
+bool IsJpeg(std::string_view file) { return file.starts_with("\xff\xd8\xff"); }
 
-bool IsTruncatedJpeg(const std::vector<uint8_t>& bytes) {
-  if (!IsJpeg(bytes)) {
+bool IsTruncatedJpeg(std::string_view file) {
+  if (!IsJpeg(file)) {
     return false;
   }
+  const std::span bytes(reinterpret_cast<const uint8_t*>(file.data()),
+                        file.size());
   // Skip the segments up to the first scan: those of EXIF may hold a thumbnail
   // with an end marker of its own.
   size_t at = 2;

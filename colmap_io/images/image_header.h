@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <istream>
 #include <optional>
-#include <vector>
+#include <string_view>
 
 namespace octacut {
 
@@ -22,8 +22,8 @@ std::optional<ImageSize> ReadImageSize(std::istream& stream);
 
 // True for a JPEG file whose data stops before its end marker: decoders fill
 // the rest with grey and say nothing.
-bool IsTruncatedJpeg(const std::vector<uint8_t>& bytes);
+bool IsTruncatedJpeg(std::string_view file);
 
-bool IsJpeg(const std::vector<uint8_t>& bytes);
+bool IsJpeg(std::string_view file);
 
 }  // namespace octacut

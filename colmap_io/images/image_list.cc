@@ -7,22 +7,11 @@
 #include <string>
 #include <system_error>
 
+#include "colmap_io/files/byte_order_mark.h"
+#include "colmap_io/files/trim.h"
 #include "core/base/error.h"
 
 namespace octacut {
-namespace {
-
-std::string Trimmed(const std::string& line) {
-  constexpr const char* kBlanks = " \t\r\n\v\f";
-  const size_t first = line.find_first_not_of(kBlanks);
-  if (first == line.npos) {
-    return {};
-  }
-  return line.substr(first, line.find_last_not_of(kBlanks) - first + 1);
-}
-
-}  // namespace
-
 void KeepListedImages(const std::filesystem::path& list_path,
                       SparseModel* model) {
   std::error_code ignored;
@@ -36,9 +25,13 @@ void KeepListedImages(const std::filesystem::path& list_path,
     names.insert(image.name);
   }
   std::set<std::string> listed;
-  std::string line;
-  for (size_t number = 1; std::getline(stream, line); ++number) {
-    const std::string name = Trimmed(line);
+  std::string text;
+  for (size_t number = 1; std::getline(stream, text); ++number) {
+    std::string_view line = text;
+    if (number == 1) {
+      SkipByteOrderMark(&line);
+    }
+    const std::string name(Trim(line));
     if (name.empty()) {
       continue;
     }

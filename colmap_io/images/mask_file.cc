@@ -6,8 +6,8 @@
 #include <system_error>
 #include <vector>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/images/image_file.h"
-#include "colmap_io/images/mask_list.h"
 #include "core/base/error.h"
 #include "core/scene/scene.h"
 
@@ -37,7 +37,7 @@ std::vector<fs::path> MaskNames(const std::string& image_name) {
 }
 
 bool SayTheSame(const fs::path& a, const fs::path& b) {
-  if (ReadBytes(a) == ReadBytes(b)) {
+  if (ReadFile(a) == ReadFile(b)) {
     return true;
   }
   const cv::Mat mask_a = ReadMask(a) >= kObjectThreshold;

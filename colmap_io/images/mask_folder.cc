@@ -66,7 +66,9 @@ void RemoveDoubtedMasks(const MaskList& list,
 
 std::vector<uchar> EncodeMask(const cv::Mat& mask) {
   std::vector<uchar> png;
-  cv::imencode(".png", mask, png);
+  if (!cv::imencode(".png", mask, png)) {
+    throw InvariantError("a mask cannot be encoded");
+  }
   return png;
 }
 
@@ -80,8 +82,13 @@ void RequireOnlyOwnMasks(const fs::path& folder) {
     return;
   }
   const std::optional<MaskList> list = ReadMaskList(folder);
+  fs::recursive_directory_iterator entries(folder, error);
+  if (error) {
+    throw InputError(fmt::format("output_path {}: the folder cannot be read",
+                                 folder.string()));
+  }
   std::vector<fs::path> pictures;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+  for (const auto& entry : entries) {
     if (entry.is_regular_file() && IsPicture(entry.path()) &&
         entry.path() != folder / kContactSheetName) {
       pictures.push_back(entry.path());

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
+#include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -89,16 +88,6 @@ std::string HashOfBytes(std::string_view bytes) {
   return fmt::format("{:016x}", hash);
 }
 
-std::string ReadBytes(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(stream)),
-                    std::istreambuf_iterator<char>());
-  if (!stream) {
-    throw InputError(fmt::format("{}: the file cannot be read", path.string()));
-  }
-  return bytes;
-}
-
 std::optional<MaskList> ReadMaskList(const fs::path& mask_path) {
   const fs::path path = mask_path / kMaskListName;
   std::error_code ignored;
@@ -107,7 +96,7 @@ std::optional<MaskList> ReadMaskList(const fs::path& mask_path) {
   }
   MaskList list;
   try {
-    const Json json = Json::parse(ReadBytes(path));
+    const Json json = Json::parse(ReadFile(path));
     if (json.at("program") != kProgram) {
       throw InputError("program is not " + std::string(kProgram));
     }
@@ -142,7 +131,7 @@ bool IsExtractedMask(const std::optional<MaskList>& list,
   return listed != nullptr && listed->status == MaskStatus::kExtracted &&
          listed->mask == fs::path(image + ".png").string() &&
          file.filename() == fs::path(listed->mask).filename() &&
-         HashOfBytes(ReadBytes(file)) == listed->hash;
+         HashOfBytes(ReadFile(file)) == listed->hash;
 }
 
 }  // namespace octacut

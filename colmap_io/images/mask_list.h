@@ -41,9 +41,6 @@ struct MaskList {
 // 16 hexadecimal digits (FNV-1a): enough to tell whether a file was changed.
 std::string HashOfBytes(std::string_view bytes);
 
-// The bytes of a file. Throws InputError when it cannot be read.
-std::string ReadBytes(const std::filesystem::path& path);
-
 // The list in folder `mask_path`; empty where there is none. Throws InputError
 // that names file and field when it is no such list.
 std::optional<MaskList> ReadMaskList(const std::filesystem::path& mask_path);

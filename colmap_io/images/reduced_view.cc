@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 
 #include "colmap_io/images/view_window.h"
@@ -13,6 +14,19 @@ namespace {
 // Distance in pixels of the places where a lens is evaluated when values are
 // carried back; between them its distortion is as good as linear.
 constexpr int kLensStep = 8;
+
+// Where `reduced` shows what the photograph has at a pixel; not numbers where
+// the lens gives it no ray.
+cv::Vec2f PlaceInReduced(const CameraProjector& projector,
+                         const Eigen::Vector2d& pixel,
+                         const PinholeCamera& reduced) {
+  const auto ray = projector.CamFromImg(pixel);
+  if (!ray || !(ray->z() > 0)) {
+    return cv::Vec2f::all(std::numeric_limits<float>::quiet_NaN());
+  }
+  const Eigen::Vector2d place = reduced.Project(*ray);
+  return {float(place.x() - 0.5), float(place.y() - 0.5)};
+}
 
 }  // namespace
 
@@ -70,17 +84,15 @@ cv::Mat CarryBack(const cv::Mat& values,
   cv::Mat coarse(rows / kLensStep + 2, columns / kLensStep + 2, CV_32FC2);
   for (int j = 0; j < coarse.rows; ++j) {
     for (int i = 0; i < coarse.cols; ++i) {
-      const auto ray =
-          projector.CamFromImg({std::min(i * kLensStep, columns) + 0.5,
-                                std::min(j * kLensStep, rows) + 0.5});
-      const Eigen::Vector2d pixel = ray && ray->z() > 0
-                                        ? reduced.Project(*ray)
-                                        : Eigen::Vector2d::Constant(-1);
-      coarse.at<cv::Vec2f>(j, i) = {float(pixel.x() - 0.5),
-                                    float(pixel.y() - 0.5)};
+      coarse.at<cv::Vec2f>(j, i) =
+          PlaceInReduced(projector,
+                         {std::min(i * kLensStep, columns) + 0.5,
+                          std::min(j * kLensStep, rows) + 0.5},
+                         reduced);
     }
   }
   cv::Mat map(rows, columns, CV_32FC2);
+  cv::Mat has_no_ray = cv::Mat::zeros(rows, columns, CV_8U);
   for (int y = 0; y < rows; ++y) {
     const int j = y / kLensStep;
     const float b = float(y % kLensStep) /
@@ -94,12 +106,21 @@ cv::Mat CarryBack(const cv::Mat& values,
                               coarse.at<cv::Vec2f>(j, i + 1) * a;
       const cv::Vec2f below = coarse.at<cv::Vec2f>(j + 1, i) * (1 - a) +
                               coarse.at<cv::Vec2f>(j + 1, i + 1) * a;
-      map.at<cv::Vec2f>(y, x) = above * (1 - b) + below * b;
+      cv::Vec2f place = above * (1 - b) + below * b;
+      if (std::isnan(place[0])) {  // the lens ends here
+        place = PlaceInReduced(projector, {x + 0.5, y + 0.5}, reduced);
+        if (std::isnan(place[0])) {
+          has_no_ray.at<uint8_t>(y, x) = 255;
+          place = {};
+        }
+      }
+      map.at<cv::Vec2f>(y, x) = place;
     }
   }
   cv::Mat result;
   cv::remap(
       values, result, map, cv::Mat(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  result.setTo(0, has_no_ray);
   return result;
 }
 

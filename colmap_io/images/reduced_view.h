@@ -22,7 +22,8 @@ cv::Mat ReduceView(const cv::Mat& photograph,
 
 // `values` (CV_32F, of the size of `reduced`) at the pixels of the photograph
 // that `camera` took, at its full size, by linear interpolation. Where
-// `reduced` shows nothing, the values at its border go on.
+// `reduced` shows nothing, the values at its border go on; pixels that the lens
+// gives no ray are 0.
 cv::Mat CarryBack(const cv::Mat& values,
                   const PinholeCamera& reduced,
                   const SparseCamera& camera);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "colmap_io/images/mask_list.h"
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/images/onnx_input_size.h"
 #include "core/base/error.h"
 
@@ -42,7 +42,7 @@ struct SaliencyNetwork::Network {
 SaliencyNetwork::SaliencyNetwork(const std::filesystem::path& path)
     : network_(std::make_unique<Network>()) {
   network_->path = path;
-  const std::string bytes = ReadBytes(path);
+  const std::string bytes = ReadFile(path);
   try {
     network_->net = cv::dnn::readNetFromONNX(bytes.data(), bytes.size());
     const std::vector<std::string> outputs =

@@ -4,7 +4,9 @@
 #include <limits>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 
+#include "core/base/median.h"
 #include "core/scene/region.h"
 
 namespace octacut {
@@ -25,9 +27,7 @@ double ErrorLimit(const std::vector<SparsePoint>& points) {
   if (errors.empty()) {
     return std::numeric_limits<double>::infinity();
   }
-  const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
-  std::nth_element(errors.begin(), middle, errors.end());
-  return kMaxErrorOverMedian * *middle;
+  return kMaxErrorOverMedian * Median(std::move(errors));
 }
 
 // The view of each image id.

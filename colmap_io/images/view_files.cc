@@ -62,6 +62,7 @@ FoundViewFiles FindViewFiles(const Workspace& workspace,
   }
   const std::optional<MaskList> list = ReadMaskList(workspace.mask_path);
   FoundViewFiles found;
+  size_t num_unsure_masks = 0;
   MissingFiles images{.what = "image"};
   MissingFiles masks{.what = "mask"};
   for (const SparseImage& image : workspace.model.images) {
@@ -74,7 +75,7 @@ FoundViewFiles FindViewFiles(const Workspace& workspace,
     const std::optional<fs::path> mask =
         FindMaskFile(workspace.mask_path, image.name, workspace.image_path);
     if (!mask && IsUnsure(list, image.name)) {
-      ++found.num_unsure_masks;
+      ++num_unsure_masks;
       continue;
     }
     if (!mask) {
@@ -86,11 +87,11 @@ FoundViewFiles FindViewFiles(const Workspace& workspace,
   const size_t num_images = workspace.model.images.size();
   images.Report(options.skip_missing_images, num_images, context);
   masks.Report(options.skip_missing_masks, num_images, context);
-  if (found.num_unsure_masks > 0) {
+  if (num_unsure_masks > 0) {
     context.Info(fmt::format(
         "{} of {} images are left out, since {} says that no sure mask was "
         "found for them.",
-        found.num_unsure_masks,
+        num_unsure_masks,
         num_images,
         (workspace.mask_path / kMaskListName).string()));
   }

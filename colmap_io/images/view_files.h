@@ -28,7 +28,6 @@ struct FoundViewFiles {
   std::vector<ViewFiles> views;  // in the order of the model
   size_t num_missing_images = 0;
   size_t num_missing_masks = 0;  // of the images that are there
-  size_t num_unsure_masks = 0;   // beside these: masks.json says there is none
 };
 
 // Finds image and mask of every registered image. Images that octacut was

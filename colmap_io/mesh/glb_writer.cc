@@ -55,7 +55,7 @@ class GlbBuilder {
     json_["meshes"][0]["primitives"].push_back(std::move(primitive));
   }
 
-  // An accessor of `count` elements of 4-byte components that `fill` appends.
+  // The accessor of `count` elements, whose bytes `fill` appends.
   template <typename Fill>
   int AddAccessor(const char* type,
                   int component,

@@ -30,13 +30,17 @@ bool BeginsAsPly(std::istream& stream) {
 
 void CheckSizes(const IndexedMesh& mesh) {
   const size_t count = mesh.positions.size();
-  if ((!mesh.normals.empty() && mesh.normals.size() != count) ||
-      (!mesh.colors.empty() && mesh.colors.size() != count)) {
+  const auto fits = [&](const auto& values) {
+    return values.empty() || values.size() == count;
+  };
+  if (!fits(mesh.normals) || !fits(mesh.colors) || !fits(mesh.confidence)) {
     throw InvariantError(
-        fmt::format("mesh to write has {} vertices, {} normals, {} colours",
+        fmt::format("mesh to write has {} vertices, {} normals, {} colours, "
+                    "{} confidences",
                     count,
                     mesh.normals.size(),
-                    mesh.colors.size()));
+                    mesh.colors.size(),
+                    mesh.confidence.size()));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "colmap_io/files/byte_order_mark.h"
 #include "colmap_io/mesh/mesh_readers.h"
 #include "colmap_io/mesh/text_numbers.h"
 
@@ -39,6 +40,9 @@ class OffParser {
   // The next line that is not empty, without its comment.
   bool NextLine(std::string_view* line) {
     while (source_->ReadLine(line)) {
+      if (source_->LineNumber() == 1) {
+        SkipByteOrderMark(line);
+      }
       *line = line->substr(0, line->find('#'));
       if (line->find_first_not_of(" \t\r\v\f") != line->npos) {
         return true;

@@ -24,7 +24,6 @@ SplitVertices SplitPage(const TexturedMesh& mesh, uint32_t page) {
       triangle[k] = place->second;
     }
     split.triangles.push_back(triangle);
-    split.faces.push_back(f);
   }
   return split;
 }

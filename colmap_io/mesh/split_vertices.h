@@ -19,7 +19,6 @@ struct SplitVertices {
   std::vector<uint32_t> vertices;         // of the mesh
   std::vector<CornerOfTriangle> corners;  // one that each vertex stands for
   std::vector<std::array<uint32_t, 3>> triangles;
-  std::vector<uint32_t> faces;  // of the mesh, of these triangles
 };
 
 // Those of one page.

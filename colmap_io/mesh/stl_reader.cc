@@ -4,6 +4,7 @@
 #include <cctype>
 #include <utility>
 
+#include "colmap_io/files/byte_order_mark.h"
 #include "colmap_io/mesh/mesh_readers.h"
 #include "colmap_io/mesh/text_numbers.h"
 
@@ -76,12 +77,18 @@ class StlParser {
   }
 
  private:
-  // Some binary files begin with "solid" too, so the size decides first.
+  // Some binary files begin with "solid" too; text has no zero bytes, which the
+  // number of facets nearly always has, and hardly a size that fits it.
   bool IsText() {
     const std::string_view head = source_->Peek(kHeaderBytes + 4);
-    const std::string_view first_word =
-        head.substr(std::min(head.find_first_not_of(" \t\r\n"), head.size()));
-    if (!first_word.starts_with("solid")) {
+    std::string_view text = head;
+    SkipByteOrderMark(&text);
+    text.remove_prefix(
+        std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    if (!text.starts_with("solid")) {
+      return false;
+    }
+    if (head.find('\0') != head.npos) {
       return false;
     }
     if (head.size() < kHeaderBytes + 4 || !source_->KnowsSize()) {
@@ -153,6 +160,9 @@ class StlParser {
     bool in_facet = false;
     bool in_loop = false;
     while (source_->ReadLine(&line)) {
+      if (source_->LineNumber() == 1) {
+        SkipByteOrderMark(&line);
+      }
       const std::string keyword = LowerCase(NextWord(&line));
       if (keyword == "vertex") {
         if (!in_loop) {

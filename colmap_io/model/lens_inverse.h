@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <type_traits>
 
 #include "colmap_io/model/dual.h"
@@ -30,7 +31,7 @@ bool GrowsAt(const double* k, double radius) {
 template <typename Distortion>
 double MaxRadius(const double* k, bool is_angle) {
   constexpr int kSteps = 4096;
-  constexpr double kPi = 3.14159265358979323846;
+  constexpr double kPi = std::numbers::pi;
   const auto radius_of = [&](double t) {  // of t in [0, 1)
     return is_angle ? kPi * t : std::tan(kPi / 2 * t);
   };

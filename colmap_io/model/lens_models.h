@@ -13,6 +13,7 @@
 #include <cmath>
 #include <Eigen/Core>
 #include <limits>
+#include <numbers>
 
 #include "colmap_io/model/camera_projector.h"
 #include "colmap_io/model/lens_distortion.h"
@@ -40,7 +41,7 @@ inline void ToPixel(
 // angle is halved three times, tan(a / 2) = tan(a) / (1 + sqrt(1 + tan(a)^2)),
 // and then small enough for the series.
 inline double AngleOffAxis(double rho, double w) {
-  constexpr double kPi = 3.14159265358979323846;
+  constexpr double kPi = std::numbers::pi;
   const double half = rho / (std::sqrt(rho * rho + w * w) + std::abs(w));
   const double quarter = half / (1 + std::sqrt(1 + half * half));
   const double t = quarter / (1 + std::sqrt(1 + quarter * quarter));

@@ -5,17 +5,11 @@
 #include <algorithm>
 
 #include "colmap_io/files/byte_order_mark.h"
+#include "colmap_io/files/trim.h"
 #include "core/base/error.h"
 
 namespace octacut {
 namespace {
-
-constexpr std::string_view kBlanks = " \t\r";
-
-void TrimEnd(std::string_view* text) {
-  const size_t last = text->find_last_not_of(kBlanks);
-  *text = text->substr(0, last == std::string_view::npos ? 0 : last + 1);
-}
 
 // A word as a message shows it: not endless.
 std::string Shown(std::string_view word) {
@@ -43,13 +37,6 @@ std::string_view TextFields::Rest() {
   return rest;
 }
 
-void TextFields::ExpectEnd() {
-  if (!rest_.empty()) {
-    lines_->Fail(fmt::format("\"{}\" follows after the end of the content",
-                             Shown(rest_)));
-  }
-}
-
 void TextFields::RefuseNumber(std::string_view field,
                               std::string_view word,
                               bool is_integer,
@@ -67,7 +54,7 @@ bool TextLines::Next() {
   ++number_;
   line_ = buffer_;
   if (number_ == 1) SkipByteOrderMark(&line_);
-  TrimEnd(&line_);
+  line_ = TrimEnd(line_);
   return true;
 }
 

@@ -52,8 +52,6 @@ class TextFields {
   // Everything that is left, without blanks at its end.
   std::string_view Rest();
 
-  void ExpectEnd();
-
  private:
   void SkipBlanks() {
     while (!rest_.empty() && (rest_[0] == ' ' || rest_[0] == '\t')) {

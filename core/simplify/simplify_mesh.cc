@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -66,7 +67,7 @@ size_t HoldIntersecting(const CollapsedMesh& collapsed,
                         const Context& context,
                         std::vector<uint8_t>* held) {
   const SelfIntersections found = FindSelfIntersections(
-      collapsed.mesh, context, collapsed.mesh.triangles.size());
+      collapsed.mesh, context, std::numeric_limits<size_t>::max());
   std::vector<uint8_t> is_corner(collapsed.mesh.positions.size());
   size_t num_old = 0;
   for (const auto& [first, second] : found.examples) {
@@ -88,7 +89,7 @@ size_t HoldIntersecting(const CollapsedMesh& collapsed,
   return num_old;
 }
 
-// How far vertices of `full` are from `mesh`; stops beyond `limit`.
+// Whether all vertices of `full` are within `limit` of `mesh`.
 bool IsWithin(double limit,
               const IndexedMesh& full,
               const IndexedMesh& mesh,

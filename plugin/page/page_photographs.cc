@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "plugin/vector_json.h"
 
@@ -31,8 +32,10 @@ Bytes EncodeReduced(const cv::Mat& image, int longest) {
   cv::Mat reduced;
   cv::resize(image, reduced, ReducedSize(image, longest), 0, 0, cv::INTER_AREA);
   Bytes bytes;
-  cv::imencode(
-      ".jpg", reduced, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality});
+  if (!cv::imencode(
+          ".jpg", reduced, bytes, {cv::IMWRITE_JPEG_QUALITY, kJpegQuality})) {
+    throw InvariantError("a photograph of the page cannot be encoded");
+  }
   return bytes;
 }
 

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 
+#include "colmap_io/files/read_file.h"
 #include "plugin/man_page.h"
 #include "plugin/report.h"
 #include "tests/plugin/run_octacut.h"

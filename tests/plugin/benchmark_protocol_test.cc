@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "tests/colmap_io/benchmark/mat_writer.h"
 #include "tests/plugin/run_octacut.h"
 

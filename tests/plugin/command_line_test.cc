@@ -6,6 +6,7 @@
 
 #include <map>
 
+#include "colmap_io/files/read_file.h"
 #include "plugin/common_options.h"
 #include "plugin/registry.h"
 #include "plugin/report.h"

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
 #include "plugin/page/base64.h"

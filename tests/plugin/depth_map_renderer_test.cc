@@ -3,6 +3,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/images/dense_map_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "tests/plugin/small_workspace.h"

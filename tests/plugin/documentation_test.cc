@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 
+#include "colmap_io/files/read_file.h"
 #include "plugin/command_options.h"
 #include "plugin/report.h"
 #include "tests/colmap_io/files/temporary_folder.h"

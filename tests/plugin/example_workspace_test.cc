@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/camera_models.h"
 #include "colmap_io/model/read_sparse_model.h"

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 #include "tests/plugin/run_octacut.h"
 

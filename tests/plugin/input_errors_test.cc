@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "plugin/report.h"
 #include "tests/plugin/small_workspace.h"
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 #include "tests/plugin/run_octacut.h"
 

@@ -7,6 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "tests/colmap_io/images/tiny_network.h"
 #include "tests/plugin/small_workspace.h"
 
@@ -89,6 +90,8 @@ TEST_F(MaskExtractorTest, NetworksThatFindNothingOrAreNoneAreNamed) {
   folder_.Write(path.filename(), "junk");
   EXPECT_THAT(Extract({"--network_path", path.string()}).err,
               HasSubstr("n.onnx"));
+  EXPECT_THAT(Extract({"--network_path", folder_.Path().string()}).err,
+              HasSubstr(folder_.Path().string() + ": the file cannot be read"));
   EXPECT_FALSE(fs::exists(Extracted()));
 }
 

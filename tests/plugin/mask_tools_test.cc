@@ -6,6 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "tests/plugin/small_workspace.h"
 
 namespace octacut::testing {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "tests/core/print/print_shapes.h"
 #include "tests/plugin/run_octacut.h"

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "colmap_io/files/read_file.h"
 #include "tests/plugin/run_octacut.h"
 
 namespace octacut {

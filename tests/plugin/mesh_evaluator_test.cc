@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "tests/plugin/small_workspace.h"
 
 namespace octacut::testing {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/write_sparse_model.h"
 #include "core/mesh/audit.h"

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/mesh/audit.h"
 #include "plugin/report.h"

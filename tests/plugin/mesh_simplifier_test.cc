@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/mesh/audit.h"
 #include "tests/core/print/print_shapes.h"

@@ -7,6 +7,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "plugin/report.h"
 #include "tests/plugin/small_workspace.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/mesh/audit.h"
 #include "plugin/report.h"

@@ -10,6 +10,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "colmap_io/files/read_file.h"
 #include "plugin/application.h"
 
 namespace octacut {
@@ -114,7 +115,11 @@ void RunningOctacut::Signal(int signal) {
   }
 }
 
-std::string RunningOctacut::Err() const { return ReadFile(folder_ / "err"); }
+std::string RunningOctacut::Err() const {
+  // The child may not have opened it yet.
+  const std::filesystem::path path = folder_ / "err";
+  return std::filesystem::exists(path) ? ReadFile(path) : "";
+}
 
 bool RunningOctacut::HasEnded() {
   ended_ = ended_ || waitpid(process_, &status_, WNOHANG) == process_;

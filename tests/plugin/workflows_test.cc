@@ -8,6 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "colmap_io/files/read_file.h"
 #include "plugin/page/comparison_page.h"
 #include "plugin/report.h"
 #include "tests/plugin/run_octacut.h"

@@ -40,7 +40,7 @@ TEST(ReadCropPolygon, MistakesAreNamed) {
   };
   const std::pair<std::string, const char*> cases[] = {
       {folder.Write("b.json", "{"), "b.json: is not a JSON file"},
-      {folder / "gone.json", "gone.json: cannot be opened"},
+      {folder / "gone.json", "gone.json: the file cannot be read"},
   };
   for (const auto& mistake : cases) {
     EXPECT_THAT([&] { ReadCropPolygon(mistake.first); },

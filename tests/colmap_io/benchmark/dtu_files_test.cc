@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 #include "tests/colmap_io/benchmark/mat_writer.h"
 #include "tests/colmap_io/files/temporary_folder.h"

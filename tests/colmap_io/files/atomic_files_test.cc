@@ -6,6 +6,7 @@
 
 #include <thread>
 
+#include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 #include "tests/colmap_io/files/temporary_folder.h"
 

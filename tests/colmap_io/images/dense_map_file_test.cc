@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 #include "tests/colmap_io/files/temporary_folder.h"
 

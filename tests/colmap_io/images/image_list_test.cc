@@ -34,6 +34,12 @@ TEST_F(ImageListTest, KeepsTheModelsOrder) {
               ElementsAre("far/b c.jpg", "c.jpg"));
 }
 
+TEST_F(ImageListTest, SkipsAByteOrderMark) {
+  EXPECT_THAT(Keep("\xEF\xBB\xBF"
+                   "a.jpg\r\nc.jpg\r\n"),
+              ElementsAre("a.jpg", "c.jpg"));
+}
+
 TEST_F(ImageListTest, UnknownName) {
   EXPECT_THAT(InputErrorOf([&] { Keep("a.jpg\n\nd.jpg\n"); }),
               HasSubstr("list.txt:3: d.jpg: the model has no such image"));

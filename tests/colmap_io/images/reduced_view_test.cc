@@ -63,6 +63,38 @@ TEST(ReducedView, ValuesComeBackWhereTheyWere) {
   }
 }
 
+// At a quarter of the photograph's height from its middle the distortion turns
+// back: pixels outside of that circle have no ray.
+TEST(ReducedView, NothingComesBackWhereTheLensHasNoRays) {
+  const SparseCamera camera = Camera(-2);
+  const PinholeCamera reduced = ReducedCamera(camera, 250);
+  const CameraProjector projector(camera);
+  // Grows to the right, so that a value tells where it comes from.
+  cv::Mat values(reduced.height, reduced.width, CV_32F);
+  for (int x = 0; x < values.cols; ++x) {
+    values.col(x).setTo(1 + x);
+  }
+  const cv::Mat back = CarryBack(values, reduced, camera);
+  int num_without = 0;
+  for (int y = 0; y < back.rows; ++y) {
+    for (int x = 0; x < back.cols; ++x) {
+      const auto ray = projector.CamFromImg({x + 0.5, y + 0.5});
+      if (!ray) {
+        ++num_without;
+        ASSERT_EQ(back.at<float>(y, x), 0) << x << ", " << y;
+      } else {
+        const double place = reduced.Project(*ray).x() + 0.5;
+        // Near its end the lens is far from linear between the places.
+        ASSERT_NEAR(back.at<float>(y, x),
+                    std::clamp(place, 1.0, double(values.cols)),
+                    0.5)
+            << x << ", " << y;
+      }
+    }
+  }
+  EXPECT_GT(num_without, back.rows * back.cols / 10);
+}
+
 TEST(ReducedView, SmallPhotographsKeepTheirSize) {
   const PinholeCamera reduced = ReducedCamera(Camera(0), 1000);
   EXPECT_EQ(reduced.width, 403);

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 #include "tests/colmap_io/mesh/test_meshes.h"
 

@@ -104,6 +104,18 @@ TEST(OffReader, CommentsPolygonsAndFaceColors) {
   EXPECT_TRUE(file.mesh.colors.empty());
 }
 
+TEST(TextReaders, SkipAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  EXPECT_EQ(ReadText(mark + "OFF\n1 0 0\n1 2 3\n", MeshFormat::kOff)
+                .mesh.positions.size(),
+            1u);
+  EXPECT_EQ(ReadText(mark + "solid\nfacet\nouter loop\nvertex 0 0 0\n"
+                            "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n",
+                     MeshFormat::kStl)
+                .mesh.triangles.size(),
+            1u);
+}
+
 TEST(OffReader, Prefixes) {
   EXPECT_EQ(ReadText("OFF 1 0 0\n1 2 3\n", MeshFormat::kOff).mesh.positions[0],
             Eigen::Vector3d(1, 2, 3));
@@ -168,6 +180,14 @@ TEST(StlReader, BinaryThatBeginsLikeText) {
   std::string text = WriteText(TestMesh(false, false), MeshFormat::kStl);
   text.replace(0, 6, "solid ");
   EXPECT_EQ(ReadText(text, MeshFormat::kStl).mesh.triangles.size(), 8u);
+}
+
+// Its facets are fewer than announced.
+TEST(StlReader, CutBinaryThatBeginsLikeText) {
+  std::string text = WriteText(TestMesh(false, false), MeshFormat::kStl);
+  text.replace(0, 5, "solid");
+  EXPECT_THAT(ReadError(text.substr(0, text.size() - 60), MeshFormat::kStl),
+              HasSubstr("facets announced"));
 }
 
 TEST(StlReader, BinaryErrors) {

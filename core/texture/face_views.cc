@@ -96,7 +96,8 @@ class ViewScan {
         pose_(pose),
         photograph_(photograph),
         view_(view),
-        center_(pose.Center()) {
+        center_(pose.Center()),
+        guard_(pose.camera, photograph.mask, 2 * surface.mean_edge) {
     const IndexedMesh& mesh = surface.mesh;
     in_camera_.resize(mesh.positions.size());
     for (size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -108,13 +109,7 @@ class ViewScan {
       cosines_[f] = Cosine(f);
       is_front[f] = cosines_[f] > 0;
     }
-    guard_ = std::make_unique<OcclusionGuard>(mesh,
-                                              surface.neighbors,
-                                              is_front,
-                                              in_camera_,
-                                              pose,
-                                              photograph.mask,
-                                              2 * surface.mean_edge);
+    guard_.AddContours(mesh.triangles, surface.neighbors, is_front, in_camera_);
   }
 
   std::vector<FoundView> Run() {
@@ -166,7 +161,7 @@ class ViewScan {
         return false;
       }
       const Eigen::Vector2d pixel = pose_.camera.Project(point);
-      if (!guard_->IsObject(pixel.x(), pixel.y())) {
+      if (!guard_.IsObject(pixel.x(), pixel.y())) {
         return false;
       }
       points.col(k) << pixel, point.z();
@@ -205,20 +200,20 @@ class ViewScan {
               weights[0] * surface_.mesh.positions[corners[0]] +
               weights[1] * surface_.mesh.positions[corners[1]] +
               weights[2] * surface_.mesh.positions[corners[2]];
-          return guard_->IsObject(pixel.x(), pixel.y()) && IsVisible(point);
+          return guard_.IsObject(pixel.x(), pixel.y()) && IsVisible(point);
         });
   }
 
   bool IsSure(const Eigen::Matrix3d& points, double pixels) const {
     for (int k = 0; k < 3; ++k) {
-      if (!guard_->IsSure(points(0, k), points(1, k), points(2, k))) {
+      if (!guard_.IsSure(points(0, k), points(1, k), points(2, k))) {
         return false;
       }
     }
     return ForSamples(SamplesASide(pixels, kColorSpacing),
                       [&](const auto& weights) {
                         const Eigen::Vector3d pixel = points * weights;
-                        return guard_->IsSure(pixel.x(), pixel.y(), pixel.z());
+                        return guard_.IsSure(pixel.x(), pixel.y(), pixel.z());
                       });
   }
 
@@ -258,7 +253,7 @@ class ViewScan {
   std::vector<Eigen::Vector3f> in_camera_;
   std::vector<float> cosines_;
   std::vector<uint8_t> visible_;
-  std::unique_ptr<OcclusionGuard> guard_;
+  OcclusionGuard guard_;
 };
 
 }  // namespace

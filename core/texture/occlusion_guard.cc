@@ -37,16 +37,12 @@ std::pair<double, double> PartWithin(const Eigen::Vector2d& from,
 
 }  // namespace
 
-OcclusionGuard::OcclusionGuard(
-    const IndexedMesh& mesh,
-    const std::vector<std::array<uint32_t, 3>>& neighbors,
-    const std::vector<uint8_t>& is_front,
-    const std::vector<Eigen::Vector3f>& in_camera,
-    const PhotographPose& pose,
-    const cv::Mat& mask,
-    double tolerance)
-    : contours_(pose.camera.height,
-                pose.camera.width,
+OcclusionGuard::OcclusionGuard(const PinholeCamera& camera,
+                               const cv::Mat& mask,
+                               double tolerance)
+    : camera_(camera),
+      contours_(camera.height,
+                camera.width,
                 CV_32F,
                 cv::Scalar(std::numeric_limits<float>::infinity())),
       tolerance_(tolerance) {
@@ -57,30 +53,35 @@ OcclusionGuard::OcclusionGuard(
   } else {
     cv::distanceTransform(object, distance_, cv::DIST_L2, cv::DIST_MASK_5);
   }
-  for (size_t f = 0; f < mesh.triangles.size(); ++f) {
+}
+
+void OcclusionGuard::AddContours(
+    const std::vector<std::array<uint32_t, 3>>& triangles,
+    const std::vector<std::array<uint32_t, 3>>& neighbors,
+    const std::vector<uint8_t>& is_front,
+    const std::vector<Eigen::Vector3f>& in_camera) {
+  for (size_t f = 0; f < triangles.size(); ++f) {
     if (!is_front[f]) {
       continue;
     }
     for (size_t k = 0; k < 3; ++k) {
       const uint32_t neighbor = neighbors[f][k];
       if (neighbor == kNoFace || !is_front[neighbor]) {
-        DrawEdge(in_camera[mesh.triangles[f][k]],
-                 in_camera[mesh.triangles[f][(k + 1) % 3]],
-                 pose.camera);
+        DrawEdge(in_camera[triangles[f][k]],
+                 in_camera[triangles[f][(k + 1) % 3]]);
       }
     }
   }
 }
 
 void OcclusionGuard::DrawEdge(const Eigen::Vector3f& a,
-                              const Eigen::Vector3f& b,
-                              const PinholeCamera& camera) {
+                              const Eigen::Vector3f& b) {
   if (!(a.z() > 0) || !(b.z() > 0)) {
     return;
   }
-  const Eigen::Vector2d from = camera.Project(a.cast<double>());
-  const Eigen::Vector2d along = camera.Project(b.cast<double>()) - from;
-  const Eigen::Vector2d size(camera.width, camera.height);
+  const Eigen::Vector2d from = camera_.Project(a.cast<double>());
+  const Eigen::Vector2d along = camera_.Project(b.cast<double>()) - from;
+  const Eigen::Vector2d size(camera_.width, camera_.height);
   const auto [begin, end] = PartWithin(from, along, size);
   if (!(begin <= end)) {
     return;

@@ -151,7 +151,7 @@ path_of() {
 if [[ ,$sets, == *,example,* && ! -d $work/example-workspace ]]; then
   run example-create example_creator --output_path "$work/example-workspace"
 fi
-echo "| set | views | left out | IoU, % | border: mean, pixels | 95 % | CPU s |"
+echo "| set | views | left out | overlap, % | border: mean, pixels | 95 % | CPU s |"
 echo "|---|---|---|---|---|---|---|"
 for name in ${sets//,/ }; do
   if extract "$name" "$(path_of "$name")"; then

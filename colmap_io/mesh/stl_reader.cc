@@ -136,7 +136,7 @@ class StlParser {
                         facet,
                         num_facets));
       }
-      for (int corner = 0; corner < 3; ++corner) {
+      for (size_t corner = 0; corner < 3; ++corner) {
         const unsigned char* first = bytes + 12 + 12 * corner;
         AddCorner({LittleEndianFloat(first),
                    LittleEndianFloat(first + 4),

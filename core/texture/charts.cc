@@ -214,7 +214,7 @@ class ChartMaker {
       return {};
     }
     const Eigen::AlignedBox2d box = BoxOf(*faces);
-    const Eigen::Vector2d low = box.min();
+    const Eigen::Vector2d& low = box.min();
     const size_t width = size_t(box.sizes().x() * kOverlapGrid) + 2;
     const size_t height = size_t(box.sizes().y() * kOverlapGrid) + 2;
     taken_.assign(width * height, 0);

@@ -1,6 +1,7 @@
 #include "core/texture/choose_labels.h"
 
 #include <algorithm>
+#include <opencv2/core.hpp>
 #include <opencv2/imgproc/detail/gcgraph.hpp>
 
 namespace octacut {

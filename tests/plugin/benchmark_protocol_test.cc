@@ -61,7 +61,7 @@ class BenchmarkProtocolTest : public ::testing::Test {
     return 0;
   }
   std::string DtuMask() const {
-    const std::string path = folder_ / "ObsMask1_10.mat";
+    std::string path = folder_ / "ObsMask1_10.mat";
     MatWriter writer(path);
     writer.Logicals("ObsMask", {8, 8, 8}, std::vector<uint8_t>(512, 1));
     writer.Doubles("BB", {2, 3}, {-20, 60, -20, 60, -20, 60});
@@ -69,7 +69,7 @@ class BenchmarkProtocolTest : public ::testing::Test {
     return path;
   }
   std::string DtuPlane() const {
-    const std::string path = folder_ / "Plane1.mat";
+    std::string path = folder_ / "Plane1.mat";
     MatWriter(path).Doubles("P", {4, 1}, {0, 0, 1, 5});
     return path;
   }

@@ -74,7 +74,7 @@ class ComparisonPageTest : public SmallWorkspaceTest {
                        Page().string()});
   }
   std::string Hull() const {
-    const std::string path = (folder_ / "hull.ply").string();
+    std::string path = (folder_ / "hull.ply").string();
     const ProgramResult result = RunOctacut({"visual_hull_mesher",
                                              "--workspace_path",
                                              Workspace().string(),

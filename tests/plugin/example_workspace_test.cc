@@ -1,5 +1,6 @@
 #include "plugin/example_workspace.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -180,8 +181,9 @@ TEST(ExampleCreator, RefusesBadValuesBeforeItTouchesTheFolder) {
                                              "--" + option,
                                              value});
     EXPECT_EQ(result.exit_code, 1);
-    EXPECT_THAT(result.err,
-                HasSubstr("ERROR: --" + option + " = " + value + ": must"));
+    EXPECT_THAT(
+        result.err,
+        HasSubstr(fmt::format("ERROR: --{} = {}: must", option, value)));
     EXPECT_FALSE(fs::exists(workspace));
   }
 }

@@ -80,9 +80,9 @@ class MeshExporterTest : public ::testing::Test {
     }
     for (int i = 0; i < 100; ++i) {
       SparsePoint& point = model.points.emplace_back();
-      point.id = uint64_t(i + 1);
-      point.xyz =
-          Eigen::Vector3d(0.2 * (i % 10) - 0.9, 0.2 * (i / 10) - 0.9, 0);
+      const int row = i / 10;
+      point.id = uint64_t(i) + 1;
+      point.xyz = Eigen::Vector3d(0.2 * (i % 10) - 0.9, 0.2 * row - 0.9, 0);
       point.error = 0.3;
     }
     WriteSparseModelText(model, folder_ / "w" / "sparse" / "0");

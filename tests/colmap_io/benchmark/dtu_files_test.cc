@@ -19,7 +19,7 @@ class ReadDtuCropTest : public ::testing::Test {
  protected:
   // 2 x 1 x 3 cells, of which (1, 0, 2) is observed.
   std::string Mask(double resolution = 4) const {
-    const std::string path = folder_ / "ObsMask1_10.mat";
+    std::string path = folder_ / "ObsMask1_10.mat";
     MatWriter writer(path);
     writer.Logicals("ObsMask", {2, 1, 3}, {0, 0, 0, 0, 0, 1});
     // In MATLAB's order, column after column.
@@ -27,8 +27,8 @@ class ReadDtuCropTest : public ::testing::Test {
     writer.Doubles("Res", {1, 1}, {resolution});
     return path;
   }
-  std::string Plane(std::vector<double> values = {0, 0, 1, -5}) const {
-    const std::string path = folder_ / "Plane1.mat";
+  std::string Plane(const std::vector<double>& values = {0, 0, 1, -5}) const {
+    std::string path = folder_ / "Plane1.mat";
     MatWriter(path).Doubles("P", {values.size(), 1}, values);
     return path;
   }

@@ -141,6 +141,7 @@ TEST(WriteFile, ManyAtOnceInOneFolderDoNotMeet) {
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "a.txt";
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i) {
     threads.emplace_back([&, i] {
       for (int round = 0; round < 50; ++round) {

@@ -58,7 +58,7 @@ TEST(Charts, DoNotOverlap) {
       texel *= 2;
     }
     ForPixelsInside(texels, 2 * page.width, 2 * page.height, [&](int x, int y) {
-      uint32_t& owner = owners[size_t(y * 2 * page.width + x)];
+      uint32_t& owner = owners[size_t(y) * size_t(2 * page.width) + size_t(x)];
       EXPECT_EQ(owner, kNoFace);
       owner = f;
       ++num_points;

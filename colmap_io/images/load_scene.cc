@@ -319,11 +319,11 @@ void Loader::PlanWindows() {
 void Loader::ReadView(const Candidate& candidate, View* view) const {
   // Views are loaded side by side; each by one thread.
   const Context alone(1);
-  view->mask = Undistort(ReadMask(candidate.files.mask_file),
-                         candidate.mask.camera,
-                         view->camera,
-                         255,
-                         alone);
+  const cv::Mat mask = ReadMask(candidate.files.mask_file);
+  const SparseCamera& mask_camera = candidate.mask.camera;
+  view->mask = Undistort(mask, mask_camera, view->camera, 255, alone);
+  view->unknown =
+      FindUncovered(mask, mask_camera, view->camera, view->mask, alone);
   candidate.bites.Fill(view->camera, &view->mask);
   if (!options_.load_images) {
     return;

@@ -264,4 +264,18 @@ cv::Mat Undistort(const cv::Mat& source,
   return result;
 }
 
+cv::Mat FindUncovered(const cv::Mat& source,
+                      const SparseCamera& camera,
+                      const PinholeCamera& target,
+                      const cv::Mat& undistorted,
+                      const Context& context) {
+  if (IsPinhole(camera)) {
+    return {};
+  }
+  // What another value fills.
+  cv::Mat uncovered =
+      undistorted != Undistort(source, camera, target, 0, context);
+  return cv::countNonZero(uncovered) > 0 ? uncovered : cv::Mat();
+}
+
 }  // namespace octacut

@@ -23,4 +23,13 @@ cv::Mat Undistort(const cv::Mat& source,
                   uint8_t uncovered,
                   const Context& context);
 
+// CV_8UC1, 255 at the target pixels that `source` does not cover; empty where
+// it covers all. `undistorted` is Undistort(source, camera, target, 255), of
+// one channel.
+cv::Mat FindUncovered(const cv::Mat& source,
+                      const SparseCamera& camera,
+                      const PinholeCamera& target,
+                      const cv::Mat& undistorted,
+                      const Context& context);
+
 }  // namespace octacut

@@ -64,14 +64,15 @@ void MarkCovered(const ViewProjection& projection,
 }
 
 bool IsSure(const PreparedView& view, const SampleMap& map, int x, int y) {
-  return view.silhouette.Test(float(x - 1) / map.scale,
+  const float u = (float(x) + 0.5f) / map.scale;
+  const float v = (float(y) + 0.5f) / map.scale;
+  return view.silhouette.IsKnown(u, v) &&
+         view.silhouette.Test(float(x - 1) / map.scale,
                               float(y - 1) / map.scale,
                               float(x + 2) / map.scale,
                               float(y + 2) / map.scale) ==
              Containment::kObject &&
-         view.silhouette.SignedDistance((float(x) + 0.5f) / map.scale,
-                                        (float(y) + 0.5f) / map.scale) >
-             view.SureDepth();
+         view.silhouette.SignedDistance(u, v) > view.SureDepth();
 }
 
 SampleMap MapView(const PreparedView& view, const VoxelGrid& matter) {

@@ -129,7 +129,8 @@ void FillFalse(std::vector<GapOfView>* candidates,
     }
   }
   for (const size_t view : changed) {
-    (*views)[view].silhouette = Silhouette(filled->scene.views[view].mask);
+    const View& repaired = filled->scene.views[view];
+    (*views)[view].silhouette = Silhouette(repaired.mask, repaired.unknown);
   }
   std::erase_if(*candidates,
                 [](const GapOfView& candidate) { return candidate.is_false; });

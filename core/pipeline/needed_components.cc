@@ -64,22 +64,15 @@ Eigen::AlignedBox2i PixelsAround(const ViewProjection& projection,
     }
     box.extend(Eigen::Vector2f(p->u, p->v));
   }
-  const Eigen::AlignedBox2f seen = box.intersection(Eigen::AlignedBox2f(
-      frame.min().cast<float>(), frame.max().cast<float>()));
+  // The frame ends a pixel behind its last ones.
+  const Eigen::Vector2f end =
+      (frame.max() + Eigen::Vector2i::Ones()).cast<float>();
+  const Eigen::AlignedBox2f seen =
+      box.intersection(Eigen::AlignedBox2f(Eigen::Vector2f::Zero(), end));
   return seen.isEmpty() ? Eigen::AlignedBox2i()
-                        : Eigen::AlignedBox2i(seen.min().cast<int>(),
-                                              seen.max().cast<int>());
-}
-
-double CountObject(const PreparedView& view) {
-  double count = 0;
-  for (int y = 0; y < view.projection.height; ++y) {
-    for (int x = 0; x < view.projection.width; ++x) {
-      count +=
-          view.silhouette.SignedDistance(float(x) + 0.5f, float(y) + 0.5f) > 0;
-    }
-  }
-  return count;
+                        : Eigen::AlignedBox2i(
+                              seen.min().cast<int>().cwiseMin(frame.max()),
+                              seen.max().cast<int>().cwiseMin(frame.max()));
 }
 
 // Whether a part covers enough of one view that the rest does not.
@@ -100,10 +93,11 @@ bool IsNeededIn(const PreparedView& view,
   double count = 0;
   for (int y = box.min().y(); y <= box.max().y(); ++y) {
     for (int x = box.min().x(); x <= box.max().x(); ++x) {
-      const Eigen::Vector3d ray =
-          unproject * Eigen::Vector3d(x + 0.5, y + 0.5, 1);
-      count += view.silhouette.SignedDistance(
-                   float(x) + 0.5f, float(y) + 0.5f) > view.SureDepth() &&
+      const float u = float(x) + 0.5f;
+      const float v = float(y) + 0.5f;
+      const Eigen::Vector3d ray = unproject * Eigen::Vector3d(u, v, 1);
+      count += view.silhouette.IsKnown(u, v) &&
+               view.silhouette.SignedDistance(u, v) > view.SureDepth() &&
                part_rays.IsOccluded(center, ray, 0, kInfinity) &&
                !rest.IsOccluded(center, ray, 0, kInfinity);
     }
@@ -123,7 +117,7 @@ size_t RestoreNeededComponents(const ViewSet& views,
   std::vector<double> num_object(views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      num_object[i] = CountObject(views[i]);
+      num_object[i] = double(views[i].silhouette.NumObjectPixels());
     }
   });
   const RayScene rest(UnitMesh(kept->mesh, cube));

@@ -18,16 +18,17 @@ inline constexpr int kObjectThreshold = 128;
 // One view, cropped to the object and held at the resolution that the target
 // level needs. `image` and `mask` have the size of `camera`.
 //
-// A view says nothing about what projects outside its frame; pixels of the
-// frame that no pixel of the original photograph covers (borders left by
-// undistortion) are not known either, and `mask` is 255 there.
+// A view says nothing about what projects outside its frame, nor about pixels
+// of the frame that the photograph does not cover (borders left by
+// undistortion): `unknown` is 255 there, and so is `mask`.
 struct View {
   std::string name;  // of the photograph, as the sparse model has it
   PinholeCamera camera;
   Rigid3d cam_from_world;
-  cv::Mat image;  // CV_8UC3, BGR (OpenCV's order); empty where not needed
-  cv::Mat mask;   // CV_8UC1, 255 = object, 0 = background; values between are
-                  // coverage by the object
+  cv::Mat image;    // CV_8UC3, BGR (OpenCV's order); empty where not needed
+  cv::Mat mask;     // CV_8UC1, 255 = object, 0 = background; values between are
+                    // coverage by the object
+  cv::Mat unknown;  // CV_8UC1, 255 or 0; empty where the photograph covers all
   double scale = 1;  // pixels of this view a pixel of the photograph
 
   Eigen::Vector3d Center() const {

@@ -14,38 +14,6 @@ namespace {
 // Errors by the sampling of the mask and of the rays, half a pixel each.
 constexpr double kSampling = 1;
 
-bool IsBlack(const cv::Mat& image, int x, int y) {
-  return image.empty() || image.at<cv::Vec3b>(y, x) == cv::Vec3b();
-}
-
-// Sets what no photograph covers to 0 in `missed`.
-void RemoveUnphotographed(const cv::Mat& image, cv::Mat* missed) {
-  std::vector<cv::Point> open;
-  const auto visit = [&](int x, int y) {
-    if (x >= 0 && y >= 0 && x < missed->cols && y < missed->rows &&
-        missed->at<uint8_t>(y, x) != 0 && IsBlack(image, x, y)) {
-      missed->at<uint8_t>(y, x) = 0;
-      open.emplace_back(x, y);
-    }
-  };
-  for (int x = 0; x < missed->cols; ++x) {
-    visit(x, 0);
-    visit(x, missed->rows - 1);
-  }
-  for (int y = 0; y < missed->rows; ++y) {
-    visit(0, y);
-    visit(missed->cols - 1, y);
-  }
-  while (!open.empty()) {
-    const cv::Point at = open.back();
-    open.pop_back();
-    visit(at.x - 1, at.y);
-    visit(at.x + 1, at.y);
-    visit(at.x, at.y - 1);
-    visit(at.x, at.y + 1);
-  }
-}
-
 // A view of `check` and what its missed pixels say of the other masks.
 struct CheckedView {
   PixelCounts counts;
@@ -87,15 +55,18 @@ PixelCounts& PixelCounts::operator+=(const PixelCounts& other) {
 
 PixelCounts CountPixels(const Silhouette& silhouette,
                         const cv::Mat& mesh,
-                        const cv::Mat& image,
                         const BorderUncertainty& uncertainty,
                         cv::Mat* missed) {
   PixelCounts counts;
   *missed = cv::Mat::zeros(mesh.size(), CV_8UC1);
   for (int y = 0; y < mesh.rows; ++y) {
     for (int x = 0; x < mesh.cols; ++x) {
-      const float depth =
-          silhouette.SignedDistance(float(x) + 0.5f, float(y) + 0.5f);
+      const float u = float(x) + 0.5f;
+      const float v = float(y) + 0.5f;
+      if (!silhouette.IsKnown(u, v)) {
+        continue;
+      }
+      const float depth = silhouette.SignedDistance(u, v);
       const bool is_covered = mesh.at<uint8_t>(y, x) != 0;
       if (depth <= 0) {
         counts.exceeded += is_covered;
@@ -110,10 +81,7 @@ PixelCounts CountPixels(const Silhouette& silhouette,
       missed->at<uint8_t>(y, x) = is_border || is_covered ? 0 : 255;
     }
   }
-  const auto num_uncovered = size_t(cv::countNonZero(*missed));
-  RemoveUnphotographed(image, missed);
   counts.missed = size_t(cv::countNonZero(*missed));
-  counts.object -= num_uncovered - counts.missed;
   return counts;
 }
 
@@ -141,8 +109,7 @@ SilhouetteCheck CheckSilhouettes(
                                const BorderUncertainty& uncertainty,
                                cv::Mat* missed) {
         CheckedView view;
-        view.counts = CountPixels(
-            silhouette, mesh, repaired[i].image, uncertainty, missed);
+        view.counts = CountPixels(silhouette, mesh, uncertainty, missed);
         DeniedPixels denied = FindDeniedPixels(views, margins, i, *missed);
         view.counts.contradicted = denied.count;
         view.denied_by = std::move(denied.by_view);
@@ -151,11 +118,11 @@ SilhouetteCheck CheckSilhouettes(
       of_repaired[i] = checked(
           views[i].silhouette, uncertainties[i].repaired, &check.missed[i]);
       cv::Mat missed;
-      of_given[i] =
-          given[i].mask.data == repaired[i].mask.data
-              ? of_repaired[i]
-              : checked(
-                    Silhouette(given[i].mask), uncertainties[i].given, &missed);
+      of_given[i] = given[i].mask.data == repaired[i].mask.data
+                        ? of_repaired[i]
+                        : checked(Silhouette(given[i].mask, given[i].unknown),
+                                  uncertainties[i].given,
+                                  &missed);
       phase.Advance();
     }
   });

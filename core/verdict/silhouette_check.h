@@ -63,14 +63,10 @@ struct MaskCheck {
   std::vector<size_t> denied_of_others;
 };
 
-// The counts of one view. `mesh` is that of RenderHits; `missed`
-// (CV_8UC1) becomes 255 where pixels are missed. Missed pixels that are
-// connected with the frame's edge and are black in the image (CV_8UC3, or
-// empty: then all are) do not belong to the object: no pixel of the photograph
-// covers them.
+// The counts of one view, without its unknown pixels. `mesh` is that of
+// RenderHits; `missed` (CV_8UC1) becomes 255 where pixels are missed.
 PixelCounts CountPixels(const Silhouette& silhouette,
                         const cv::Mat& mesh,
-                        const cv::Mat& image,
                         const BorderUncertainty& uncertainty,
                         cv::Mat* missed);
 

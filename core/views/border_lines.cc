@@ -97,19 +97,33 @@ class BorderLines {
     return view_.silhouette.SignedDistance(float(x) + 0.5f, float(y) + 0.5f);
   }
 
-  // Pixels of the object beside background, clear of the frame.
+  // Pixels of the object beside background, clear of the frame and of unknown
+  // pixels.
   std::vector<Eigen::Vector2f> Points() const {
     const int margin =
         int(range_ + float(kLineMargin) * kEdgeStep + kNormalReach) + 1;
     std::vector<Eigen::Vector2f> points;
     for (int y = margin; y < image_.height - margin; ++y) {
       for (int x = margin; x < image_.width - margin; ++x) {
-        if (const float inside = Inside(x, y); inside > 0 && inside < 1) {
+        if (const float inside = Inside(x, y);
+            inside > 0 && inside < 1 && IsKnownAround(x, y, margin)) {
           points.emplace_back(float(x) + 0.5f, float(y) + 0.5f);
         }
       }
     }
     return points;
+  }
+
+  // In eight directions.
+  bool IsKnownAround(int x, int y, int distance) const {
+    for (const int dy : {-distance, 0, distance}) {
+      for (const int dx : {-distance, 0, distance}) {
+        if (!view_.silhouette.IsKnown(float(x + dx), float(y + dy))) {
+          return false;
+        }
+      }
+    }
+    return true;
   }
 
   // Of what a line shows and where on it the border is.

@@ -14,11 +14,15 @@ constexpr float kDistanceScale = 32;
 // From the centres of pixels to the object's border. Where a pixel is covered
 // in part, the border is in it; elsewhere it lies half-way to the nearest pixel
 // of the other kind.
-std::vector<int16_t> SignedDistances(const cv::Mat& mask) {
+std::vector<int16_t> SignedDistances(const cv::Mat& mask,
+                                     const cv::Mat& unknown) {
   const cv::Mat object = mask >= kObjectThreshold;
+  const cv::Mat known_object =
+      unknown.empty() ? object : cv::Mat(object & ~unknown);
   cv::Mat inside, outside;
   cv::distanceTransform(object, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  cv::distanceTransform(~object, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  cv::distanceTransform(
+      ~known_object, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   std::vector<int16_t> distances;
   distances.reserve(mask.total());
   for (int y = 0; y < mask.rows; ++y) {
@@ -42,12 +46,12 @@ std::vector<int16_t> SignedDistances(const cv::Mat& mask) {
 
 }  // namespace
 
-Silhouette::Silhouette(const cv::Mat& mask)
+Silhouette::Silhouette(const cv::Mat& mask, const cv::Mat& unknown)
     : width_(mask.cols),
       height_(mask.rows),
       sums_(size_t(width_ + 1) * (height_ + 1), 0),
       mask_(mask),
-      distances_(SignedDistances(mask)) {
+      distances_(SignedDistances(mask, unknown)) {
   const size_t stride = size_t(width_) + 1;
   for (int y = 0; y < height_; ++y) {
     const uint8_t* row = mask.ptr<uint8_t>(y);
@@ -55,6 +59,9 @@ Silhouette::Silhouette(const cv::Mat& mask)
     for (int x = 0; x < width_; ++x) {
       row_sum += row[x] >= kObjectThreshold ? 1 : 0;
       sums_[(y + 1) * stride + x + 1] = sums_[y * stride + x + 1] + row_sum;
+      if (!unknown.empty() && unknown.at<uint8_t>(y, x) != 0) {
+        distances_[size_t(y) * width_ + x] = kUnknown;
+      }
     }
   }
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <opencv2/core/mat.hpp>
 #include <vector>
 
@@ -25,8 +26,15 @@ enum class Containment : uint8_t {
 class Silhouette {
  public:
   Silhouette() = default;
-  // `mask` CV_8UC1 of the view's size.
-  explicit Silhouette(const cv::Mat& mask);
+  // `mask` and `unknown` as View has them.
+  explicit Silhouette(const cv::Mat& mask, const cv::Mat& unknown = cv::Mat());
+
+  size_t NumObjectPixels() const { return sums_.back(); }
+  // Whether the pixel at these coordinates is in the frame and not unknown.
+  bool IsKnown(float u, float v) const {
+    return u >= 0 && v >= 0 && u < float(width_) && v < float(height_) &&
+           distances_[size_t(v) * width_ + size_t(u)] != kUnknown;
+  }
 
   // Pixels with coordinates in [u0, u1] x [v0, v1]. Background only when the
   // object is farther than `margin` pixels away (in u or v).
@@ -47,8 +55,8 @@ class Silhouette {
                         float margin = 0) const;
 
   // Distance (pixels) from the border of the object, positive inside, to some
-  // quarter of a pixel; bilinear. kFarInside out of the frame, where the view
-  // does not tell.
+  // quarter of a pixel; bilinear. At least kFarInside where the view does not
+  // tell: out of the frame and at unknown pixels.
   static constexpr float kFarInside = 1000;
   float SignedDistance(float u, float v) const;
 
@@ -64,7 +72,9 @@ class Silhouette {
   int height_ = 0;
   std::vector<uint32_t> sums_;  // summed-area table, (width + 1) x (height + 1)
   cv::Mat mask_;
-  // Signed distances of pixel centres, in units of 1 / kDistanceScale pixels.
+  // Signed distances of pixel centres, in units of 1 / kDistanceScale pixels,
+  // or kUnknown, which is beyond them.
+  static constexpr int16_t kUnknown = std::numeric_limits<int16_t>::max();
   std::vector<int16_t> distances_;
 };
 

@@ -13,7 +13,7 @@ ViewSet PrepareViews(const Scene& scene,
     for (size_t i = begin; i < end; ++i) {
       const View& view = scene.views[i];
       views[i].projection = MakeViewProjection(view, cube);
-      views[i].silhouette = Silhouette(view.mask);
+      views[i].silhouette = Silhouette(view.mask, view.unknown);
       views[i].mask_tolerance = float(mask_tolerance * view.scale);
       if (!view.image.empty()) {
         views[i].pyramid = ImagePyramid(view.image, view.mask);

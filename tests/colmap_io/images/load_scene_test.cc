@@ -107,6 +107,8 @@ void ExpectSphere(const LoadedScene& loaded) {
         if (!view.image.empty() &&
             view.image.at<cv::Vec3b>(y, x) == cv::Vec3b(0, 0, 0)) {
           ASSERT_EQ(view.mask.at<uint8_t>(y, x), 255);
+          ASSERT_FALSE(view.unknown.empty());
+          ASSERT_EQ(view.unknown.at<uint8_t>(y, x), 255);
           continue;
         }
         if (std::abs(miss - 0.8) > 1.5 * pixel) {

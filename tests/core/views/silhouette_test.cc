@@ -166,6 +166,25 @@ TEST(Silhouette, SignedDistanceIsFarWithoutABorderOrOutOfTheFrame) {
   EXPECT_EQ(Silhouette(mask).SignedDistance(5, 5), -Silhouette::kFarInside);
 }
 
+TEST(Silhouette, SaysNothingOfUnknownPixels) {
+  // Background, but for the last six columns, which no photograph covers.
+  cv::Mat mask(12, 16, CV_8UC1, cv::Scalar::all(0));
+  mask.colRange(10, 16).setTo(255);
+  cv::Mat unknown = mask.clone();
+  const Silhouette silhouette(mask, unknown);
+  EXPECT_TRUE(silhouette.IsKnown(9.5f, 5.5f));
+  EXPECT_FALSE(silhouette.IsKnown(10.5f, 5.5f));
+  EXPECT_FALSE(silhouette.IsKnown(16.5f, 5.5f));
+  EXPECT_GE(silhouette.SignedDistance(10.5f, 5.5f), Silhouette::kFarInside);
+  // Their edge is no border of the object.
+  EXPECT_EQ(silhouette.SignedDistance(9.5f, 5.5f), -Silhouette::kFarInside);
+  EXPECT_EQ(silhouette.Test(8, 3, 12, 6), Containment::kMixed);
+  // Known object beside them.
+  mask.colRange(6, 10).setTo(255);
+  EXPECT_NEAR(Silhouette(mask, unknown).SignedDistance(9.5f, 5.5f), 3.5, 0.1);
+  EXPECT_NEAR(Silhouette(mask, unknown).SignedDistance(5.5f, 5.5f), -0.5, 0.1);
+}
+
 struct PreparedRandomView {
   cv::Mat mask;
   Silhouette silhouette;

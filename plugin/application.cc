@@ -160,7 +160,8 @@ int RunApplication(std::span<const std::string> arguments,
       name = "version";
     }
     const bool is_help = name == "help" || name == "-h" || name == "--help";
-    if (is_help && (arguments.empty() || arguments.front().starts_with('-'))) {
+    if (is_help && (arguments.empty() || arguments.front() == "help" ||
+                    arguments.front().starts_with('-'))) {
       out << ProgramHelp(commands);
       FlushOrThrow(out);
       return kExitSuccess;

@@ -37,7 +37,8 @@ void DeclareComparerPaths(OptionManager& options, ComparerPaths* paths) {
       .Add("transform_output_path",
            &paths->transform_output,
            "Text file to write: the 4 x 4 matrix that brings the mesh, one "
-           "only, into the frame of the reference. Used with align.")
+           "only, into the frame of the reference. Used with "
+           "align, and with protocols that align.")
       .ForExperts();
   options
       .Add("distance_path",

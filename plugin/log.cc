@@ -76,10 +76,11 @@ void LogOptions::Check() const {
 
 Log::Log(const LogOptions& options, std::string_view run_name) {
   options.Check();
+  const bool is_file_too =
+      (options.to_stderr && options.target == LogTarget::kFile) ||
+      (!options.path.empty() && options.target == LogTarget::kStderr);
   const LogTarget target =
-      options.to_stderr && options.target == LogTarget::kFile
-          ? LogTarget::kStderrAndFile
-          : options.target;
+      is_file_too ? LogTarget::kStderrAndFile : options.target;
   if (target != LogTarget::kFile) {
     std::FILE* const stream = target == LogTarget::kStdout ? stdout : stderr;
     console_ = std::make_unique<spdlog::logger>(

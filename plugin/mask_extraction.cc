@@ -253,15 +253,16 @@ void DeclareMaskExtractionOptions(OptionManager& options,
       "prior (docs/masks.md). Default: none.");
   options.Add("on_stand",
               &extraction->on_stand,
-              "If 1, estimate from the sparse points the plane on which the "
-              "object stands, and treat that plane and everything below it as "
-              "background; if 0, do not; if -1, do so if the photographs show "
-              "that something stands on such a plane.");
+              "Whether to leave out the plane on which the object stands, as "
+              "estimated from the sparse points, and everything below it: 1 "
+              "always, 0 never, -1 if the photographs show something that "
+              "stands on such a plane.");
 }
 
 MaskList ExtractMasks(const Workspace& workspace,
                       const MaskExtractionOptions& options,
                       const Context& context) {
+  RequireWritableFolder(options.output_path);
   return Extractor(workspace, options, context).Run();
 }
 

@@ -42,9 +42,9 @@ void DeclareMainOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.min_handle",
       &meshing->finish.min_handle,
-      "In voxels (or pixels, if these are larger): remove bridges up to this "
-      "circumference and fill tunnels up to twice it. Where no silhouette "
-      "shows them, the limit is four times this value for both. 0 keeps all.");
+      "Remove bridges up to this circumference and fill tunnels up to twice "
+      "it, in voxels or, if larger, pixels. Where no silhouette shows them, "
+      "the limit is four times this value for both. 0 keeps all.");
 }
 
 void DeclareExpertOptions(OptionManager& options,

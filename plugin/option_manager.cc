@@ -175,9 +175,12 @@ std::vector<OptionManager::Given> OptionManager::ReadProjectFile() const {
   for (const IniEntry& entry : ReadIni(file, file_name)) {
     const std::string place = fmt::format("{}:{}: ", file_name, entry.line);
     const Option* const option = Find(entry.key);
-    if (option == nullptr || option->name == kProjectPath ||
-        option->name == kHelpAll) {
+    if (option == nullptr) {
       throw OptionError(place + UnknownName(entry.key, "key", "").what());
+    }
+    if (option->name == kProjectPath || option->name == kHelpAll) {
+      throw OptionError(fmt::format(
+          "{}{} can only be set on the command line", place, option->name));
     }
     AddGiven(*option, entry.value, place + entry.key, &given);
   }
@@ -280,7 +283,9 @@ std::string FullName(const Option& option) {
 
 std::string OptionManager::NameOption(const std::string& message) const {
   const size_t field_size = message.find(" = ");
-  if (field_size == std::string::npos) {
+  // A field is a name; what has a file and a line before it says enough.
+  if (field_size == std::string::npos ||
+      message.find_first_of(" :`") < field_size) {
     return message;
   }
   const Option* const named = FindByField(message.substr(0, field_size));

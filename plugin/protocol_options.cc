@@ -112,12 +112,13 @@ void CheckCount(const char* option,
                 std::pair<size_t, size_t> range,
                 const char* meaning) {
   if (count < range.first) {
-    throw OptionError(fmt::format("{} = {}: the protocol {} needs {}: {}",
-                                  option,
-                                  value,
-                                  traits.name,
-                                  range.first == 1 ? "it" : "two files",
-                                  meaning));
+    throw OptionError(
+        fmt::format("--{}: the protocol {} needs {}, and {} given: {}",
+                    option,
+                    traits.name,
+                    range.first == 1 ? "one value" : "two values",
+                    count == 0 ? "none is" : "one is",
+                    meaning));
   }
   if (count > range.second) {
     throw OptionError(
@@ -153,7 +154,7 @@ void CheckExcludedOptions(const ProtocolTraits& traits,
                            "Alignment.estimate_scale"}) {
     if (options.IsSet(name)) {
       throw OptionError(fmt::format(
-          "{}: cannot be used with protocol = {}, which has rules of its own "
+          "--{} cannot be used with --protocol {}, which has rules of its own "
           "for alignment, crop and sampling{}",
           name,
           traits.name,

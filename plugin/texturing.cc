@@ -224,8 +224,8 @@ void TexturingArguments::Declare(OptionManager& options) {
   options
       .Add("hold_out",
            &hold_out,
-           "If N is not 0, leave each N-th photograph out and report how well "
-           "pictures of the textured mesh agree with it.")
+           "Leave out every N-th photograph and report how well pictures of "
+           "the textured mesh agree with it; 0 for none.")
       .ForExperts();
   options
       .AddRepeatable("compare_path",

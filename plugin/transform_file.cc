@@ -5,12 +5,14 @@
 #include <cmath>
 #include <Eigen/Core>
 #include <Eigen/LU>
-#include <fstream>
 #include <locale>
 #include <ostream>
+#include <sstream>
 #include <string>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/files/byte_order_mark.h"
+#include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -28,10 +30,10 @@ Eigen::Matrix4d MatrixOf(const Similarity3d& transform) {
 }  // namespace
 
 Similarity3d ReadTransform(const std::filesystem::path& path) {
-  std::ifstream stream(path);
-  if (!stream) {
-    throw InputError(fmt::format("{}: cannot be opened", path.string()));
-  }
+  const std::string text = ReadFile(path);
+  std::string_view numbers = text;
+  SkipByteOrderMark(&numbers);
+  std::istringstream stream{std::string(numbers)};
   stream.imbue(std::locale::classic());
   Eigen::Matrix4d matrix;
   for (int i = 0; i < 16; ++i) {

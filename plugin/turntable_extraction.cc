@@ -252,6 +252,7 @@ MaskList ExtractTurntableMasks(const TurntableExtractionOptions& options,
   if (!options.background_path.empty()) {
     RequireFolder(options.background_path, "background_path");
   }
+  RequireWritableFolder(options.output_path);
   MaskList list;
   list.is_of_turntable = true;
   std::vector<std::vector<uchar>> pngs;

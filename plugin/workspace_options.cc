@@ -96,16 +96,28 @@ void DeclareMoveMaskBorders(OptionManager& options, bool* move_mask_borders) {
       .ForExperts();
 }
 
+void DeclareBoundingBox(OptionManager& options,
+                        std::vector<double>* bounding_box) {
+  options.Add("OctahedralMeshing.bounding_box",
+              bounding_box,
+              "Bounding box x0,y0,z0,x1,y1,z1 of the object in the frame of "
+              "the sparse model. Default: estimated from the silhouettes.");
+}
+
+void DeclareKeepAllViews(OptionManager& options, bool* keep_all_views) {
+  options
+      .Add("keep_all_views",
+           keep_all_views,
+           "If 1, use views whose mask or pose contradicts the other views "
+           "instead of leaving them out.")
+      .ForExperts();
+}
+
 void WorkspaceArguments::Declare(const std::string& default_output,
                                  OptionManager& options) {
   default_output_ = default_output;
   DeclareLoadingOptions(options, &workspace_path, &loading);
-  options
-      .Add("keep_all_views",
-           &loading.keep_all_views,
-           "If 1, use views whose mask or pose contradicts the other views "
-           "instead of leaving them out.")
-      .ForExperts();
+  DeclareKeepAllViews(options, &loading.keep_all_views);
   options.Add("output_path",
               &output_path,
               "Mesh file to write (.ply, .obj, .off, .stl or .glb). Default: " +
@@ -116,10 +128,7 @@ void WorkspaceArguments::Declare(const std::string& default_output,
            "JSON report to write. Default: the path of the mesh with the "
            "extension .json.")
       .ForExperts();
-  options.Add("OctahedralMeshing.bounding_box",
-              &bounding_box,
-              "Bounding box x0,y0,z0,x1,y1,z1 of the object in the frame of "
-              "the sparse model. Default: estimated from the silhouettes.");
+  DeclareBoundingBox(options, &bounding_box);
 }
 
 void WorkspaceArguments::DeclareConfidence(OptionManager& options) {

@@ -22,6 +22,11 @@ void DeclareLoadingOptions(OptionManager& options,
                            std::filesystem::path* workspace_path,
                            LoadSceneOptions* loading);
 
+// `bounding_box` is empty, or what BoundingBoxFromNumbers takes.
+void DeclareBoundingBox(OptionManager& options,
+                        std::vector<double>* bounding_box);
+void DeclareKeepAllViews(OptionManager& options, bool* keep_all_views);
+
 // The tolerance for errors of the masks; for the commands that use it.
 void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance);
 void DeclareFillFalseGaps(OptionManager& options, bool* fill_false_gaps);

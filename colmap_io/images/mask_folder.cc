@@ -1,6 +1,7 @@
 #include "colmap_io/images/mask_folder.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <opencv2/imgcodecs.hpp>
@@ -76,7 +77,24 @@ std::string HashOfPng(const std::vector<uchar>& png) {
   return HashOfBytes({reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
+void RequireWritableFolder(const fs::path& folder) {
+  std::error_code error;
+  fs::path existing = fs::absolute(folder, error);
+  while (!fs::exists(existing, error) && existing.has_relative_path()) {
+    existing = existing.parent_path();
+  }
+  if (!fs::is_directory(existing, error) ||
+      ::access(existing.c_str(), W_OK | X_OK) != 0) {
+    throw InputError(fmt::format(
+        "output_path {}: masks cannot be written there, since {} is not a "
+        "folder with permission to write",
+        folder.string(),
+        existing.string()));
+  }
+}
+
 void RequireOnlyOwnMasks(const fs::path& folder) {
+  RequireWritableFolder(folder);
   std::error_code error;
   if (!fs::exists(folder, error)) {
     return;

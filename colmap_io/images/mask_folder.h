@@ -21,9 +21,14 @@ std::vector<uchar> EncodeMask(const cv::Mat& mask);
 // The hash of such a file, as the list has it.
 std::string HashOfPng(const std::vector<uchar>& png);
 
+// Throws InputError unless masks can be written to the folder, which need not
+// exist yet: to be asked before the work.
+void RequireWritableFolder(const std::filesystem::path& folder);
+
 // Throws InputError that names the first picture in the folder or below it that
 // is not a mask as octacut left it: for commands that replace all masks of
-// their folder. No folder is fine, and so is the contact sheet.
+// their folder. No folder is fine, and so is the contact sheet. Throws as
+// RequireWritableFolder does, too.
 void RequireOnlyOwnMasks(const std::filesystem::path& folder);
 
 // Writes, all together: the PNG file of every view in the list that has one in

@@ -74,9 +74,9 @@ const CameraModelInfo& RequireCameraModel(std::string_view name,
                                           std::string_view where);
 
 // Throws InputError unless the camera can be used: supported model, right
-// number of finite parameters, positive focal lengths, sizes of 1 to 2^31 - 1
-// and, for FOV and EUCM, parameters for which the formula is defined. `source`
-// is the file's name for the message.
+// number of finite parameters, positive focal lengths, sizes of 1 to
+// 1,000,000 pixels and, for FOV and EUCM, parameters for which the formula is
+// defined. `source` is the file's name for the message.
 void CheckCamera(const SparseCamera& camera, std::string_view source);
 
 // True when the model has no distortion: the camera is a pinhole as it is.

@@ -57,6 +57,7 @@ class DepthMapRenderer : public Command {
 
   fs::path workspace_path_;
   LoadSceneOptions loading_;
+  std::vector<double> bounding_box_;
   fs::path mesh_path_;
   DepthSource source_ = DepthSource::kMesh;
   bool overwrite_ = false;
@@ -67,12 +68,14 @@ class DepthMapRenderer : public Command {
 
 void DepthMapRenderer::DeclareOptions(OptionManager& options) {
   DeclareLoadingOptions(options, &workspace_path_, &loading_);
+  DeclareKeepAllViews(options, &loading_.keep_all_views);
+  DeclareBoundingBox(options, &bounding_box_);
   options.AddEnum(
       "source",
       &source_,
       {{"mesh", DepthSource::kMesh}, {"sweep", DepthSource::kSweep}},
       "Where depths come from: the mesh of mesh_path, or "
-      "octacut's own depth sweep, which knows of no mesh and needs "
+      "octacut's own depth sweep, which uses no mesh and needs "
       "masks.");
   options.Add("mesh_path",
               &mesh_path_,
@@ -221,6 +224,9 @@ cv::Mat WholeFrame(const cv::Mat& depth,
 void DepthMapRenderer::Sweep(const Workspace& workspace,
                              const std::vector<const SparseImage*>& images,
                              const Context& context) {
+  if (!bounding_box_.empty()) {
+    loading_.region.bounding_box = BoundingBoxFromNumbers(bounding_box_);
+  }
   // A sample of the sweep is half a voxel: the images need be no finer.
   const LoadedScene loaded =
       LoadScene(workspace_path_, loading_, sweep_.level + 1, context);

@@ -12,6 +12,7 @@
 #include "colmap_io/images/image_file.h"
 #include "core/base/error.h"
 #include "core/benchmark/evaluate/silhouette_agreement.h"
+#include "plugin/file_roles.h"
 #include "plugin/report.h"
 #include "plugin/text_table.h"
 
@@ -50,7 +51,8 @@ void MaskComparer::DeclareOptions(OptionManager& options) {
       "output_path", &output_path_, "JSON report to write. Default: none.");
 }
 
-std::vector<std::string> NamesIn(const fs::path& folder) {
+// `option` names the folder.
+std::vector<std::string> NamesIn(const char* option, const fs::path& folder) {
   std::error_code error;
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
@@ -60,8 +62,8 @@ std::vector<std::string> NamesIn(const fs::path& folder) {
   }
   if (names.empty()) {
     throw InputError(
-        fmt::format("reference_path {}: no such folder, or one "
-                    "without PNG files",
+        fmt::format("{} {}: no such folder, or one without PNG files",
+                    option,
                     folder.string()));
   }
   std::sort(names.begin(), names.end());
@@ -147,7 +149,16 @@ Json ToJson(const ComparedMask& mask) {
 }
 
 void MaskComparer::Run(const CommandEnvironment& environment) {
-  const std::vector<std::string> names = NamesIn(reference_path_);
+  const std::vector<std::string> names =
+      NamesIn("reference_path", reference_path_);
+  FileRoles files;
+  for (const std::string& name : names) {
+    files.Read(reference_path_ / name, "a reference mask");
+  }
+  for (const std::string& name : NamesIn("mask_path", mask_path_)) {
+    files.Read(mask_path_ / name, "a mask to measure");
+  }
+  files.Write("output_path", output_path_, "the report");
   std::vector<ComparedMask> masks(names.size());
   ForEachFile(
       {.count = names.size()}, "masks", environment.context, [&](size_t i) {

@@ -82,10 +82,10 @@ void MaskExtractor::Run(const CommandEnvironment& environment) {
     Report(environment, RunTurntable(environment.context));
     return;
   }
-  CheckOption(!workspace_path_.empty(),
-              "workspace_path",
-              workspace_path_.string(),
-              "is required");
+  if (workspace_path_.empty()) {
+    throw OptionError(
+        "option --workspace_path is required unless --mode turntable is given");
+  }
   CheckOption(background_path_.empty(),
               "background_path",
               background_path_.string(),
@@ -111,17 +111,25 @@ MaskList MaskExtractor::RunTurntable(const Context& context) const {
        {std::pair("workspace_path", !workspace_path_.empty()),
         std::pair("input_path", !workspace_.input_path.empty()),
         std::pair("image_list_path", !workspace_.image_list_path.empty()),
+        std::pair("skip_missing_images", extraction_.skip_missing_images),
         std::pair("given_masks_path", !extraction_.given_masks_path.empty()),
         std::pair("strokes_path", !extraction_.strokes_path.empty()),
         std::pair("network_path", !extraction_.network_path.empty()),
         std::pair("on_stand", extraction_.on_stand != -1),
         std::pair("OctahedralMeshing.bounding_box",
                   !extraction_.bounding_box.empty())}) {
-    CheckOption(!is_set,
-                name,
-                "...",
-                "is not for mode turntable, which knows no cameras");
+    if (is_set) {
+      throw OptionError(fmt::format(
+          "--{} cannot be used with --mode turntable, which uses no cameras",
+          name));
+    }
   }
+  std::error_code ignored;
+  CheckOption(!std::filesystem::equivalent(
+                  workspace_.image_path, extraction_.output_path, ignored),
+              "output_path",
+              extraction_.output_path.string(),
+              "must not be the folder of the photographs");
   return ExtractTurntableMasks({.image_path = workspace_.image_path,
                                 .output_path = extraction_.output_path,
                                 .background_path = background_path_},

@@ -298,6 +298,18 @@ void MeshComparer::WritePage(const CommandEnvironment& environment,
   WriteComparisonPage(paths_.page, page, {}, environment.context);
 }
 
+// Options that nothing uses unless another one is given.
+void RefuseUnused(const OptionManager& options,
+                  std::initializer_list<const char*> names,
+                  const char* without) {
+  for (const char* name : names) {
+    if (options.IsSet(name)) {
+      throw OptionError(
+          fmt::format("--{} has no effect without --{}", name, without));
+    }
+  }
+}
+
 void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
@@ -312,10 +324,17 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
               "cannot be used together with transform_path");
   CheckComparerPaths(
       paths_, protocol_.crop_paths, compare_.align || protocol_run_->Aligns());
-  CheckOption(compare_.align || !compare_.alignment.global_search,
-              "Alignment.global_search",
-              1,
-              "needs align = 1");
+  if (judged_.views_path.empty()) {
+    RefuseUnused(
+        environment.options, {"min_views", "max_view_angle"}, "views_path");
+  }
+  if (!compare_.align) {
+    RefuseUnused(environment.options,
+                 {"Alignment.global_search",
+                  "Alignment.num_samples",
+                  "Alignment.estimate_scale"},
+                 "align 1");
+  }
   SparseModel views;
   if (!judged_.views_path.empty()) {
     views = ReadLargestModel(judged_.views_path,

@@ -67,6 +67,7 @@ class MeshEvaluator : public Command {
   std::vector<std::filesystem::path> mesh_paths_;
   std::filesystem::path output_path_;
   std::filesystem::path html_path_;
+  std::vector<double> bounding_box_;
   int image_level_ = 10;
   bool self_intersections_ = true;
   EvaluateMeshOptions evaluate_;
@@ -86,6 +87,7 @@ void MeshEvaluator::DeclareOptions(OptionManager& options) {
               &html_path_,
               "HTML page to write: a viewer for the meshes and the "
               "photographs. Default: none.");
+  DeclareBoundingBox(options, &bounding_box_);
   options
       .Add("image_level",
            &image_level_,
@@ -208,29 +210,33 @@ void MeshEvaluator::WritePage(const CommandEnvironment& environment,
   for (const PageMesh& mesh : page_.meshes) {
     names.append(names.empty() ? "" : ", ").append(mesh.name);
   }
-  page_.title = names + ": judged by photographs";
+  page_.title = names + (evaluate_.photometric ? ": judged by photographs"
+                                               : ": judged by masks");
   page_.compared_with = page_.meshes.front().name;
   page_.protocol = ProtocolOfRun(environment);
-  page_.protocol.push_back(fmt::format(
-      "Photographs: {} views of {}, at the resolution of (2^{})^3 voxels. Each "
-      "is compared with up to {} neighbours at {:g} to {:g} degrees by "
-      "zero-mean "
-      "normalised cross-correlation in windows of {} x {} pixels.",
-      views.size(),
-      workspace_path_.string(),
-      image_level_,
-      evaluate_.reprojection.num_neighbors,
-      evaluate_.reprojection.min_angle,
-      evaluate_.reprojection.max_angle,
-      2 * evaluate_.reprojection.window_radius + 1,
-      2 * evaluate_.reprojection.window_radius + 1));
+  page_.protocol.push_back(
+      fmt::format("Views: {} of {}, at the resolution of (2^{})^3 voxels.",
+                  views.size(),
+                  workspace_path_.string(),
+                  image_level_));
+  if (evaluate_.photometric) {
+    page_.protocol.push_back(fmt::format(
+        "Photographs: each is compared with up to {} neighbours at {:g} to "
+        "{:g} degrees by zero-mean normalised cross-correlation in windows of "
+        "{} x {} pixels.",
+        evaluate_.reprojection.num_neighbors,
+        evaluate_.reprojection.min_angle,
+        evaluate_.reprojection.max_angle,
+        2 * evaluate_.reprojection.window_radius + 1,
+        2 * evaluate_.reprojection.window_radius + 1));
+    page_.protocol.emplace_back(
+        "Colours of the photographs: mean over the three views that see a "
+        "vertex most from the front, for every mesh alike. The difference to a "
+        "photograph is to these colours.");
+  }
   page_.protocol.emplace_back(
       "Alignment: none, the meshes are in the frame of the sparse model. Crop: "
       "none.");
-  page_.protocol.emplace_back(
-      "Colours of the photographs: mean over the three views that see a vertex "
-      "most from the front, for every mesh alike. The difference to a "
-      "photograph is to these colours.");
   if (page_.meshes.size() > 1) {
     page_.protocol.push_back(fmt::format(
         "Distances: {} points on each surface; to {}, and of {} to {}. None of "
@@ -296,6 +302,9 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
   loading_.load_images = evaluate_.photometric;
   // A mesh is judged by what it is given.
   loading_.keep_all_views = true;
+  if (!bounding_box_.empty()) {
+    loading_.region.bounding_box = BoundingBoxFromNumbers(bounding_box_);
+  }
   const LoadedScene loaded =
       LoadScene(workspace_path_, loading_, image_level_, context);
   const std::vector<View>& views = loaded.scene.views;

@@ -285,7 +285,8 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
   const std::string failure = audit.DescribeFailure();
   if (!failure.empty()) {
     throw InputError(
-        fmt::format("{}: at this scale, rounding to what files hold leaves {}",
+        fmt::format("{}: at this scale, single precision is too coarse; after "
+                    "rounding, the mesh has {}",
                     input_path_.string(),
                     failure));
   }

@@ -69,7 +69,7 @@ void MeshSimplifier::DeclareOptions(OptionManager& options) {
                       "Closed mesh to simplify (.ply, .obj, .off or .stl).");
   options.AddRequired("output_path",
                       &output_path_,
-                      "Mesh file to write (.ply, .obj, .off or .stl).");
+                      "Mesh file to write (.ply, .obj, .off, .stl or .glb).");
   options.Add("target_faces",
               &target_faces_,
               "Number of triangles to reach. Exactly one of target_faces, "
@@ -113,8 +113,8 @@ void MeshSimplifier::Check() const {
       (target_faces_ > 0) + (target_ratio_ > 0) + (max_error_ > 0);
   if (num_given != 1) {
     throw OptionError(fmt::format(
-        "exactly one of --target_faces, --target_ratio and --max_error must be "
-        "given, and not {}",
+        "give exactly one of --target_faces, --target_ratio and --max_error "
+        "({} are given)",
         num_given));
   }
 }
@@ -231,6 +231,11 @@ void MeshSimplifier::Run(const CommandEnvironment& environment) {
   files.Write("report_path", report_path_, "the report");
   const IndexedMesh full = ReadClosedMesh(input_path_, context);
   const size_t num_full = full.triangles.size();
+  CheckOption(
+      target_faces_ <= int64_t(num_full),
+      "target_faces",
+      target_faces_,
+      fmt::format("{} has only {} triangles", input_path_.string(), num_full));
   const size_t least = TargetOf(levels_ - 1, num_full);
   // Where vertices have to stay, others go instead: a tenth more.
   const CollapseReplay replay(full, least - least / 10, context);

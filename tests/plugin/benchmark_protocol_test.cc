@@ -196,18 +196,19 @@ TEST_F(BenchmarkProtocolTest, WhatIsMissingOrExcludedIsNamed) {
   const std::string volume = folder_.Write("crop.json", kVolume);
   const std::vector<Case> cases = {
       {{"--protocol", "tanks_and_temples", "--crop_path", volume},
-       "--tolerances = : the protocol tanks_and_temples needs it: tau"},
+       "--tolerances: the protocol tanks_and_temples needs one value, and none "
+       "is given: tau"},
       {{"--protocol", "tanks_and_temples", "--tolerances", "1"},
-       "--crop_path = : the protocol tanks_and_temples needs it: the scene's"},
+       "--crop_path: the protocol tanks_and_temples needs one value, and none "
+       "is given: the scene's"},
       {{"--protocol", "tanks_and_temples", "--tolerances", "1,2"},
        "--tolerances = 1,2: the protocol tanks_and_temples takes at most 1"},
-      {{"--protocol", "middlebury"},
-       "--tolerances = : the protocol middlebury"},
+      {{"--protocol", "middlebury"}, "--tolerances: the protocol middlebury"},
       {{"--protocol", "eth3d", "--tolerances", "0.1"},
        "the protocol eth3d needs the MeshLab project"},
       {{"--protocol", "eth3d", "--tolerances", "-0.1"},
        "--tolerances = -0.1: must be positive"},
-      {{"--protocol", "dtu"}, "--crop_path = : the protocol dtu needs two"},
+      {{"--protocol", "dtu"}, "--crop_path: the protocol dtu needs two"},
       {{"--protocol", "dtu", "--crop_path", DtuMask() + "," + DtuMask()},
        "may be given once"},
       {{"--protocol", "metro", "--tolerances", "1"},
@@ -215,7 +216,7 @@ TEST_F(BenchmarkProtocolTest, WhatIsMissingOrExcludedIsNamed) {
       {{"--tolerances", "1"}, "is not used by the protocol none"},
       {{"--protocol", "metro", "--align", "1"}, "--transform_path"},
       {{"--protocol", "metro", "--bounding_box", "0,0,0,1,1,1"},
-       "bounding_box: cannot be used with protocol = metro"},
+       "--bounding_box cannot be used with --protocol metro"},
       {{"--protocol", "other"}, "must be one of none, metro, middlebury"},
   };
   for (const Case& mistake : cases) {

@@ -168,6 +168,10 @@ TEST(CommandLine, LogsGoWhereTheOptionsSay) {
   EXPECT_THAT(to_file.out + to_file.err, Not(HasSubstr(detail)));
   EXPECT_THAT(ReadFile(file), HasSubstr(detail));
 
+  const std::string alone = (folder / "alone.log").string();
+  EXPECT_THAT(run({"--log_path", alone}).err, HasSubstr(detail));
+  EXPECT_THAT(ReadFile(alone), HasSubstr(detail));
+
   const std::string both = (folder / "both.log").string();
   EXPECT_THAT(run({"--log_target", "stderr_and_file", "--log_path", both}).err,
               HasSubstr(detail));

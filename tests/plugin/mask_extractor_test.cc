@@ -206,13 +206,16 @@ TEST_F(MaskExtractorTest, TwoMasksOfOneImageMayNotDiffer) {
 TEST_F(MaskExtractorTest, MaskComparerMeasuresThem) {
   ASSERT_EQ(Extract().exit_code, 0);
   fs::remove(Found(0));
-  const ProgramResult result = RunOctacut({"mask_comparer",
-                                           "--mask_path",
-                                           Extracted(),
-                                           "--reference_path",
-                                           Workspace() / "masks",
-                                           "--output_path",
-                                           folder_ / "masks.json"});
+  const auto compare = [&](const fs::path& masks, const fs::path& report) {
+    return RunOctacut({"mask_comparer",
+                       "--mask_path",
+                       masks,
+                       "--reference_path",
+                       Workspace() / "masks",
+                       "--output_path",
+                       report});
+  };
+  const ProgramResult result = compare(Extracted(), folder_ / "masks.json");
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("1 of 12 masks are missing"));
   const nlohmann::json report =
@@ -220,6 +223,13 @@ TEST_F(MaskExtractorTest, MaskComparerMeasuresThem) {
   EXPECT_FALSE(report["masks"][0]["is_there"]);
   EXPECT_GT(report["mean"]["overlap"], 0.96);
   EXPECT_LT(report["mean"]["border_mean"], 1);
+  EXPECT_THAT(compare(folder_ / "gone", folder_ / "masks.json").err,
+              HasSubstr("gone: no such folder"));
+  const fs::path mask = Workspace() / "masks" / "view_003.jpg.png";
+  const std::string before = ReadFile(mask);
+  EXPECT_THAT(compare(Extracted(), mask).err,
+              HasSubstr("must not be the same file as a reference mask"));
+  EXPECT_EQ(ReadFile(mask), before);
 }
 
 }  // namespace

@@ -143,10 +143,11 @@ TEST_F(MeshSimplifierTest, MistakesAreNamed) {
     std::string message;
   };
   const std::vector<Case> cases = {
-      {{"--output_path", out}, "exactly one of --target_faces"},
+      {{"--output_path", out}, "give exactly one of --target_faces"},
       {{"--output_path", out, "--target_faces", "9", "--max_error", "1"},
-       "exactly one of --target_faces"},
+       "give exactly one of --target_faces"},
       {{"--output_path", out, "--target_faces", "3"}, "--target_faces = 3: "},
+      {{"--output_path", out, "--target_faces", "10000000"}, " has only "},
       {{"--output_path", out, "--target_ratio", "1"}, "--target_ratio = 1: "},
       {{"--output_path", out, "--max_error", "-1"}, "--max_error = -1: "},
       {{"--output_path", out, "--target_faces", "9", "--levels", "0"},

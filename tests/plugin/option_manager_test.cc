@@ -153,7 +153,8 @@ TEST(OptionManager, ProjectFileErrorsNameFileLineAndKey) {
             ":1: verbose is given 2 times, but accepts only one value");
   EXPECT_EQ(error_of("[ImageReader]\nx=1\n"),
             ":2: unknown key `ImageReader.x`");
-  EXPECT_EQ(error_of("project_path=x\n").find(":1: unknown key"), 0u);
+  EXPECT_EQ(error_of("project_path=x\n"),
+            ":1: project_path can only be set on the command line");
   EXPECT_EQ(Bound().ErrorOf({"--project_path", "/gone.ini"}),
             "--project_path = /gone.ini: the file cannot be opened");
 }
@@ -173,6 +174,9 @@ TEST(OptionManager, KeysOfProjectFilesAreNoOptions) {
             "(--project_path), as `Meshing.rounds`");
   EXPECT_EQ(bound.manager.NameOption("rounds = 9: must be less"),
             "Meshing.rounds = 9: must be less");
+  // What names its place in a file says more than the option.
+  EXPECT_EQ(bound.manager.NameOption("p.ini:2: Meshing.rounds = 9: too many"),
+            "p.ini:2: Meshing.rounds = 9: too many");
   // Nor are they suggested.
   EXPECT_EQ(Bound().ErrorOf({"--Meshing.round", "5"}),
             "unknown option `--Meshing.round`; did you mean `--Meshing.box`?");

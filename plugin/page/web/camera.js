@@ -135,13 +135,13 @@
     }
 
     leavePhotograph() {
+      this.flight = null;
       this.photograph = null;
       this.photoZoom = 1;
       this.photoShift = { x: 0, y: 0 };
     }
 
     turn(dx, dy) {
-      this.flight = null;
       this.leavePhotograph();
       const rotation = new THREE.Quaternion().setFromEuler(
         new THREE.Euler(-dy, -dx, 0, 'YXZ'));

@@ -94,7 +94,7 @@
       { points: transform(e.measured.comparison.curves.from), colour: e.mesh.tint, dashed: true },
     ]);
     const densities = lines(Octacut.density);
-    const top = Math.max(...densities.map(line => Math.max(...line.points)));
+    const top = Math.max(...densities.map(line => Math.max(...line.points))) || 1;
     const percentLabel = v => Number((100 * v).toPrecision(2)) + ' %';
     const histogram = Octacut.chart({
       lines: densities, range: range, curve: curve, top: top, yLabel: percentLabel,
@@ -105,7 +105,7 @@
     return [
       make('h3', {}, 'Histogram'), histogram.svg,
       make('h3', {}, 'Share within a distance'), cumulative.svg,
-      note('Solid: from the mesh. Dashed: to the mesh.'),
+      note('Solid: from the mesh to the reference. Dashed: from the reference to the mesh.'),
       thresholdPart(items, curve, range, [histogram, cumulative]),
     ];
   }

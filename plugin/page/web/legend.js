@@ -25,7 +25,7 @@
     }
 
     // The slider is logarithmic, from a three-hundredth of what nearly all values
-    // reach; it begins at a fifth of it.
+    // reach; it begins at a third of it.
     findLimits(kind) {
       if (kind === 'support') {
         this.viewer.state.range.support = 1;

@@ -66,7 +66,7 @@
       return decoded;
     }
 
-    // The largest |value| but for a thousandth: where the range's slider ends.
+    // The largest |value| but for a thousandth.
     usualExtent(values) {
       const attribute = this.decoded.get(values) ||
         new THREE.BufferAttribute(this.decode(values), 1);

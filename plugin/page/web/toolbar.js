@@ -31,9 +31,11 @@
           viewer.requestDraw();
         });
         button.append(Octacut.nameTag(surface.mesh));
-        button.title = Octacut.count(surface.mesh.full_triangles) + ' triangles, '
-          + (surface.mesh.simplified
-            ? 'shown with ' + Octacut.count(surface.mesh.triangles) : 'all shown');
+        const { full_triangles, full_points, simplified, triangles } = surface.mesh;
+        button.title = full_triangles > 0
+          ? Octacut.count(full_triangles) + ' triangles, '
+            + (simplified ? 'shown with ' + Octacut.count(triangles) : 'all shown')
+          : Octacut.count(full_points) + ' points';
         return button;
       }));
   }

@@ -25,8 +25,8 @@ mesh=$("$root/workflows/option_value.sh" --output_path \
   "$workspace/meshed-octahedral.ply" "$@")
 
 places=()
-for option in --image_path --mask_path --input_path --skip_missing_images \
-  --skip_missing_masks; do
+for option in --image_path --mask_path --input_path --image_list_path \
+  --mask_geometry --original_path --skip_missing_images --skip_missing_masks; do
   value=$("$root/workflows/option_value.sh" "$option" "" "$@")
   if [[ -n $value ]]; then
     places+=("$option" "$value")

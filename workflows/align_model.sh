@@ -30,7 +30,15 @@ run() {
 # Camera centres of the reference, -R^T t, as "name x y z" lines.
 run model_converter --input_path "$reference" --output_path "$work" \
   --output_type TXT
-awk '!/^#/ && NF == 10 {  # a line of points has a multiple of three
+# Every second line is one of points.
+if ! awk '/^#/ { next }
+     ++n % 2 && NF != 10 { print substr($0, index($0, $10)); exit 1 }' \
+  "$work/images.txt" >"$work/blank.txt"; then
+  echo "align_model: $(cat "$work/blank.txt"): COLMAP's lists cannot hold names with blanks" >&2
+  exit 1
+fi
+awk '/^#/ { next }
+++n % 2 {
   w = $2; x = $3; y = $4; z = $5
   print $10,
     -((1 - 2*(y*y + z*z))*$6 + 2*(x*y + w*z)*$7 + 2*(x*z - w*y)*$8),

@@ -144,7 +144,7 @@ if ((measure)); then
   measure_all
   describe_machine "$before to $(cut -d' ' -f1 /proc/loadavg)"
 fi
-jq -rs --arg machine "$(cat "$work/machine.txt")" \
+jq -L "$root/workflows" -rs --arg machine "$(cat "$work/machine.txt")" \
   -f "$root/workflows/cut_tables.jq" "$runs" >"$work/results.md"
 mv "$work/results.md" "$results"
 echo "$results" >&2

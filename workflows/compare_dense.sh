@@ -29,9 +29,14 @@ shift
 mesh=$workspace/meshed-octahedral.ply
 page=1
 places=() # of photographs, masks and model
+# The masks of a dense folder may be those of the workspace around it.
 masks=$workspace/masks
+for folder in "$workspace/.." "$workspace/../.."; do
+  [[ -d $masks || ! -d $workspace/stereo ]] || masks=$folder/masks
+done
 images=$workspace/images
-while [[ ${1:-} =~ ^--(mesh_path|page|image_path|mask_path|input_path|skip_missing_.*)$ ]]; do
+own='mesh_path|page|image_path|mask_path|input_path|image_list_path|mask_geometry'
+while [[ ${1:-} =~ ^--($own|original_path|skip_missing_.*)$ ]]; do
   value=${2:?"$1 needs a value"}
   case $1 in
     --mesh_path) mesh=$value ;;

@@ -1,19 +1,8 @@
 # docs/experiments/cut_engine_tables.md from the runs of octacut_cut_bench, an array of its JSON
 # objects. Arguments: $machine (text).
 
-def missing: "–";
-def pad($digits): until(length >= $digits; "0" + .);
-def fixed($decimals):
-  if . == null then missing
-  elif $decimals == 0 then round | tostring
-  else (. * pow(10; $decimals) | round | tostring | pad($decimals + 1))
-    | .[:-$decimals] + "." + .[-$decimals:]
-  end;
-def row: "| " + join(" | ") + " |";
-def table($columns; rows):
-  ($columns | row),
-  ($columns | to_entries | map(if .key == 0 then "---" else "---:" end) | row),
-  rows;
+include "tables";
+
 def ratio($a; $b): if $a == null or $b == null then null else $a / $b end;
 # Stored instances: folder and file.
 def name: .instance | split("/") | .[-2:] | join("/") | rtrimstr(".oct");

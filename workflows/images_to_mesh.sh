@@ -77,21 +77,24 @@ log=$workspace/images_to_mesh.log
 
 # The names, sizes and times of all files in folders.
 files_of() {
-  find "$@" -type f -printf '%P %s %T@\n' | sort
+  find -L "$@" -type f -printf '%P %s %T@\n' | sort
 }
 
 # step NAME KEY OUTPUT COMMAND...: runs the command unless it has finished with
 # the same key and its output is there. Steps that follow have the key of this
-# one in theirs.
+# one in theirs, and run too if this one does.
+redo=0
 step() {
   local name=$1 output=$3 sum
   sum=$(sha256sum <<<"$previous $2" | cut -c1-32)
   previous=$sum
-  if [[ -e $output && $(cat "$done_marks/$name" 2>/dev/null) == "$sum" ]]; then
+  if [[ $redo == 0 && -e $output &&
+    $(cat "$done_marks/$name" 2>/dev/null) == "$sum" ]]; then
     echo "== $name: finished already"
     return
   fi
   echo "== $name"
+  redo=1
   rm -f "$done_marks/$name"
   "${@:4}" || exit 1
   [[ -e $output ]] || fail "$name has not made $output; see $log"
@@ -141,7 +144,7 @@ map() {
   [[ -n $(ls -A "$workspace/mapped") ]] ||
     fail "the mapper found no model; see $log"
   if [[ -n $reference ]]; then
-    "$workflows/align_model.sh" "$reference" "$workspace/mapped/0" \
+    "$workflows/align_model.sh" "$reference" "$(largest_model "$workspace/mapped")" \
       "$workspace/sparse/0" "$log"
   else
     cp -r "$workspace/mapped" "$workspace/sparse"

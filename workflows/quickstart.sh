@@ -64,10 +64,13 @@ octacut=$("$root/workflows/find_octacut.sh")
 
 echo
 echo "== Creating the example: photographs, masks and a sparse model"
-if grep -q '"complete": true' "$workspace/example.json" 2>/dev/null; then
+made_with=$workspace/quickstart_options.txt
+if grep -q '"complete": true' "$workspace/example.json" 2>/dev/null &&
+  [[ $(cat "$made_with" 2>/dev/null) == "${scene[*]}" ]]; then
   echo "$workspace exists already"
 else
   "$octacut" example_creator --output_path "$workspace" --overwrite 1 "${scene[@]}"
+  echo "${scene[*]}" >"$made_with"
 fi
 
 reference=$workspace/gt/reference.ply

@@ -5,8 +5,9 @@
 #
 #   workflows/run_colmap.sh EXAMPLE OUTPUT
 #
-# Writes OUTPUT/sparse/0. The colmap package of Debian 12 is sufficient, because no
-# GPU is used. An existing model is kept.
+# Writes OUTPUT/sparse/0; the database and the mapper's models stay in OUTPUT/work.
+# The colmap package of Debian 12 is sufficient, because no GPU is used. An
+# existing model is kept.
 set -euo pipefail
 
 if [[ $# -ne 2 ]]; then
@@ -52,10 +53,10 @@ run exhaustive_matcher --database_path "$work/database.db" \
   --"$matching".use_gpu 0
 run mapper --database_path "$work/database.db" --image_path "$images" \
   --output_path "$work/mapped"
-if [[ ! -f $work/mapped/0/images.bin ]]; then
+if [[ -z $(ls -A "$work/mapped") ]]; then
   echo "run_colmap: the mapper found no model; see $log" >&2
   exit 1
 fi
 
 "$workflows/align_model.sh" "$example/sparse/0" \
-  "$work/mapped/0" "$output/sparse/0" "$log"
+  "$(largest_model "$work/mapped")" "$output/sparse/0" "$log"

@@ -56,6 +56,7 @@ SolvedLevel CutByPhotographs(const LevelInputs& inputs,
       crust, terms.phi, inputs.evidence.decision_confidence, inputs.context);
   CutTerms energy{DecidedWeights(decision, terms.phi, inputs.options),
                   terms.evidence};
+  FavorHullBorder(decision, terms.hull_depth, &energy.weights);
   HoldUndecidedSurface(
       crust, decision, terms.hull_depth, inputs.context, &energy.evidence);
   for (size_t i = 0; i < energy.evidence.size(); ++i) {

@@ -84,9 +84,9 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
                                                             context,
                                                             &phase)) {
     agreement.scores.push_back(measurement.score_before);
+    agreement.is_seen.push_back(measurement.is_measured);
   }
   agreement.points = std::move(seen.points);
-  agreement.is_seen = std::move(seen.is_seen);
   return agreement;
 }
 

@@ -28,7 +28,7 @@ struct AgreementInputs {
 // At that scale; one element per point.
 struct SurfaceAgreement {
   SurfacePoints points;
-  std::vector<uint8_t> is_seen;  // by at least two views
+  std::vector<uint8_t> is_seen;  // at least two views show what is around
   std::vector<float> scores;     // -1 .. 1, where they see it
 
   // The mean around a point where nothing is seen.

@@ -142,6 +142,7 @@ std::vector<OffsetMeasurement> SearchOffsets(
               half, float(search.step) * chosen.pixel, &patch, &scores);
           measurements[i] =
               FindPeak(scores, search, patch.SumOfWeights(), chosen.pixel);
+          measurements[i].is_measured = true;
         }
         phase->Advance(end - begin);
       });

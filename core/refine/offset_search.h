@@ -29,7 +29,8 @@ OffsetSearch MakeOffsetSearch(const RefineOptions& options,
                               double scale);
 
 struct OffsetMeasurement {
-  float offset = 0;  // from the local surface, unit coordinates
+  bool is_measured = false;  // at least two views show the patch
+  float offset = 0;          // from the local surface, unit coordinates
   float weight = 0;  // 1 / standard deviation, roughly, in pixels; 0: none
   float score = 0;   // of the peak
   float score_before = 0;  // at offset 0

@@ -32,7 +32,7 @@ run model_converter --input_path "$reference" --output_path "$work" \
   --output_type TXT
 # Every second line is one of points.
 if ! awk '/^#/ { next }
-     ++n % 2 && NF != 10 { print substr($0, index($0, $10)); exit 1 }' \
+     ++n % 2 && NF != 10 { for (i = 1; i < 10; ++i) sub(/^[^ ]+ /, ""); print; exit 1 }' \
   "$work/images.txt" >"$work/blank.txt"; then
   echo "align_model: $(cat "$work/blank.txt"): COLMAP's lists cannot hold names with blanks" >&2
   exit 1

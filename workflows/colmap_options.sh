@@ -11,7 +11,7 @@ if colmap feature_extractor -h 2>&1 | grep -q FeatureExtraction.use_gpu; then
 fi
 
 # largest_model FOLDER: the model with the most images that the mapper has made,
-# as far as the size of its file tells.
+# as far as the size of its file tells. Prints nothing where there is none.
 largest_model() {
-  dirname "$(find "$1" -name images.bin -printf '%s %p\n' | sort -rn | head -1 | cut -d' ' -f2-)"
+  find "$1" -name images.bin -printf '%s %h\n' | sort -k1,1nr -k2 | sed -n '1s/^[0-9]* //p'
 }

@@ -4,7 +4,9 @@
 #
 #   workflows/compare_dense.sh WORKSPACE [--mesh_path MESH] [--page 0]
 #                              [--image_path DIR] [--mask_path DIR]
-#                              [--input_path DIR] [--skip_missing_images 1]
+#                              [--input_path DIR] [--image_list_path FILE]
+#                              [--mask_geometry G] [--original_path DIR]
+#                              [--skip_missing_images 1]
 #                              [--skip_missing_masks 1]
 #                              [options of octacut mesh_comparer]
 #
@@ -29,11 +31,7 @@ shift
 mesh=$workspace/meshed-octahedral.ply
 page=1
 places=() # of photographs, masks and model
-# The masks of a dense folder may be those of the workspace around it.
-masks=$workspace/masks
-for folder in "$workspace/.." "$workspace/../.."; do
-  [[ -d $masks || ! -d $workspace/stereo ]] || masks=$folder/masks
-done
+masks=
 images=$workspace/images
 own='mesh_path|page|image_path|mask_path|input_path|image_list_path|mask_geometry'
 while [[ ${1:-} =~ ^--($own|original_path|skip_missing_.*)$ ]]; do
@@ -51,6 +49,17 @@ done
 if [[ ! -d $workspace ]]; then
   echo "compare_dense: $workspace: no such folder" >&2
   exit 1
+fi
+# As octacut does: the masks of a dense folder, in which sparse holds the model
+# itself, may be those of the workspace around it.
+if [[ -z $masks ]]; then
+  masks=$workspace/masks
+  parent=$(dirname "$(cd "$workspace" && pwd)")
+  if [[ ! -d $masks && (-f $workspace/sparse/images.bin || -f $workspace/sparse/images.txt) ]]; then
+    for folder in "$(dirname "$parent")" "$parent"; do
+      [[ ! -d $folder/masks ]] || masks=$folder/masks
+    done
+  fi
 fi
 if [[ ! -f $mesh ]]; then
   echo "compare_dense: $mesh: no such mesh; octacut octahedral_mesher makes it" >&2

@@ -29,6 +29,12 @@ while [[ $# -gt 0 ]]; do
   shift 2
 done
 cd "$root"
+# That there is no HEAD~1, in a shallow clone for instance, is no mistake.
+if [[ ! $since =~ ^HEAD([~^][0-9]*)*$ ]] &&
+  ! git rev-parse --quiet --verify "$since^{commit}" >/dev/null; then
+  echo "format: --since $since: no such commit" >&2
+  exit 1
+fi
 if [[ $(clang-format --version 2>/dev/null) != *"version 14."* ]]; then
   echo "format: clang-format 14 is needed; run workflows/setup.sh clang-format clang-tidy" >&2
   exit 1

@@ -141,11 +141,11 @@ map() {
   mkdir -p "$workspace/mapped"
   run_colmap mapper --database_path "$workspace/database.db" \
     --image_path "$images" --output_path "$workspace/mapped"
-  [[ -n $(ls -A "$workspace/mapped") ]] ||
-    fail "the mapper found no model; see $log"
+  local model
+  model=$(largest_model "$workspace/mapped")
+  [[ -n $model ]] || fail "the mapper found no model; see $log"
   if [[ -n $reference ]]; then
-    "$workflows/align_model.sh" "$reference" "$(largest_model "$workspace/mapped")" \
-      "$workspace/sparse/0" "$log"
+    "$workflows/align_model.sh" "$reference" "$model" "$workspace/sparse/0" "$log"
   else
     cp -r "$workspace/mapped" "$workspace/sparse"
   fi

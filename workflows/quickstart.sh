@@ -65,12 +65,16 @@ octacut=$("$root/workflows/find_octacut.sh")
 echo
 echo "== Creating the example: photographs, masks and a sparse model"
 made_with=$workspace/quickstart_options.txt
-if grep -q '"complete": true' "$workspace/example.json" 2>/dev/null &&
-  [[ $(cat "$made_with" 2>/dev/null) == "${scene[*]}" ]]; then
-  echo "$workspace exists already"
-else
+if ! grep -q '"complete": true' "$workspace/example.json" 2>/dev/null; then
   "$octacut" example_creator --output_path "$workspace" --overwrite 1 "${scene[@]}"
   echo "${scene[*]}" >"$made_with"
+elif [[ $(cat "$made_with" 2>/dev/null) == "${scene[*]}" ]]; then
+  echo "$workspace exists already"
+else
+  # Results of the other example would mix with those of this one.
+  echo "quickstart: $workspace holds an example that was made with other options;" \
+    "name another folder or delete it" >&2
+  exit 1
 fi
 
 reference=$workspace/gt/reference.ply

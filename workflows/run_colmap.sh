@@ -53,10 +53,10 @@ run exhaustive_matcher --database_path "$work/database.db" \
   --"$matching".use_gpu 0
 run mapper --database_path "$work/database.db" --image_path "$images" \
   --output_path "$work/mapped"
-if [[ -z $(ls -A "$work/mapped") ]]; then
+model=$(largest_model "$work/mapped")
+if [[ -z $model ]]; then
   echo "run_colmap: the mapper found no model; see $log" >&2
   exit 1
 fi
 
-"$workflows/align_model.sh" "$example/sparse/0" \
-  "$(largest_model "$work/mapped")" "$output/sparse/0" "$log"
+"$workflows/align_model.sh" "$example/sparse/0" "$model" "$output/sparse/0" "$log"

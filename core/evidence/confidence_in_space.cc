@@ -10,9 +10,10 @@
 namespace octacut {
 namespace {
 
-// Depths this near to a voxel, hull voxels, speak of it; and as many with the
-// confidence of the scene are added to those of a neighbourhood.
+// A depth within so many hull voxels of a voxel counts for it.
 constexpr float kNear = 6;
+// So many depths with the confidence of the scene are added to each
+// neighbourhood.
 constexpr float kPriorNear = 100;
 constexpr int kBrickSteps = 2;
 constexpr size_t kSpaceGrain = 16;

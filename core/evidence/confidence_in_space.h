@@ -10,8 +10,8 @@
 namespace octacut {
 
 // For each voxel of the hull the mean confidence in the depths that views have
-// found near it, over its brick and the bricks within two steps; that of the
-// scene where there are none.
+// found near it, over its brick and the bricks within two steps, of which the
+// nearer ones weigh more; that of the scene where there are none.
 VoxelValues ConfidenceInSpace(const ViewSet& views,
                               const VoxelGrid& hull,
                               const ReliableDepths& depths,

@@ -21,9 +21,10 @@ constexpr float kClear = 4;
 constexpr int kMinViews = 2;
 constexpr float kContradictingShare = 0.25f;
 
-// For each voxel of the hull, how many views have found a surface in it, and
-// how many in it or in one of the 26 voxels around it, by the centres of
-// samples alone, which the shares of the whole scene were fixed with.
+// For each voxel of the hull, the number of views with a surface in it
+// (`within`), and in it or in one of the 26 voxels around (`nearby`; from the
+// centres of samples only, as the thresholds for the whole scene were
+// measured).
 struct SurfaceCounts {
   std::vector<uint16_t> within;
   std::vector<uint16_t> nearby;

@@ -34,14 +34,15 @@ struct CoveringVoxels {
 
 // The voxels of `crust` that have to be inside besides those of `labels` (one a
 // voxel) so that the samples of `maps`, which MapSamples has made of them, are
-// covered, but for impossible ones. Where something is likely, only voxels on
-// uncovered rays of at least two views count: the likely ones, so that a part
-// that was lost comes back as it was, and for each ray that meets none of them
-// one beside matter, so that it grows back from there. What one view alone
-// misses stays, and so does what could only be joined by a bridge: masks that
-// contradict each other would make fins and holes of it. Where nothing is
-// likely, they are for each ray the one with the highest score, joined to the
-// object. Rays go from what is covered outward.
+// covered, but for impossible ones. Rays go from what is covered outward.
+//
+// Where something is likely, voxels on uncovered rays of at least two views
+// count: all likely ones, so that a lost part comes back as it was, and for
+// each ray that meets none of them one beside matter, so that it grows back
+// from there. What one view alone misses stays: masks that contradict each
+// other would make fins and holes of it. Where nothing is likely, each ray gets
+// its voxel of the highest score. Voxels that are taken are joined to the
+// object where a short way leads to it.
 CoveringVoxels FindCoveringVoxels(const ViewSet& views,
                                   const VoxelGrid& crust,
                                   const std::vector<FaceLabels>& labels,

@@ -14,8 +14,8 @@ namespace {
 constexpr float kFreeBefore = 1.5f;
 constexpr float kMatterFrom = 1.0f;
 constexpr float kMatterTo = 3.5f;
-// Views for matter that count at most, and half of those for free space, so
-// that many views of one side do not drown the others.
+// At most so many views count for matter, and twice as many for free space:
+// otherwise many views of one side would drown the others.
 constexpr float kMaxVotes = 4;
 // What the first view that sees through a voxel lacks of a vote: on its own
 // its depth may be wrong and would drill a tunnel.

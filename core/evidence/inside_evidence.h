@@ -31,9 +31,10 @@ struct InsideEvidenceOptions {
   // samples around share it and no ray to it runs through matter that better
   // confirmed depths have found; 9: never.
   int min_like_samples = 3;
-  // Evidence a voxel, in units of the graph's weights: what every voxel of the
-  // hull has for inside unless a view has found a surface right there (so
-  // unseen parts keep the hull), and what one view's word is worth.
+  // Evidence per voxel, in units of the graph's weights. `ballooning`: what
+  // each voxel of the hull has for inside, except beside a surface that a view
+  // has found; unseen parts thus keep the hull. The others: the weight of one
+  // view.
   double ballooning = 0.01;
   double matter_weight = 0.5;  // a view with its surface just before the voxel
   // A view that sees through the voxel, as far as its depth can be relied upon;

@@ -10,8 +10,7 @@
 
 namespace octacut {
 
-// The confidence of a mask up to which it does not bound the hull: half in
-// doubt.
+// Masks of at most this confidence do not bound the hull.
 inline constexpr float kReliableMask = 0.5f;
 
 // For each view 1 where its mask can be relied upon, 0 where surfaces end

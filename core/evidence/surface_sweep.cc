@@ -94,7 +94,6 @@ void SurfaceSweep::AddDepths(int view,
   }
 }
 
-// Views have the near depth of the nearest cut voxel, less a voxel.
 bool SurfaceSweep::IsWanted(const SweepView& view,
                             const Square& square,
                             bool of_sample) const {
@@ -108,6 +107,7 @@ bool SurfaceSweep::IsWanted(const SweepView& view,
       }
       const Eigen::Vector3f pixel(
           (float(x) + 0.5f) / view.scale, (float(y) + 0.5f) / view.scale, 1);
+      // The near depth is that of the nearest cut voxel, less a voxel.
       const Eigen::Vector3f point =
           view.projection->center +
           (view.near_depth(y, x) + voxel_) * (rays * pixel);

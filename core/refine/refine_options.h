@@ -34,9 +34,9 @@ struct RefineOptions {
   // The least score of an accepted offset; 0.3 is worse ("What made refinement
   // good").
   double min_score = 0.2;
-  // Steps of photometric alignment of the views in the last round of each
-  // coarse pass but the first, and each one at their scale; 0: their poses are
-  // exact.
+  // Steps of photometric alignment in each round that aligns: the last one of
+  // every coarse pass but the first, and all rounds at the views' own scale.
+  // 0: the poses are exact.
   int alignment_steps = 4;
   // Weight of the bending energy relative to an offset that is known to a
   // pixel. 20 and 45 are worse ("Patches of 7 x 7").

@@ -16,8 +16,9 @@ namespace octacut {
 std::vector<float> ExpectedErrors(const SurfaceEvidence& evidence);
 
 // 1 / (1 + expected error), one per vertex, 0 .. 1: a half where the surface is
-// known to a pixel. Linear between points. `mesh`, in unit coordinates, is that
-// of the evidence.
+// known to a pixel. Of the errors of the points around a vertex, weighted by
+// 1 / (1 + squared distance in pixels). `mesh`, in unit coordinates, is that of
+// the evidence.
 std::vector<float> VertexConfidence(const IndexedMesh& mesh,
                                     const SurfaceEvidence& evidence,
                                     const Context& context);

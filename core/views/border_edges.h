@@ -42,12 +42,12 @@ CoarseShift FindLargeShift(const ViewSet& views,
                            const std::optional<BorderEdges>& edges,
                            const Context& context);
 
-// Sets PreparedView::border_shift of all views: 0 without edges, at most one
-// pixel where the shift is doubted or the strongest edges disagree with the
-// nearest ones, and at most five in any case. border_shift_slack is a tenth of
-// a pixel if at least half of the strongest edges agree, the nearest ones agree
-// with them to a pixel, and the shift is within these limits; else it is
-// infinite.
+// Sets, in all views,
+// - border_shift: 0 without edges; at most one pixel where it is doubted or
+//   where strongest and nearest edges disagree; else at most five pixels;
+// - border_shift_slack: a tenth of a pixel if at least half of the strongest
+//   edges agree, the nearest ones agree with them to a pixel, and the shift is
+//   within these limits; else infinite.
 void ShiftBordersToEdges(const std::optional<BorderEdges>& edges,
                          bool is_doubted,
                          ViewSet* views);

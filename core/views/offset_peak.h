@@ -24,9 +24,9 @@ std::optional<OffsetPeak> FindOffsetPeak(const std::vector<float>& offsets,
 std::optional<float> FindLonePeak(const std::vector<float>& offsets,
                                   float range);
 
-// By how many a quarter of a pixel the offsets, which lie within `range`, are
-// more frequent within `reach` of `center` than beside: at most, not less than
-// 0.
+// The height of the highest peak within `reach` of `center`: offsets per
+// quarter of a pixel, less those beside it; at least 0. All offsets are within
+// `range`.
 float PeakHeight(const std::vector<float>& offsets,
                  float range,
                  float center,

@@ -33,9 +33,9 @@ struct PreparedView {
     return silhouette.SignedDistance(p.u, p.v) - border_shift;
   }
 
-  // Pixels within the border of the mask's object from which on it is surely
-  // object: what the mask is not known to, and a pixel for sampling, half for
-  // the mask's own and half for a ray's through the middle of a pixel.
+  // A point this many pixels inside the border of the mask is surely object:
+  // the error of the border, and one pixel for sampling (half for the mask,
+  // half for the ray through the middle of a pixel).
   float SureDepth() const {
     return 1 + mask_tolerance + std::max(0.0f, border_shift);
   }

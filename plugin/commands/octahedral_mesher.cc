@@ -114,6 +114,11 @@ Json OctahedralMesher::TextureMeshOf(const Scene& scene,
   }
 }
 
+// Of a mesh that save_levels writes; -1: the visual hull.
+std::string NameOfLevel(int level) {
+  return level < 0 ? "hull.ply" : fmt::format("level_{:02d}.ply", level);
+}
+
 LevelObserver OctahedralMesher::LevelWriter() const {
   if (levels_path_.empty()) {
     return nullptr;
@@ -126,11 +131,9 @@ LevelObserver OctahedralMesher::LevelWriter() const {
                     levels_path_.string(),
                     error.message()));
   }
-  CheckFilePath(levels_path_ / "hull.ply");
+  CheckFilePath(levels_path_ / NameOfLevel(-1));
   return [folder = levels_path_](int level, const IndexedMesh& mesh) {
-    WriteMesh(folder / (level < 0 ? std::string("hull.ply")
-                                  : fmt::format("level_{:02d}.ply", level)),
-              mesh);
+    WriteMesh(folder / NameOfLevel(level), mesh);
   };
 }
 
@@ -142,7 +145,13 @@ void OctahedralMesher::CheckFiles() {
   if (texture_) {
     beside.push_back({".glb", "the textured mesh"});
   }
-  workspace_.Complete(beside, {});
+  FileRoles files;
+  if (!levels_path_.empty()) {
+    for (int level = -1; level <= meshing_.target_level; ++level) {
+      files.Read(levels_path_ / NameOfLevel(level), "a mesh of save_levels");
+    }
+  }
+  workspace_.Complete(beside, files);
 }
 
 void OctahedralMesher::Run(const CommandEnvironment& environment) {

@@ -183,6 +183,13 @@ TEST_F(OctahedralMesher, SavedLevelsAreClosed) {
     const MeshAudit audit = AuditMesh(ReadMesh(levels / name).mesh);
     EXPECT_EQ(audit.DescribeFailure(), "") << name;
   }
+  const ProgramResult result = RunMesher({"--save_levels",
+                                          levels.string(),
+                                          "--output_path",
+                                          levels / "level_05.ply"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err,
+              HasSubstr("must not be the same file as a mesh of save_levels"));
 }
 
 TEST_F(OctahedralMesher, CommandLineWinsOverProjectFile) {

@@ -22,9 +22,10 @@ void CommonOptions::Declare(OptionManager& options, bool uses_random_seed) {
                   "Where log messages and progress are written.");
   options.Add("log_path",
               &log.path,
-              "Folder for log files, or one file with the extension .log, to "
-              "which messages are written besides. Default: none, or for "
-              "log_target file the system's temporary folder, such as /tmp.");
+              "Folder for log files, or one file with the extension .log. If "
+              "given, messages go there too, unless log_target is stdout. "
+              "Default: no file; if log_target asks for one, in the system's "
+              "temporary folder, such as /tmp.");
   // As COLMAP 3.8 has it; log_target says more.
   options
       .Add("log_to_stderr",

@@ -52,9 +52,7 @@ class Extractor {
     files_options.output_path = options.output_path;
     files_options.skip_missing_images = options.skip_missing_images;
     files_ = ReadSegmentationFiles(workspace, files_options, context);
-    if (!options.bounding_box.empty()) {
-      files_.input.box = BoundingBoxFromNumbers(options.bounding_box);
-    }
+    files_.input.box = OptionalBoundingBox(options.bounding_box);
     if (options.on_stand != 0) {
       FindStand(workspace.model, options.on_stand == 1, context, &files_);
     }

@@ -172,7 +172,7 @@ class Writer {
       text_.warnings.push_back(fmt::format(
           "Small components were removed, which leaves {} pixels uncovered "
           "that are certainly object, most of them in {}. A smaller "
-          "min_component of octahedral_mesher keeps these components.",
+          "`min_component` of octahedral_mesher keeps these components.",
           sum,
           NameLargest(pixels, views_, false)));
     }

@@ -145,9 +145,7 @@ void WorkspaceArguments::DeclareConfidence(OptionManager& options) {
 void WorkspaceArguments::Complete(const std::vector<FileBeside>& beside,
                                   FileRoles files) {
   loading.Check();
-  if (!bounding_box.empty()) {
-    loading.region.bounding_box = BoundingBoxFromNumbers(bounding_box);
-  }
+  loading.region.bounding_box = OptionalBoundingBox(bounding_box);
   if (!fs::is_directory(workspace_path)) {
     throw InputError(workspace_path.string() +
                      ": there is no such workspace folder");

@@ -22,7 +22,7 @@ void DeclareLoadingOptions(OptionManager& options,
                            std::filesystem::path* workspace_path,
                            LoadSceneOptions* loading);
 
-// `bounding_box` is empty, or what BoundingBoxFromNumbers takes.
+// `bounding_box` is what OptionalBoundingBox takes.
 void DeclareBoundingBox(OptionManager& options,
                         std::vector<double>* bounding_box);
 void DeclareKeepAllViews(OptionManager& options, bool* keep_all_views);

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 
 namespace octacut {
+
 void KeepListedImages(const std::filesystem::path& list_path,
                       SparseModel* model) {
   std::error_code ignored;

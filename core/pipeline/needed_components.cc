@@ -77,12 +77,12 @@ Eigen::AlignedBox2i PixelsAround(const ViewProjection& projection,
 
 // Whether a part covers enough of one view that the rest does not.
 bool IsNeededIn(const PreparedView& view,
-                double num_object,
                 const IndexedMesh& part,
                 const RayScene& part_rays,
                 const RayScene& rest) {
   const Eigen::AlignedBox2i box = PixelsAround(view.projection, part);
-  const double least = std::max(1.0, kNeededShare * num_object);
+  const double least =
+      std::max(1.0, kNeededShare * double(view.silhouette.NumObjectPixels()));
   if (box.isEmpty() ||
       double(box.sizes().x() + 1) * double(box.sizes().y() + 1) < least) {
     return false;
@@ -114,12 +114,6 @@ size_t RestoreNeededComponents(const ViewSet& views,
   if (kept->removed.triangles.empty()) {
     return 0;
   }
-  std::vector<double> num_object(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      num_object[i] = double(views[i].silhouette.NumObjectPixels());
-    }
-  });
   const RayScene rest(UnitMesh(kept->mesh, cube));
   IndexedMesh removed;
   size_t num_restored = 0;
@@ -130,7 +124,7 @@ size_t RestoreNeededComponents(const ViewSet& views,
         ParallelSum(context, views.size(), 1, [&](size_t begin, size_t end) {
           int64_t count = 0;
           for (size_t i = begin; i < end; ++i) {
-            count += IsNeededIn(views[i], num_object[i], unit, rays, rest);
+            count += IsNeededIn(views[i], unit, rays, rest);
           }
           return count;
         });

@@ -201,6 +201,14 @@ Eigen::AlignedBox3d BoundingBoxFromNumbers(const std::vector<double>& numbers) {
   return *options.bounding_box;
 }
 
+std::optional<Eigen::AlignedBox3d> OptionalBoundingBox(
+    const std::vector<double>& numbers) {
+  if (numbers.empty()) {
+    return {};
+  }
+  return BoundingBoxFromNumbers(numbers);
+}
+
 Region EstimateRegion(const std::vector<View>& views,
                       const std::vector<Eigen::Vector3d>& points,
                       const RegionOptions& options,

@@ -50,6 +50,10 @@ struct RegionOptions {
 // finite numbers with min < max.
 Eigen::AlignedBox3d BoundingBoxFromNumbers(const std::vector<double>& numbers);
 
+// The same; none of no numbers.
+std::optional<Eigen::AlignedBox3d> OptionalBoundingBox(
+    const std::vector<double>& numbers);
+
 // Region of the one object whose silhouettes are the masks of `views` (images
 // are not needed; masks of low resolution do as long as a pixel is object when
 // any part of it may be). Conservative: nothing that all views could show as

@@ -224,9 +224,7 @@ cv::Mat WholeFrame(const cv::Mat& depth,
 void DepthMapRenderer::Sweep(const Workspace& workspace,
                              const std::vector<const SparseImage*>& images,
                              const Context& context) {
-  if (!bounding_box_.empty()) {
-    loading_.region.bounding_box = BoundingBoxFromNumbers(bounding_box_);
-  }
+  loading_.region.bounding_box = OptionalBoundingBox(bounding_box_);
   // A sample of the sweep is half a voxel: the images need be no finer.
   const LoadedScene loaded =
       LoadScene(workspace_path_, loading_, sweep_.level + 1, context);

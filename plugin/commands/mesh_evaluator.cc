@@ -302,9 +302,7 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
   loading_.load_images = evaluate_.photometric;
   // A mesh is judged by what it is given.
   loading_.keep_all_views = true;
-  if (!bounding_box_.empty()) {
-    loading_.region.bounding_box = BoundingBoxFromNumbers(bounding_box_);
-  }
+  loading_.region.bounding_box = OptionalBoundingBox(bounding_box_);
   const LoadedScene loaded =
       LoadScene(workspace_path_, loading_, image_level_, context);
   const std::vector<View>& views = loaded.scene.views;

@@ -114,23 +114,35 @@ size_t RestoreNeededComponents(const ViewSet& views,
   if (kept->removed.triangles.empty()) {
     return 0;
   }
-  const RayScene rest(UnitMesh(kept->mesh, cube));
+  std::vector<IndexedMesh> parts = Split(kept->removed);
+  std::stable_sort(parts.begin(),
+                   parts.end(),
+                   [](const IndexedMesh& a, const IndexedMesh& b) {
+                     return a.triangles.size() > b.triangles.size();
+                   });
+  std::optional<RayScene> rest;  // of kept->mesh
   IndexedMesh removed;
   size_t num_restored = 0;
-  for (const IndexedMesh& part : Split(kept->removed)) {
+  for (const IndexedMesh& part : parts) {
+    if (!rest) {
+      rest.emplace(UnitMesh(kept->mesh, cube));
+    }
     const IndexedMesh unit = UnitMesh(part, cube);
     const RayScene rays(unit);
     const int64_t witnesses =
         ParallelSum(context, views.size(), 1, [&](size_t begin, size_t end) {
           int64_t count = 0;
           for (size_t i = begin; i < end; ++i) {
-            count += IsNeededIn(views[i], unit, rays, rest);
+            count += IsNeededIn(views[i], unit, rays, *rest);
           }
           return count;
         });
     const bool is_needed = witnesses >= kWitnesses;
     Append(part, is_needed ? &kept->mesh : &removed);
-    num_restored += is_needed;
+    if (is_needed) {
+      ++num_restored;
+      rest.reset();
+    }
   }
   kept->removed = std::move(removed);
   kept->summary.num_removed -= num_restored;

@@ -13,8 +13,9 @@ namespace octacut {
 // Gives those components of kept->removed back to kept->mesh, all in world
 // coordinates, that alone cover pixels which are surely object: a thousandth of
 // the object and more in at least two views. Noise of depths and masks makes
-// smaller ones, and one view alone is no witness. Returns their number; normals
-// and colours of the meshes must be empty.
+// smaller ones, and one view alone is no witness. Of components that cover the
+// same pixels the one with the most triangles comes back. Returns their number;
+// normals and colours of the meshes must be empty.
 size_t RestoreNeededComponents(const ViewSet& views,
                                const BoundingCube& cube,
                                const Context& context,

@@ -78,8 +78,8 @@ OffsetMeasurement FindPeak(const std::vector<float>& scores,
   return measurement;
 }
 
-// Scores of the patch at steps -half .. half. Between two steps that are not
-// beside the best one, every other score is only the mean of those two.
+// Scores of the patch at steps -half .. half. Every other score is only the
+// mean of the two beside it, except for offset 0 and next to the best one.
 void ScoreOffsets(int half,
                   float step,
                   SurfacePatch* patch,
@@ -94,7 +94,7 @@ void ScoreOffsets(int half,
     best = (*scores)[size_t(k)] > (*scores)[size_t(best)] ? k : best;
   }
   for (int k = 1; k < last; k += 2) {
-    if (std::abs(k - best) == 1) {
+    if (k == half || std::abs(k - best) == 1) {
       score(k);
     } else {
       const auto at = size_t(k);

@@ -88,7 +88,9 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
       value.normal = seen.surfaces[i].normal;
       value.area = areas[i];
       value.num_views = seen.choices[i].count;
-      value.agreement = offsets[i].score_before;
+      if (offsets[i].is_measured) {
+        value.agreement = offsets[i].score_before;
+      }
       if (offsets[i].weight > 0) {
         // From the vertex, not from the surface that was fitted to it.
         value.offset = (offsets[i].offset + seen.surfaces[i].height) /

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/base/context.h"
@@ -20,8 +21,8 @@ struct PointEvidence {
   float area = 0;     // of the surface that it stands for, unit^2
   int num_views = 0;  // that see it, and differ in direction
   // The agreement of the views about the surface where it is, -1 .. 1, as
-  // SurfacePatch has it.
-  float agreement = 0;
+  // SurfacePatch has it; none where fewer than two show the patch.
+  std::optional<float> agreement;
   // Where along the normal the views agree best, and how precisely that is
   // known: 1 / standard deviation, 0 where there is no such offset.
   float offset = 0;

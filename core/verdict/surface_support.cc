@@ -106,14 +106,14 @@ SurfaceSupport SumUpSupport(const std::vector<PointEvidence>& points,
                             const std::vector<View>& views,
                             const ViewSet& prepared) {
   double area = 0;
-  double seen = 0;
+  double measured = 0;
   double agreement = 0;
   SurfaceSupport support;
   for (const PointEvidence& point : points) {
     area += point.area;
-    if (point.num_views >= 2) {
-      seen += point.area;
-      agreement += point.area * point.agreement;
+    if (point.agreement) {
+      measured += point.area;
+      agreement += point.area * *point.agreement;
     }
     switch (SupportOf(point)) {
       case Support::kPhotographs:
@@ -133,7 +133,7 @@ SurfaceSupport SumUpSupport(const std::vector<PointEvidence>& points,
   support.photographs /= area;
   support.silhouettes /= area;
   support.nothing /= area;
-  support.agreement = seen > 0 ? agreement / seen : 0;
+  support.agreement = measured > 0 ? agreement / measured : 0;
   support.blind = SumUpBlind(points, views, prepared, area);
   return support;
 }

@@ -47,6 +47,26 @@ TEST(NeededComponents, AreThoseThatSilhouettesMiss) {
   EXPECT_EQ(kept.mesh.positions.back(), needed.positions.back());
 }
 
+TEST(NeededComponents, OneOfThoseThatCoverTheSamePixels) {
+  const SphereViews sphere = MakeSphereViews();
+  const Eigen::Vector3d up(0, 0, SphereViews::kRadius);
+  KeptComponents kept;
+  kept.mesh = SphereViews::Ball(0.7);
+  const size_t num_triangles = kept.mesh.triangles.size();
+  const IndexedMesh larger = Sphere(16, [&](const Eigen::Vector3d& direction) {
+    return Eigen::Vector3d(0.85 * up + 0.08 * direction);
+  });
+  Append(BallAt(0.85 * up, 0.07), &kept.removed);
+  Append(larger, &kept.removed);
+  kept.summary.num_removed = 2;
+  EXPECT_EQ(RestoreNeededComponents(
+                sphere.test.views, sphere.test.region.cube, Context(2), &kept),
+            1u);
+  EXPECT_EQ(kept.summary.num_removed, 1u);
+  EXPECT_EQ(kept.mesh.triangles.size(),
+            num_triangles + larger.triangles.size());
+}
+
 TEST(NeededComponents, OfNoneAreNone) {
   const SphereViews sphere = MakeSphereViews();
   KeptComponents kept;

@@ -74,6 +74,16 @@ bool OptionManager::IsSet(std::string_view name) const {
   return option != nullptr && option->is_set;
 }
 
+void OptionManager::RefuseUnused(std::initializer_list<std::string_view> names,
+                                 std::string_view without) const {
+  for (const std::string_view name : names) {
+    if (IsSet(name)) {
+      throw OptionError(
+          fmt::format("--{} has no effect without --{}", name, without));
+    }
+  }
+}
+
 OptionError OptionManager::UnknownName(std::string_view name,
                                        std::string_view noun,
                                        std::string_view dashes) const {

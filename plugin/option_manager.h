@@ -12,6 +12,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <map>
 #include <span>
 #include <string>
@@ -86,6 +87,11 @@ class OptionManager {
 
   // Whether the command line or a project file has set an option.
   bool IsSet(std::string_view name) const;
+
+  // For options that nothing uses unless another one is given: throws
+  // OptionError where one of `names` is set.
+  void RefuseUnused(std::initializer_list<std::string_view> names,
+                    std::string_view without) const;
 
   // Every option with its value at the time of the call: grouped ones in an
   // object of their group.

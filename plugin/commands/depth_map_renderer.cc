@@ -277,6 +277,17 @@ void DepthMapRenderer::Run(const CommandEnvironment& environment) {
               is_mesh ? "must name a mesh for source = mesh"
                       : "must be empty for source = sweep, which knows of no "
                         "mesh");
+  if (is_mesh) {
+    environment.options.RefuseUnused({"mask_path",
+                                      "mask_geometry",
+                                      "original_path",
+                                      "skip_missing_masks",
+                                      "skip_missing_images",
+                                      "keep_all_views",
+                                      "OctahedralMeshing.bounding_box",
+                                      "sweep_level"},
+                                     "source sweep");
+  }
   WorkspaceOptions options = loading_.workspace;
   options.needs_masks = !is_mesh;
   options.needs_images = !is_mesh;

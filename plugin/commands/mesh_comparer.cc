@@ -298,18 +298,6 @@ void MeshComparer::WritePage(const CommandEnvironment& environment,
   WriteComparisonPage(paths_.page, page, {}, environment.context);
 }
 
-// Options that nothing uses unless another one is given.
-void RefuseUnused(const OptionManager& options,
-                  std::initializer_list<const char*> names,
-                  const char* without) {
-  for (const char* name : names) {
-    if (options.IsSet(name)) {
-      throw OptionError(
-          fmt::format("--{} has no effect without --{}", name, without));
-    }
-  }
-}
-
 void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
@@ -325,15 +313,14 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
   CheckComparerPaths(
       paths_, protocol_.crop_paths, compare_.align || protocol_run_->Aligns());
   if (judged_.views_path.empty()) {
-    RefuseUnused(
-        environment.options, {"min_views", "max_view_angle"}, "views_path");
+    environment.options.RefuseUnused({"min_views", "max_view_angle"},
+                                     "views_path");
   }
   if (!compare_.align) {
-    RefuseUnused(environment.options,
-                 {"Alignment.global_search",
-                  "Alignment.num_samples",
-                  "Alignment.estimate_scale"},
-                 "align 1");
+    environment.options.RefuseUnused({"Alignment.global_search",
+                                      "Alignment.num_samples",
+                                      "Alignment.estimate_scale"},
+                                     "align 1");
   }
   SparseModel views;
   if (!judged_.views_path.empty()) {

@@ -261,6 +261,11 @@ IndexedMesh MeshExporter::MakePrint(const IndexedMesh& mesh,
 void MeshExporter::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   Check();
+  if (!scale_.NeedsWorkspace() && up_ != kStand) {
+    environment.options.RefuseUnused(
+        {"workspace_path", "image_path", "sparse_path"},
+        "aruco_side or --up stand");
+  }
   if (report_path_.empty()) {
     report_path_ = output_path_.string() + ".json";
   }

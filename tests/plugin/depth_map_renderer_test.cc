@@ -130,6 +130,8 @@ TEST_F(DepthMapRendererTest, MistakesAreNamed) {
   EXPECT_THAT(Render({}).err, HasSubstr("--mesh_path = "));
   EXPECT_THAT(Render({"--source", "sweep", "--mesh_path", Truth()}).err,
               HasSubstr("--mesh_path = "));
+  EXPECT_THAT(Render({"--mesh_path", Truth(), "--sweep_level", "6"}).err,
+              HasSubstr("--sweep_level has no effect without --source sweep"));
   const std::string points = folder_.Write("points.obj", "v 0 0 0\nv 1 1 1\n");
   EXPECT_THAT(Render({"--mesh_path", points}).err,
               HasSubstr("points.obj: the mesh has no faces"));

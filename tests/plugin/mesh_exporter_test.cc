@@ -194,6 +194,8 @@ TEST_F(MeshExporterTest, MistakesAreNamed) {
       {{"--up", "stand"}, "--workspace_path must be given"},
       {{"--aruco_side", "25"}, "--workspace_path must be given"},
       {{"--base_depth", "1"}, "--base_depth = 1: needs"},
+      {{"--workspace_path", workspace},
+       "--workspace_path has no effect without --aruco_side"},
       {{"--flat_base", "1", "--base_depth", "9"}, "--base_depth = 9: must be"},
       {{"--output_path", Path("mesh.ply")}, "--output_path = "},
       {{"--output_path", Path("x.glc")}, "unknown mesh extension"},

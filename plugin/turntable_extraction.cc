@@ -15,6 +15,7 @@
 
 #include "colmap_io/files/lower_extension.h"
 #include "colmap_io/files/read_file.h"
+#include "colmap_io/files/require_folder.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_file.h"
@@ -42,14 +43,6 @@ bool IsPhotograph(const fs::path& path) {
       ".jpg", ".jpeg", ".png", ".tif", ".tiff", ".bmp", ".webp"};
   return std::find(kExtensions.begin(), kExtensions.end(), extension) !=
          kExtensions.end();
-}
-
-void RequireFolder(const fs::path& path, std::string_view option) {
-  std::error_code ignored;
-  if (!fs::is_directory(path, ignored)) {
-    throw InputError(
-        fmt::format("{} {}: no such folder", option, path.string()));
-  }
 }
 
 std::vector<fs::path> PhotographsIn(const fs::path& folder) {

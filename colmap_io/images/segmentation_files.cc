@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "colmap_io/files/require_folder.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "colmap_io/images/mask_file.h"
@@ -30,14 +31,6 @@ constexpr size_t kDecodedBytes = 8;
 constexpr int kStrokeCoverage = 64;
 // Reduced pixels by which the border of a turntable's mask may be off.
 constexpr int kNearTurning = 1;
-
-void RequireFolder(const fs::path& path, std::string_view option) {
-  std::error_code ignored;
-  if (!path.empty() && !fs::is_directory(path, ignored)) {
-    throw InputError(
-        fmt::format("{} {}: no such folder", option, path.string()));
-  }
-}
 
 // That masks or strokes of another set are not given in silence.
 void RequireUse(const fs::path& path, std::string_view option, size_t count) {
@@ -63,8 +56,12 @@ fs::path FindIn(const fs::path& folder,
 std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
                                         const SegmentationFilesOptions& options,
                                         const Context& context) {
-  RequireFolder(options.given_masks_path, "given_masks_path");
-  RequireFolder(options.strokes_path, "strokes_path");
+  if (!options.given_masks_path.empty()) {
+    RequireFolder(options.given_masks_path, "given_masks_path");
+  }
+  if (!options.strokes_path.empty()) {
+    RequireFolder(options.strokes_path, "strokes_path");
+  }
   const std::optional<MaskList> list = ReadMaskList(options.output_path);
   const std::optional<MaskList> strokes =
       options.strokes_path.empty() ? std::nullopt

@@ -23,7 +23,6 @@ class BinaryReader {
   BinaryReader& operator=(const BinaryReader&) = delete;
 
   const std::string& Name() const { return name_; }
-  uint64_t Remaining() const { return remaining_; }
 
   // `field` names the value in the message when the file ends early.
   template <typename T>

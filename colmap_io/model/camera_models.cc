@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "colmap_io/model/camera_projector.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -162,16 +161,6 @@ void CheckCamera(const SparseCamera& camera, std::string_view source) {
 bool IsUndistorted(const SparseCamera& camera) {
   return camera.model_id == camera_model::kSimplePinhole ||
          camera.model_id == camera_model::kPinhole;
-}
-
-std::optional<Eigen::Vector2d> ImgFromCam(const SparseCamera& camera,
-                                          const Eigen::Vector3d& ray) {
-  return CameraProjector(camera).ImgFromCam(ray);
-}
-
-std::optional<Eigen::Vector3d> CamFromImg(const SparseCamera& camera,
-                                          const Eigen::Vector2d& pixel) {
-  return CameraProjector(camera).CamFromImg(pixel);
 }
 
 }  // namespace octacut

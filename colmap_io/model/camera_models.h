@@ -1,22 +1,7 @@
-// COLMAP's perspective camera models 0-16: table, checks and projection.
-//
-// Frames and units as COLMAP has them: camera frame x right, y down, z
-// forward; pixel coordinates with the image's top-left corner at (0, 0) and
-// the centre of the first pixel at (0.5, 0.5). The formulas are those of
-// COLMAP 4.1 (sensor/models.h), which older versions share for the models
-// they know.
-//
-// Two things differ from COLMAP on purpose, both outside of what it can
-// invert itself:
-// - A ray beyond the radius where the radial distortion stops growing does
-//   not project, instead of being folded back into the image.
-// - Fisheye, division and EUCM models go on beyond 90 degrees off the axis as
-//   far as their formula is invertible.
+// COLMAP's perspective camera models 0-16: table and checks.
 #pragma once
 
 #include <cstdint>
-#include <Eigen/Core>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,16 +66,5 @@ void CheckCamera(const SparseCamera& camera, std::string_view source);
 
 // True when the model has no distortion: the camera is a pinhole as it is.
 bool IsUndistorted(const SparseCamera& camera);
-
-// Pixel of a ray (a point in the camera's frame, any length); empty when it
-// does not project. To project many rays make a CameraProjector
-// (camera_projector.h) once instead; these two make one per call.
-std::optional<Eigen::Vector2d> ImgFromCam(const SparseCamera& camera,
-                                          const Eigen::Vector3d& ray);
-
-// Unit ray in the camera's frame of a pixel, the inverse of ImgFromCam; its z
-// may be <= 0 for wide fisheyes. Empty when no ray projects there.
-std::optional<Eigen::Vector3d> CamFromImg(const SparseCamera& camera,
-                                          const Eigen::Vector2d& pixel);
 
 }  // namespace octacut

@@ -1,5 +1,18 @@
-// Projection with one camera, prepared once for many rays: what undistortion
-// maps are made with.
+// Projection with one of COLMAP's cameras, prepared once for many rays: what
+// undistortion maps are made with.
+//
+// Frames and units as COLMAP has them: camera frame x right, y down, z
+// forward; pixel coordinates with the image's top-left corner at (0, 0) and
+// the centre of the first pixel at (0.5, 0.5). The formulas are those of
+// COLMAP 4.1 (sensor/models.h), which older versions share for the models
+// they know.
+//
+// Two things differ from COLMAP on purpose, both outside of what it can
+// invert itself:
+// - A ray beyond the radius where the radial distortion stops growing does
+//   not project, instead of being folded back into the image.
+// - Fisheye, division and EUCM models go on beyond 90 degrees off the axis as
+//   far as their formula is invertible.
 #pragma once
 
 #include <array>
@@ -37,8 +50,11 @@ class CameraProjector {
   // Checks the camera as CheckCamera does.
   explicit CameraProjector(const SparseCamera& camera);
 
-  // As the free functions of camera_models.h.
+  // Pixel of a ray (a point in the camera's frame, any length); none where it
+  // does not project.
   std::optional<Eigen::Vector2d> ImgFromCam(const Eigen::Vector3d& ray) const;
+  // Unit ray in the camera's frame of a pixel, the inverse of ImgFromCam; its z
+  // may be <= 0 for wide fisheyes. None where no ray projects there.
   std::optional<Eigen::Vector3d> CamFromImg(const Eigen::Vector2d& pixel) const;
 
   // Pixels of the rays first + i * step, i = 0 .. count - 1, to x[i] and

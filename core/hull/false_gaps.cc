@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/hull/mask_gaps.h"
 #include "core/hull/visual_hull.h"
+#include "core/views/line_of_sight.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
@@ -18,10 +19,10 @@ namespace {
 constexpr double kMinLeftOfEnclosed = 0.5;
 constexpr double kMinLeftOfBay = 0.7;
 constexpr int kMaxRounds = 5;
-// Lines of sight that are tried a gap, and samples of each an edge of the root
+// Lines of sight that are tried a gap, and points of each an edge of the root
 // cube.
 constexpr size_t kMaxLines = 16;
-constexpr int kSamplesPerEdge = 128;
+constexpr int kPointsPerEdge = 128;
 
 struct GapOfView {
   size_t view;
@@ -40,22 +41,15 @@ bool IsLeftByOthers(const ViewSet& views,
   return true;
 }
 
-// Samples that all other views leave of a line of sight within the root cube.
+// Points that all other views leave of a line of sight within the root cube.
 int CountLeft(const ViewSet& views, size_t view, const Eigen::Vector2f& pixel) {
   const ViewProjection& projection = views[view].projection;
   const Eigen::Vector3f direction =
       (projection.linear.inverse() * pixel.homogeneous()).normalized();
-  const float middle =
-      direction.dot(Eigen::Vector3f::Constant(0.5f) - projection.center);
-  // Half the cube's diagonal is 0.866.
-  constexpr int kReach = kSamplesPerEdge * 7 / 8;
   int num_left = 0;
-  for (int i = -kReach; i <= kReach; ++i) {
-    const float depth = middle + float(i) / kSamplesPerEdge;
-    const Eigen::Vector3f point = projection.center + depth * direction;
-    const bool is_in_cube =
-        depth > 0 && point.minCoeff() >= 0 && point.maxCoeff() <= 1;
-    num_left += is_in_cube && IsLeftByOthers(views, view, point) ? 1 : 0;
+  for (const Eigen::Vector3f& point :
+       PointsOnLine(projection.center, direction, kPointsPerEdge)) {
+    num_left += IsLeftByOthers(views, view, point);
   }
   return num_left;
 }

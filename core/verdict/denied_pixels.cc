@@ -8,13 +8,15 @@
 #include <optional>
 #include <utility>
 
+#include "core/views/line_of_sight.h"
+
 namespace octacut {
 namespace {
 
 // Pixels that are looked at, about: enough for a share.
 constexpr double kMaxPixels = 200;
-// Samples of a ray an edge of the root cube.
-constexpr int kSamplesPerEdge = 128;
+// Points of a ray an edge of the root cube.
+constexpr int kPointsPerEdge = 128;
 // More views than that are not likely to be wrong at the same point.
 constexpr size_t kMaxBlamed = 2;
 
@@ -30,20 +32,15 @@ class RayOfPixel {
 
   // The fewest that deny a point of the ray; none outside of the root cube.
   std::optional<Denying> FewestDenying(const Eigen::Vector3f& direction) const {
-    const Eigen::Vector3f& center = views_[view_].projection.center;
-    const float middle =
-        direction.dot(Eigen::Vector3f::Constant(0.5f) - center);
-    // Half the cube's diagonal is 0.866.
-    constexpr int kReach = kSamplesPerEdge * 7 / 8;
     std::optional<Denying> fewest;
-    for (int i = -kReach; i <= kReach && !(fewest && fewest->empty()); ++i) {
-      const float depth = middle + float(i) / kSamplesPerEdge;
-      const Eigen::Vector3f point = center + depth * direction;
-      if (depth > 0 && point.minCoeff() >= 0 && point.maxCoeff() <= 1) {
-        Denying denying = FindDenying(point);
-        if (!fewest || denying.size() < fewest->size()) {
-          fewest = std::move(denying);
-        }
+    for (const Eigen::Vector3f& point : PointsOnLine(
+             views_[view_].projection.center, direction, kPointsPerEdge)) {
+      Denying denying = FindDenying(point);
+      if (!fewest || denying.size() < fewest->size()) {
+        fewest = std::move(denying);
+      }
+      if (fewest->empty()) {
+        break;
       }
     }
     return fewest;

@@ -70,21 +70,6 @@ std::vector<std::string> NamesIn(const char* option, const fs::path& folder) {
   return names;
 }
 
-double PercentileOf(OutlineDistances distances, double part) {
-  std::sort(distances.begin(), distances.end());
-  double left = 0;
-  for (const auto& [distance, length] : distances) {
-    left += part * length;
-  }
-  for (const auto& [distance, length] : distances) {
-    left -= length;
-    if (left <= 0) {
-      return distance;
-    }
-  }
-  return distances.empty() ? 0 : distances.back().first;
-}
-
 ComparedMask Compare(const fs::path& path, const fs::path& reference_path) {
   ComparedMask compared;
   std::error_code ignored;
@@ -112,7 +97,7 @@ ComparedMask Compare(const fs::path& path, const fs::path& reference_path) {
   compared.overlap =
       either == 0 ? 1 : double(view.common_pixels) / double(either);
   compared.border_mean = view.outline_mean;
-  compared.border_percentile_95 = PercentileOf(std::move(distances), 0.95);
+  compared.border_percentile_95 = OutlinePercentile(std::move(distances), 0.95);
   return compared;
 }
 

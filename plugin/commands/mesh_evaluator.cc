@@ -322,7 +322,9 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
     page_.diagonal = DiagonalOf(meshes.front().measured);
     for (size_t i = 0; i < meshes.size(); ++i) {
       AddToPage(meshes, i, views, context);
-      meshes[i].measured.json["places"] = PlacesToJson(page_.meshes.back());
+      const PageMesh& added = page_.meshes.back();
+      meshes[i].measured.json["places"] =
+          PlacesToJson(added.places, added.place_kind);
     }
   }
   Json report = MakeReport(environment);

@@ -42,7 +42,8 @@ Json DistancePage::Add(const std::string& name,
   }
   page_.diagonal = reference_diagonal;
   page_.meshes.push_back(std::move(page));
-  return PlacesToJson(page_.meshes.back());
+  const PageMesh& added = page_.meshes.back();
+  return PlacesToJson(added.places, added.place_kind);
 }
 
 ComparisonPage DistancePage::Take(bool reference_is_truth) {

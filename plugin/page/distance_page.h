@@ -22,7 +22,7 @@ class DistancePage {
 
   // Adds a compared mesh, in the frame of the reference, with the signed
   // distances of its vertices, and returns the places of the largest ones as
-  // PlacesToJson does. The reference shows its own distances from the first
+  // PlacesToJson has them. The reference shows its own distances from the first
   // mesh, where they count by `filter`.
   Json Add(const std::string& name,
            const IndexedMesh& mesh,

@@ -151,16 +151,6 @@ void PaintFromPhotographs(const IndexedMesh& mesh,
                             context);
 }
 
-Json PlacesToJson(const PageMesh& page) {
-  Json array = Json::array();
-  for (const RemarkablePlace& place : page.places) {
-    array.push_back({{page.place_kind, place.value},
-                     {"position", VectorToJson(place.position)},
-                     {"normal", VectorToJson(place.normal)}});
-  }
-  return array;
-}
-
 std::string CommandLineOf(const CommandEnvironment& environment) {
   std::string line = "octacut " + std::string(environment.command_name);
   for (const Option& option : environment.options.Options()) {

@@ -41,9 +41,6 @@ void PaintFromPhotographs(const IndexedMesh& mesh,
                           const Context& context,
                           PageMesh* page);
 
-// [{"position", "normal", "distance" or "support"}, ...] for the report.
-Json PlacesToJson(const PageMesh& page);
-
 // "octacut COMMAND --option value ...": what the user has set.
 std::string CommandLineOf(const CommandEnvironment& environment);
 

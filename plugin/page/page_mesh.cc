@@ -41,17 +41,18 @@ std::vector<uint8_t> IndexBytes(
   return bytes;
 }
 
-Json PlacesToArray(const std::vector<RemarkablePlace>& places) {
+}  // namespace
+
+Json PlacesToJson(const std::vector<RemarkablePlace>& places,
+                  const std::string& value_key) {
   Json array = Json::array();
   for (const RemarkablePlace& place : places) {
-    array.push_back({{"value", place.value},
+    array.push_back({{value_key, place.value},
                      {"position", VectorToJson(place.position)},
                      {"normal", VectorToJson(place.normal)}});
   }
   return array;
 }
-
-}  // namespace
 
 Json PageMeshToJson(const PageMesh& mesh, PageBlobs* blobs) {
   const IndexedMesh& display = mesh.display.mesh;
@@ -83,7 +84,7 @@ Json PageMeshToJson(const PageMesh& mesh, PageBlobs* blobs) {
                               {"blob", blobs->AddValues(shown)}});
   }
   json["place_kind"] = mesh.place_kind;
-  json["places"] = PlacesToArray(mesh.places);
+  json["places"] = PlacesToJson(mesh.places, "value");
   return json;
 }
 

@@ -41,4 +41,8 @@ struct PageMesh {
 // Positions become 16 bits in the bounding box, indices 24 bits.
 Json PageMeshToJson(const PageMesh& mesh, PageBlobs* blobs);
 
+// [{"position", "normal", `value_key`}, ...]
+Json PlacesToJson(const std::vector<RemarkablePlace>& places,
+                  const std::string& value_key);
+
 }  // namespace octacut

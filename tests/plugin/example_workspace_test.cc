@@ -10,6 +10,7 @@
 #include "colmap_io/files/read_file.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/camera_models.h"
+#include "colmap_io/model/camera_projector.h"
 #include "colmap_io/model/read_sparse_model.h"
 #include "core/base/error.h"
 #include "plugin/report.h"
@@ -60,8 +61,8 @@ TEST(ToSparseModel, ObservationsAreWhereItsCamerasSeeThePoints) {
         const SparseImage& image = model.images[image_id - 1];
         const SparseObservation& observation = image.observations[index];
         EXPECT_EQ(observation.point3D_id, point.id);
-        const auto pixel =
-            ImgFromCam(model.cameras[0], image.CamFromWorld() * point.xyz);
+        const auto pixel = CameraProjector(model.cameras[0])
+                               .ImgFromCam(image.CamFromWorld() * point.xyz);
         ASSERT_TRUE(pixel.has_value());
         EXPECT_NEAR(pixel->x(), observation.x, 1e-6);
         EXPECT_NEAR(pixel->y(), observation.y, 1e-6);

@@ -35,8 +35,9 @@ double Mean(const OutlineDistances& distances) {
   return length > 0 ? sum / length : 0;
 }
 
-// What the given fraction of the length keeps to.
-double Percentile(OutlineDistances distances, double fraction) {
+}  // namespace
+
+double OutlinePercentile(OutlineDistances distances, double fraction) {
   std::sort(distances.begin(), distances.end());
   double length = 0;
   for (const auto& [distance, weight] : distances) {
@@ -49,10 +50,8 @@ double Percentile(OutlineDistances distances, double fraction) {
       return distance;
     }
   }
-  return 0;
+  return distances.empty() ? 0 : distances.back().first;
 }
-
-}  // namespace
 
 ViewSilhouette CompareSilhouettes(const cv::Mat& mask,
                                   const cv::Mat& mesh_coverage,
@@ -118,7 +117,7 @@ SilhouetteAgreement MeasureSilhouettes(const RayScene& rays,
   agreement.missed = (object - double(total.common_pixels)) / object;
   agreement.excess = excess / object;
   agreement.outline_mean = Mean(all);
-  agreement.outline_percentile_95 = Percentile(std::move(all), 0.95);
+  agreement.outline_percentile_95 = OutlinePercentile(std::move(all), 0.95);
   return agreement;
 }
 

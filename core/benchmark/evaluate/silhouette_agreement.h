@@ -42,6 +42,9 @@ struct SilhouetteAgreement {
 // Distances along one view's outlines, with the length that each stands for.
 using OutlineDistances = std::vector<std::pair<double, double>>;
 
+// The distance that the given fraction of the length keeps to; 0 of nothing.
+double OutlinePercentile(OutlineDistances distances, double fraction);
+
 // Coverages of the same size, CV_8UC1. Appends to `distances`.
 ViewSilhouette CompareSilhouettes(const cv::Mat& mask,
                                   const cv::Mat& mesh_coverage,

@@ -48,7 +48,6 @@
       this.target = null;
       this.textures = new Map();
       this.waiting = false;
-      this.frames = 0;
       new ResizeObserver(() => this.requestDraw()).observe(canvas.parentElement);
     }
 
@@ -119,7 +118,6 @@
         this.drawViewport(viewport, background);
       }
       this.placeLabels(viewports);
-      ++this.frames;
       if (this.onFrame) {
         this.onFrame();
       }

@@ -5,6 +5,7 @@
 
 #include "colmap_io/images/filled_bites.h"
 #include "colmap_io/images/undistorted_camera.h"
+#include "colmap_io/model/camera_projector.h"
 #include "colmap_io/model/write_sparse_model.h"
 #include "tests/colmap_io/images/test_workspace.h"
 
@@ -136,7 +137,8 @@ TEST_F(LoadSceneTest, UndistortsCropsAndFindsTheRegion) {
     bytes += view.image.total() * 4;
     // Colours are those of the photograph's pixel.
     const Eigen::Vector2d pixel(30.5, 40.5);
-    const auto source = ImgFromCam(kRadial, view.camera.Unproject(pixel));
+    const auto source =
+        CameraProjector(kRadial).ImgFromCam(view.camera.Unproject(pixel));
     const cv::Vec3d expected = testing::TextureAt(source->x(), source->y());
     for (int c = 0; c < 3; ++c) {
       EXPECT_NEAR(view.image.at<cv::Vec3b>(40, 30)[c], expected[c], 2.5);

@@ -131,7 +131,7 @@ TEST(UndistortedCamera, LeavesNoPixelBlank) {
   for (const SparseCamera& camera : TestCameras()) {
     // Beyond 90 degrees there is no such camera; COLMAP's formula does not
     // care.
-    const auto corner = CamFromImg(camera, {0.5, 0.5});
+    const auto corner = CameraProjector(camera).CamFromImg({0.5, 0.5});
     if (!corner || corner->z() < 0.3 || IsUndistorted(camera)) {
       continue;
     }

@@ -36,8 +36,8 @@ double ReprojectionError(const SparseModel& model, const SparsePoint& point) {
         model.images.begin(), model.images.end(), [&](const auto& i) {
           return i.id == element.image_id;
         });
-    const auto pixel = ImgFromCam(*model.FindCamera(image->camera_id),
-                                  image->CamFromWorld() * point.xyz);
+    const auto pixel = CameraProjector(*model.FindCamera(image->camera_id))
+                           .ImgFromCam(image->CamFromWorld() * point.xyz);
     if (!pixel) return -1;
     const SparseObservation& seen = image->observations[element.point2D_index];
     sum += (*pixel - Eigen::Vector2d(seen.x, seen.y)).norm();

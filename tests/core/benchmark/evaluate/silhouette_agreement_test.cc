@@ -16,6 +16,14 @@ cv::Mat Square(int x, int y, int side) {
   return mask;
 }
 
+TEST(OutlinePercentile, CountsLengths) {
+  const OutlineDistances distances = {{3, 1}, {1, 6}, {2, 3}};
+  EXPECT_EQ(OutlinePercentile(distances, 0.5), 1);
+  EXPECT_EQ(OutlinePercentile(distances, 0.8), 2);
+  EXPECT_EQ(OutlinePercentile(distances, 1), 3);
+  EXPECT_EQ(OutlinePercentile({}, 0.95), 0);
+}
+
 TEST(CompareSilhouettes, EqualOnesAgree) {
   OutlineDistances distances;
   const ViewSilhouette view =

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/QR>
 
 namespace octacut {
 namespace {
@@ -34,8 +33,15 @@ OutlineFit::OutlineFit(double blur) : blur_(blur) {
         Blurred([](double s) { return s > 0 ? 1.0 : 0.0; }, t, blur),
         Blurred([](double s) { return std::sqrt(std::max(s, 0.0)); }, t, blur);
   }
-  const Eigen::HouseholderQR<Columns> qr(columns);
-  basis_ = (qr.householderQ() * Columns::Identity()).cast<float>();
+  // Gram and Schmidt.
+  for (int k = 0; k < 3; ++k) {
+    for (int before = 0; before < k; ++before) {
+      columns.col(k) -=
+          columns.col(before).dot(columns.col(k)) * columns.col(before);
+    }
+    columns.col(k).normalize();
+  }
+  basis_ = columns.cast<float>();
 }
 
 std::optional<FittedOutline> OutlineFit::Find(

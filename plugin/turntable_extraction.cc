@@ -228,7 +228,6 @@ void TurntableFolder::Extract(MaskList* list,
       listed.hash = HashOfPng(encoded[i]);
     }
     UnsegmentedView& view = views->emplace_back();
-    view.name = listed.image;
     view.image = input.images[i];
     masks->push_back(listed.status == MaskStatus::kGiven
                          ? MaskOfSize(*there, view.image.size())

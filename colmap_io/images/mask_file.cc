@@ -48,6 +48,19 @@ bool SayTheSame(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
+void RequireSameMask(const std::filesystem::path& a,
+                     const std::filesystem::path& b,
+                     const std::string& image_name) {
+  std::error_code ignored;
+  if (!fs::equivalent(a, b, ignored) && !SayTheSame(a, b)) {
+    throw InputError(fmt::format(
+        "{} and {}: both are the mask of image {} and differ; remove one",
+        a.string(),
+        b.string(),
+        image_name));
+  }
+}
+
 std::optional<std::filesystem::path> FindMaskFile(
     const std::filesystem::path& mask_path,
     const std::string& image_name,
@@ -62,13 +75,8 @@ std::optional<std::filesystem::path> FindMaskFile(
     }
     if (!found) {
       found = path;
-    } else if (!fs::equivalent(path, *found, ignored) &&
-               !SayTheSame(path, *found)) {
-      throw InputError(fmt::format(
-          "{} and {}: both are the mask of image {} and differ; remove one",
-          found->string(),
-          path.string(),
-          image_name));
+    } else {
+      RequireSameMask(*found, path, image_name);
     }
   }
   return found;

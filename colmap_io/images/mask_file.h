@@ -7,6 +7,12 @@
 
 namespace octacut {
 
+// Throws InputError that names both where two files, both a mask of the image,
+// say different things.
+void RequireSameMask(const std::filesystem::path& a,
+                     const std::filesystem::path& b,
+                     const std::string& image_name);
+
 // The mask of image `image_name` (as the model has it, may hold folders) in
 // folder `mask_path`: the first that exists of, for abc/012.jpg,
 //   abc/012.jpg.png   COLMAP

@@ -83,9 +83,12 @@ std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
     file.given_mask = FindIn(options.given_masks_path, image, workspace);
     num_given += file.given_mask.empty() ? 0 : 1;
     const fs::path there = FindIn(options.output_path, image, workspace);
-    if (file.given_mask.empty() && !there.empty() &&
-        !IsExtractedMask(list, image.name, there)) {
-      file.given_mask = there;
+    if (!there.empty() && !IsExtractedMask(list, image.name, there)) {
+      if (file.given_mask.empty()) {
+        file.given_mask = there;
+      } else {
+        RequireSameMask(file.given_mask, there, image.name);
+      }
     }
     file.strokes = FindIn(options.strokes_path, image, workspace);
     file.strokes_are_turntable_mask = strokes && strokes->is_of_turntable;
@@ -150,7 +153,6 @@ cv::Mat ReducedStrokes(const SegmentationFile& file,
 
 UnsegmentedView ReadView(const SegmentationFile& file, int longest_side) {
   UnsegmentedView view;
-  view.name = file.image->name;
   view.pose = {ReducedCamera(*file.camera, longest_side),
                file.image->CamFromWorld()};
   const cv::Mat photograph = ReadPhotograph(file.photograph);

@@ -50,12 +50,15 @@ class Cutter {
       return;
     }
     beta_ = 1 / std::max(1e-3f, 2 * MeanDifference());
-    graph_.create(unsigned(pixels_.size()), unsigned(8 * pixels_.size()));
+    graph_.create(unsigned(pixels_.size() + 1),
+                  unsigned(8 * pixels_.size() + 2));
     for (const cv::Point& p : pixels_) {
       const float odds = log_odds_.at<float>(p);
       graph_.addTermWeights(
           graph_.addVtx(), std::max(odds, 0.0f), std::max(-odds, 0.0f));
     }
+    // A graph without any edge is refused.
+    graph_.addEdges(0, graph_.addVtx(), 0, 0);
     ForEachPair(
         [this](const cv::Point& p, const cv::Point& q) { AddPair(p, q); });
     graph_.maxFlow();

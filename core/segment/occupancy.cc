@@ -59,17 +59,18 @@ cv::Size SizeForVoxels(const Pose& pose, const BoundingCube& cube, int n) {
 
 }  // namespace
 
-// Projection of many points with one camera, in single precision.
+// Projection of many points with one camera, in single precision. The points
+// are relative to `origin`, so that the scale of the world does not matter.
 class OccupancyGrid::PointProjector {
  public:
-  explicit PointProjector(const Pose& pose) {
+  PointProjector(const Pose& pose, const Eigen::Vector3d& origin) {
     Eigen::Matrix3d k = Eigen::Matrix3d::Identity();
     k(0, 0) = pose.camera.fx;
     k(1, 1) = pose.camera.fy;
     k(0, 2) = pose.camera.cx;
     k(1, 2) = pose.camera.cy;
     rotation_ = (k * pose.cam_from_world.rotation).cast<float>();
-    translation_ = (k * pose.cam_from_world.translation).cast<float>();
+    translation_ = (k * (pose.cam_from_world * origin)).cast<float>();
     width_ = float(pose.camera.width);
     height_ = float(pose.camera.height);
   }
@@ -119,11 +120,15 @@ OccupancyGrid::OccupancyGrid(const BoundingCube& cube,
 }
 
 Eigen::Vector3d OccupancyGrid::CenterOf(int x, int y, int z) const {
-  return cube_.min_corner + Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) *
-                                (cube_.edge / resolution_);
+  return cube_.min_corner + OffsetOf(x, y, z);
 }
 
-float OccupancyGrid::ScoreOf(const Eigen::Vector3f& point,
+Eigen::Vector3d OccupancyGrid::OffsetOf(int x, int y, int z) const {
+  return Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5) *
+         (cube_.edge / resolution_);
+}
+
+float OccupancyGrid::ScoreOf(const Eigen::Vector3f& offset,
                              std::span<const PointProjector> projectors,
                              bool is_allowed) const {
   static const float most = EvidenceOf(std::numeric_limits<float>::infinity());
@@ -132,7 +137,7 @@ float OccupancyGrid::ScoreOf(const Eigen::Vector3f& point,
   for (size_t i = 0; i < views_.size(); ++i) {
     float u = 0;
     float v = 0;
-    if (projectors[i].Project(point, &u, &v)) {
+    if (projectors[i].Project(offset, &u, &v)) {
       sum += views_[i].evidence.at<float>(int(v), int(u));
       ++num_showing;
     }
@@ -147,16 +152,15 @@ float OccupancyGrid::ScoreOf(const Eigen::Vector3f& point,
 void OccupancyGrid::AddSlice(int z, const SearchBounds& bounds) {
   std::vector<PointProjector> projectors;
   for (const EvidenceView& view : views_) {
-    projectors.emplace_back(view.pose);
+    projectors.emplace_back(view.pose, cube_.min_corner);
   }
   for (int y = 0; y < resolution_; ++y) {
     for (int x = 0; x < resolution_; ++x) {
-      const Eigen::Vector3d center = CenterOf(x, y, z);
-      scores_[IndexOf(x, y, z)] =
-          !bounds.Contain(center)
-              ? kNoObject
-              : ScoreOf(
-                    center.cast<float>(), projectors, bounds.box.has_value());
+      scores_[IndexOf(x, y, z)] = bounds.Contain(CenterOf(x, y, z))
+                                      ? ScoreOf(OffsetOf(x, y, z).cast<float>(),
+                                                projectors,
+                                                bounds.box.has_value())
+                                      : kNoObject;
     }
   }
 }
@@ -278,7 +282,7 @@ Eigen::AlignedBox3d OccupancyGrid::ObjectBox() const {
 
 cv::Mat OccupancyGrid::WordOfOthers(size_t view) const {
   const EvidenceView& own = views_[view];
-  const PointProjector projector(own.pose);
+  const PointProjector projector(own.pose, cube_.min_corner);
   const cv::Size size = own.evidence.size();
   cv::Mat word(size, CV_32F, cv::Scalar(kLowest));
   for (int z = 0; z < resolution_; ++z) {
@@ -288,7 +292,7 @@ cv::Mat OccupancyGrid::WordOfOthers(size_t view) const {
         float u = 0;
         float v = 0;
         if (score < kIgnored ||
-            !projector.Project(CenterOf(x, y, z).cast<float>(), &u, &v)) {
+            !projector.Project(OffsetOf(x, y, z).cast<float>(), &u, &v)) {
           continue;
         }
         const float others = score - own.evidence.at<float>(int(v), int(u));

@@ -73,7 +73,9 @@ class OccupancyGrid {
   // Sets the flags (one per voxel) of a few voxels around each that is set.
   void Grow(std::vector<uint8_t>* flags) const;
   Eigen::Vector3d CenterOf(int x, int y, int z) const;
-  float ScoreOf(const Eigen::Vector3f& point,
+  // The same from the cube's least corner.
+  Eigen::Vector3d OffsetOf(int x, int y, int z) const;
+  float ScoreOf(const Eigen::Vector3f& offset,
                 std::span<const PointProjector> projectors,
                 bool is_allowed) const;
   void AddSlice(int z, const SearchBounds& bounds);

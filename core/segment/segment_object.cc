@@ -294,6 +294,9 @@ Segmentation Segmenter::Run() {
   size_t fewest = 0;
   for (const double middle : kMiddles) {
     if (!FindObject(middle)) {
+      if (!is_guessed) {
+        break;  // another middle would change nothing
+      }
       continue;
     }
     ForEachView([&](size_t i) { CutView(i); });

@@ -13,7 +13,6 @@
 #include <Eigen/Geometry>
 #include <opencv2/core/mat.hpp>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/base/context.h"
@@ -23,7 +22,6 @@ namespace octacut {
 
 // A view to be segmented.
 struct UnsegmentedView {
-  std::string name;  // for messages
   Pose pose;
   cv::Mat image;  // CV_8UC3, BGR, of the camera's size
   // CV_8UC1 of that size: 0 background, 255 object, 128 where nothing is said;

@@ -81,7 +81,10 @@ class TurntableSegmenter {
     RequireTurntable(of_all);
     // What never shows the background: object, and a plate with a pattern. With
     // photographs of the empty set, the plate is what differs among them.
-    const float least = empty_labs.empty() ? kLeastSupport : 1.0f;
+    // Half a photograph less than all of them: shares are rounded.
+    const float least = empty_labs.empty()
+                            ? kLeastSupport
+                            : 1 - 0.5f / float(empty_labs.size());
     unreliable_ = background_.support < least;
     always_ = CoreOf(unreliable_, kStillWindow);
     if (empty_labs.empty()) {

@@ -122,6 +122,7 @@ void MaskUndistorter::Run(const CommandEnvironment& environment) {
   const std::map<std::string, PinholeCamera> targets = TargetCameras(views);
   const std::optional<MaskList> before = ReadMaskList(workspace.mask_path);
   MaskList list;
+  list.is_of_turntable = before && before->is_of_turntable;
   list.views.resize(views.size());
   std::vector<std::vector<uchar>> pngs(views.size());
   ForEachFile(

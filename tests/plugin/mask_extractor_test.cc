@@ -125,6 +125,13 @@ TEST_F(MaskExtractorTest, GivenMasksAreKept) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(Overlap(Found(2), Mask(2)), 1);
   EXPECT_EQ(List()["views"][2]["status"], "given");
+  // The user has changed the mask in the folder, and gives another one.
+  fs::copy(Mask(3), Found(2), fs::copy_options::overwrite_existing);
+  const std::string bytes = ReadFile(Found(2));
+  EXPECT_THAT(Extract({"--given_masks_path", given}).err,
+              HasSubstr("view_002.jpg.png: both are the mask of image "
+                        "view_002.jpg and differ; remove one"));
+  EXPECT_EQ(ReadFile(Found(2)), bytes);
 }
 
 // A view with a lens cap on: no mask, named, and left out by the mesher.

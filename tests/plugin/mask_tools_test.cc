@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -87,8 +88,11 @@ TEST_F(MaskToolsTest, UndistorterGivesMasksOfUndistortedImages) {
                                             "40"});
   ASSERT_EQ(example.exit_code, 0) << example.err;
   const fs::path output = folder_ / "undistorted";
+  std::ofstream(Workspace() / "masks" / "masks.json")
+      << R"({"program": "octacut mask_extractor", "mode": "turntable", "views": []})";
   const ProgramResult result = Undistort({"--output_path", output});
   ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(ReadFile(output / "masks.json"), HasSubstr("turntable"));
   const cv::Mat original = ReadGrey(Mask(1));
   const cv::Mat mask = ReadGrey(output / "view_001.jpg.png");
   // The sphere's silhouette is a disc of 0.6 * 180 pixels only without the

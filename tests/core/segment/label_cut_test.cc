@@ -46,6 +46,20 @@ TEST(LabelCut, SinglePixelsFollowTheirNeighbours) {
   EXPECT_EQ(labels.at<uint8_t>(5, 8), kObjectLabel);
 }
 
+TEST(LabelCut, AnOpenPixelMayBeAlone) {
+  cv::Mat labels(10, 20, CV_8U, cv::Scalar(kSurroundingsLabel));
+  labels.at<uint8_t>(5, 8) = kNoLabel;
+  cv::Mat log_odds(10, 20, CV_32F, cv::Scalar(50));
+  CutLabels(TwoSides(), log_odds, 1, &labels);
+  EXPECT_EQ(labels.at<uint8_t>(5, 8), kObjectLabel);
+  cv::Mat one(1, 1, CV_8U, cv::Scalar(kNoLabel));
+  CutLabels(cv::Mat(1, 1, CV_8UC3, cv::Scalar::all(9)),
+            cv::Mat(1, 1, CV_32F, cv::Scalar(-1)),
+            1,
+            &one);
+  EXPECT_EQ(one.at<uint8_t>(0, 0), kSurroundingsLabel);
+}
+
 TEST(LabelCut, WhatIsDecidedStays) {
   cv::Mat labels = OpenMiddle();
   cv::Mat log_odds(10, 20, CV_32F, cv::Scalar(4));

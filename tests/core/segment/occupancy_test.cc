@@ -42,6 +42,24 @@ TEST(Occupancy, FindsWhatTheSilhouettesShow) {
   EXPECT_NEAR(box.sizes().y(), 0.8, 0.08);
 }
 
+TEST(Occupancy, TheOriginOfTheWorldDoesNotMatter) {
+  std::vector<Pose> poses = RingPoses(16);
+  const Ball ball = {{0.1, -0.05, 0.05}, 0.4};
+  const std::vector<cv::Mat> odds = OddsOf({ball}, poses);
+  // As in a frame of the earth's centre.
+  const Eigen::Vector3d shift(4e6, -5e6, 1e6);
+  for (Pose& pose : poses) {
+    pose.cam_from_world.translation -= pose.cam_from_world.rotation * shift;
+  }
+  BoundingCube cube = CubeOfEdge(2);
+  cube.min_corner += shift;
+  OccupancyGrid grid(cube, 64, {}, poses, odds, Context(2));
+  ASSERT_TRUE(grid.KeepThingAt(shift, 1, false));
+  const Eigen::AlignedBox3d box = grid.ObjectBox();
+  EXPECT_LT((box.center() - shift - ball.center).cwiseAbs().maxCoeff(), 0.07);
+  EXPECT_GT(testing::Overlap(grid.WordOfOthers(3) > 0, odds[3] > 0), 0.8);
+}
+
 TEST(Occupancy, OneViewThatSeesNothingIsOverruled) {
   const std::vector<Pose> poses = RingPoses(16);
   const Ball ball;

@@ -101,7 +101,6 @@ inline RingScene MakeRingScene(int count, const Ball& ball) {
   RingScene scene;
   for (const Pose& pose : RingPoses(count)) {
     UnsegmentedView& view = scene.input.views.emplace_back();
-    view.name = "view " + std::to_string(scene.truth.size());
     view.pose = pose;
     view.image.create(kRingHeight, kRingWidth, CV_8UC3);
     const cv::Mat mask = SilhouetteOf(ball, pose);

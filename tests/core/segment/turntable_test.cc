@@ -105,6 +105,11 @@ TEST_F(TurntableTest, FindsAnObjectThatLooksTheSameFromAllSides) {
   // elsewhere.
   input.empty_set = {Photograph(50, true), Photograph(51, true)};
   ExpectVaseAndPlate(input);
+  // The share of all of 27 is not 1 in floats.
+  for (int i = 52; i < 77; ++i) {
+    input.empty_set.push_back(Photograph(i, true));
+  }
+  ExpectVaseAndPlate(input);
 }
 
 // The shades of a plain vase pass into each other, and many photographs agree

@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "colmap_io/mesh/mesh_io.h"
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/mean_edge.h"
 #include "core/mesh/untangle.h"
+#include "plugin/read_mesh.h"
 
 namespace octacut {
 
@@ -44,7 +44,7 @@ void RequireFloatsSuffice(const IndexedMesh& mesh,
 }  // namespace
 
 IndexedMesh ReadClosedMesh(const fs::path& path, const Context& context) {
-  IndexedMesh mesh = ReadMesh(path).mesh;
+  IndexedMesh mesh = ReadMeshAndLog(path, context);
   // What is audited is what steps keep and files hold.
   std::vector<Eigen::Vector3d> rounded = mesh.positions;
   RoundToFloats(&rounded);

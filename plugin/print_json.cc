@@ -1,5 +1,7 @@
 #include "plugin/print_json.h"
 
+#include <utility>
+
 #include "plugin/vector_json.h"
 
 namespace octacut {
@@ -7,11 +9,14 @@ namespace octacut {
 Json WallThicknessToJson(const WallThickness& walls) {
   Json json;
   json["measured_share"] = walls.measured_share;
-  json["min"] = walls.min;
-  json["percentile_1"] = walls.percentile_1;
-  json["percentile_5"] = walls.percentile_5;
-  json["median"] = walls.median;
-  json["max"] = walls.max;
+  for (const auto& [key, value] :
+       {std::pair("min", walls.min),
+        std::pair("percentile_1", walls.percentile_1),
+        std::pair("percentile_5", walls.percentile_5),
+        std::pair("median", walls.median),
+        std::pair("max", walls.max)}) {
+    json[key] = walls.measured_share > 0 ? Json(value) : Json();
+  }
   json["thin_share"] = walls.thin_share;
   json["histogram"] = walls.histogram;
   json["thinnest"] = Json::array();

@@ -7,7 +7,6 @@
 #include <opencv2/core.hpp>
 
 #include "colmap_io/images/write_image.h"
-#include "colmap_io/mesh/mesh_io.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/mesh/bounding_box.h"
@@ -15,6 +14,7 @@
 #include "core/texture/bake_normals.h"
 #include "core/texture/held_out_scores.h"
 #include "core/texture/render_unlit.h"
+#include "plugin/read_mesh.h"
 
 namespace octacut {
 namespace {
@@ -116,7 +116,8 @@ Json AddNormalMap(const IndexedMesh& full,
       "Normal map: normals of the full mesh differ by {:.2f} degrees on "
       "average; {:.2f} % of the texels are further than {:.4g} from it.",
       summary.mean_angle,
-      100 * double(summary.num_missed) / double(summary.num_texels),
+      100 * double(summary.num_missed) /
+          double(std::max<size_t>(1, summary.num_texels)),
       summary.max_distance));
   return {{"path", path.string()},
           {"texels", summary.num_texels},
@@ -136,7 +137,7 @@ Json ScoreMeshes(const TexturedMesh& textured,
     names.emplace_back("vertex colours of the same mesh");
   }
   for (const fs::path& path : arguments.compare_paths) {
-    colored.push_back(ReadMesh(path).mesh);
+    colored.push_back(ReadMeshAndLog(path, context));
     if (colored.back().colors.empty()) {
       throw InputError(
           fmt::format("{}: the mesh has no vertex colours", path.string()));
@@ -285,9 +286,10 @@ Json TextureAndWrite(const IndexedMesh& mesh,
           ? Subset(files.photographs, size_t(arguments.hold_out), false)
           : files.photographs;
   // Errors of this file come before the long work.
-  const IndexedMesh full = arguments.normal_map_path.empty()
-                               ? IndexedMesh()
-                               : ReadMesh(arguments.normal_map_path).mesh;
+  const IndexedMesh full =
+      arguments.normal_map_path.empty()
+          ? IndexedMesh()
+          : ReadMeshAndLog(arguments.normal_map_path, context);
   TexturingResult result =
       Texture(mesh, mesh_name, photographs, arguments.texture, context);
   Json json = SummaryToJson(result.summary, files.summary, photographs);

@@ -71,6 +71,9 @@ bool ByteSource::Fill(size_t size) {
     unread_ =
         knows_size_ ? unread_ - std::min<uint64_t>(unread_, count) : unread_;
   }
+  if (stream_.bad()) {
+    Fail("cannot be read");
+  }
   return end_ >= size;
 }
 

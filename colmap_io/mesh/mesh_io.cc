@@ -17,15 +17,9 @@
 namespace octacut {
 namespace {
 
-bool BeginsAsPly(std::istream& stream) {
-  char head[4] = {};
-  stream.read(head, 4);
-  const bool is_ply = stream.gcount() == 4 &&
-                      std::string_view(head, 3) == "ply" &&
-                      (head[3] == '\n' || head[3] == '\r');
-  stream.clear();
-  stream.seekg(0);
-  return is_ply;
+bool BeginsAsPly(ByteSource* source) {
+  const std::string_view head = source->Peek(4);
+  return head == "ply\n" || head == "ply\r";
 }
 
 void CheckSizes(const IndexedMesh& mesh) {
@@ -62,6 +56,36 @@ void CheckCoordinates(const IndexedMesh& mesh, const std::string& name) {
   }
 }
 
+MeshFile ReadFrom(ByteSource* source,
+                  MeshFormat format,
+                  const std::string& name) {
+  MeshFile result;
+  PolygonMesh polygons;
+  switch (format) {
+    case MeshFormat::kPly:
+      polygons = ReadPly(source, &result.notes);
+      RemoveNonFinite(name, &polygons, &result.notes);
+      break;
+    case MeshFormat::kObj:
+      polygons = ReadObj(source, &result.notes);
+      break;
+    case MeshFormat::kOff:
+      polygons = ReadOff(source, &result.notes);
+      break;
+    case MeshFormat::kStl:
+      polygons = ReadStl(source, &result.notes);
+      break;
+    case MeshFormat::k3mf:
+      source->Fail("3MF can be written, but not read; use .stl or .ply");
+    case MeshFormat::kGlb:
+      throw InputError(
+          fmt::format("{}: .glb files are written, but not read", name));
+  }
+  result.mesh = Triangulate(std::move(polygons), name, &result.notes);
+  CheckCoordinates(result.mesh, name);
+  return result;
+}
+
 }  // namespace
 
 MeshFormat MeshFormatOf(const std::filesystem::path& path) {
@@ -88,42 +112,18 @@ MeshFile ReadMesh(const std::filesystem::path& path) {
   if (!stream) {
     throw InputError(fmt::format("{}: cannot be opened", path.string()));
   }
+  ByteSource source(stream, path.string());
   const MeshFormat format =
-      BeginsAsPly(stream) ? MeshFormat::kPly : MeshFormatOf(path);
-  return ReadMesh(stream, format, path.string());
+      BeginsAsPly(&source) ? MeshFormat::kPly : MeshFormatOf(path);
+  return ReadFrom(&source, format, path.string());
 }
 
 MeshFile ReadMesh(std::istream& stream,
                   MeshFormat format,
                   const std::string& name) {
   ByteSource source(stream, name);
-  MeshFile result;
-  PolygonMesh polygons;
-  switch (format) {
-    case MeshFormat::kPly:
-      polygons = ReadPly(&source, &result.notes);
-      RemoveNonFinite(name, &polygons, &result.notes);
-      break;
-    case MeshFormat::kObj:
-      polygons = ReadObj(&source, &result.notes);
-      break;
-    case MeshFormat::kOff:
-      polygons = ReadOff(&source, &result.notes);
-      break;
-    case MeshFormat::kStl:
-      polygons = ReadStl(&source, &result.notes);
-      break;
-    case MeshFormat::k3mf:
-      source.Fail("3MF can be written, but not read; use .stl or .ply");
-    case MeshFormat::kGlb:
-      throw InputError(
-          fmt::format("{}: .glb files are written, but not read", name));
-  }
-  result.mesh = Triangulate(std::move(polygons), name, &result.notes);
-  CheckCoordinates(result.mesh, name);
-  return result;
+  return ReadFrom(&source, format, name);
 }
-
 void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   const MeshFormat format = MeshFormatOf(path);
   CheckSizes(mesh);

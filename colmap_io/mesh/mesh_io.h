@@ -31,8 +31,9 @@ struct MeshFile {
 // mesh_readers.h and polygon_mesh.h. A file that begins with "ply" is read as
 // PLY whatever its extension. Throws InputError "<file>: ..." that names the
 // first bad element or line when the file is missing, truncated, has
-// coordinates that are not finite or beyond 1e30, or indices out of range, or
-// is of a format that is only written.
+// coordinates that are beyond 1e30 or not finite (PLY: vertices that are not
+// finite are left out, with a note), or indices out of range, or is of a format
+// that is only written.
 // Counts are checked against the size of the file before memory is taken for
 // them.
 MeshFile ReadMesh(const std::filesystem::path& path);

@@ -24,10 +24,12 @@ inline IndexedMesh PointsAsTriangles(IndexedMesh mesh) {
   return mesh;
 }
 
+// A triangle of a mesh may be a point, too: all of them are.
 inline bool IsCloud(const IndexedMesh& mesh) {
-  return mesh.triangles.empty() ||
-         (mesh.triangles[0][0] == mesh.triangles[0][1] &&
-          mesh.triangles[0][1] == mesh.triangles[0][2]);
+  return std::all_of(
+      mesh.triangles.begin(), mesh.triangles.end(), [](const auto& triangle) {
+        return triangle[0] == triangle[1] && triangle[1] == triangle[2];
+      });
 }
 
 // At most `count` points of PointsAsTriangles, spread evenly over their order.

@@ -46,6 +46,15 @@ struct Plane {
   }
 };
 
+double LeastHeight(const Plane& plane,
+                   const std::vector<Eigen::Vector3d>& points) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& point : points) {
+    least = std::min(least, plane.Height(point));
+  }
+  return least;
+}
+
 class StandSearch {
  public:
   StandSearch(const IndexedMesh& mesh, const Surroundings& surroundings)
@@ -75,13 +84,8 @@ class StandSearch {
   size_t LeastPoints() const {
     return std::max(kMinPoints, candidates_.size() / kMinShare);
   }
-  double Gap(const Plane& plane) const {
-    double gap = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3d& vertex : vertices_) {
-      gap = std::min(gap, plane.Height(vertex));
-    }
-    return gap;
-  }
+  // From the plane to the lowest of some vertices.
+  double Gap(const Plane& plane) const { return LeastHeight(plane, vertices_); }
 
   std::vector<Eigen::Vector3d> PointsOn(const Plane& plane) const {
     std::vector<Eigen::Vector3d> points;
@@ -199,7 +203,7 @@ RestingPlane FindRestingPlane(const IndexedMesh& mesh,
     sum += plane->Height(point) * plane->Height(point);
   }
   stand.rms = std::sqrt(sum / double(std::max<size_t>(points.size(), 1)));
-  stand.gap = search.Gap(*plane);
+  stand.gap = LeastHeight(*plane, mesh.positions);
   return stand;
 }
 

@@ -30,7 +30,7 @@ struct WallThickness {
   // inwards, along the normal, hits a surface that faces it within 45 degrees.
   // The rest, such as near sharp edges, has no thickness.
   double measured_share = 0;
-  // Statistics over the measured surface, by area.
+  // Statistics over the measured surface, by area; 0 if nothing was measured.
   double min = 0;
   double percentile_1 = 0;
   double percentile_5 = 0;

@@ -157,7 +157,9 @@ SimplifiedMesh SimplifyWithin(
   // So far only vertices were measured, and no vertex had to stay.
   while (true) {
     SimplifiedMesh result = SimplifyTo(size_t(enough), replay, context);
-    if (distance_to_full(result.mesh) <= max_distance) {
+    // Rounding may keep even the full mesh from a distance of 0.
+    if (enough >= double(replay.Full().triangles.size()) ||
+        distance_to_full(result.mesh) <= max_distance) {
       return result;
     }
     enough = std::ceil(kBisectionRatio * enough);

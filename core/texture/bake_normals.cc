@@ -319,9 +319,11 @@ NormalMapSummary BakeNormals(const IndexedMesh& full,
         summary.max_distance,
         100 * double(total.num_missed) / double(total.num_texels)));
   }
-  summary.mean_angle = total.angles /
-                       double(total.num_texels - total.num_missed) * 180 /
-                       std::numbers::pi;
+  // A map may be so small that no texel lies in a triangle.
+  const size_t num_baked =
+      std::max<size_t>(1, total.num_texels - total.num_missed);
+  summary.mean_angle =
+      total.angles / double(num_baked) * 180 / std::numbers::pi;
   return summary;
 }
 

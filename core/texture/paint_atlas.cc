@@ -91,7 +91,6 @@ class PagePainter {
         counts->num_unfilled += is_inside && !is_known;
       }
     }
-    counts->num_filled += num_filled_;
     FillGaps(known, &color);
     return {color, {}};
   }
@@ -230,7 +229,6 @@ class PagePainter {
       ForTexelsOf(map_, f, texels, [&](int x, int y) {
         const Eigen::Vector3f weights =
             WeightsAt(texels, {x + 0.5, y + 0.5}).cast<float>();
-        num_filled_ += map_.at<int>(y, x) > 0;
         colors_.Add(x,
                     y,
                     weights[0] * input_.fill[corners[0]] +
@@ -249,7 +247,6 @@ class PagePainter {
   const int num_samples_;
   std::vector<std::vector<uint32_t>> faces_of_view_;
   std::vector<uint32_t> unseen_;
-  size_t num_filled_ = 0;
 };
 
 }  // namespace

@@ -39,7 +39,6 @@ struct PaintInput {
 struct PaintedPages {
   std::vector<TexturePage> pages;
   size_t num_texels = 0;  // within triangles
-  size_t num_filled = 0;  // of these, in triangles that no view shows
   // Those without any colour before the gaps between charts were closed:
   // none.
   size_t num_unfilled = 0;

@@ -13,10 +13,10 @@
 #include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/dense_map_file.h"
 #include "colmap_io/images/undistorted_camera.h"
-#include "colmap_io/mesh/mesh_io.h"
 #include "core/base/check_option.h"
 #include "core/evidence/dense_depths.h"
 #include "core/raycast/depth_normals.h"
+#include "plugin/read_mesh.h"
 #include "plugin/report.h"
 #include "plugin/workspace_options.h"
 
@@ -182,7 +182,7 @@ void DepthMapRenderer::CheckIsSeen(const IndexedMesh& mesh,
 void DepthMapRenderer::RenderMesh(const Workspace& workspace,
                                   const std::vector<const SparseImage*>& images,
                                   const Context& context) {
-  const IndexedMesh mesh = ReadMesh(mesh_path_).mesh;
+  const IndexedMesh mesh = ReadMeshAndLog(mesh_path_, context);
   if (mesh.triangles.empty()) {
     throw InputError(fmt::format("{}: the mesh has no faces, only {} vertices",
                                  mesh_path_.string(),

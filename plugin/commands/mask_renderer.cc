@@ -8,9 +8,9 @@
 
 #include "colmap_io/images/mask_folder.h"
 #include "colmap_io/images/workspace.h"
-#include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/camera_projector.h"
 #include "core/raycast/render_silhouette.h"
+#include "plugin/read_mesh.h"
 
 namespace octacut {
 namespace {
@@ -59,7 +59,7 @@ void MaskRenderer::Run(const CommandEnvironment& environment) {
   const Workspace workspace =
       OpenWorkspace(workspace_path_, workspace_, context);
   RequireOnlyOwnMasks(output_path_);
-  const RayScene rays(ReadMesh(mesh_path_).mesh);
+  const RayScene rays(ReadMeshAndLog(mesh_path_, context));
   MaskList list;
   std::vector<std::vector<uchar>> pngs;
   size_t num_empty = 0;

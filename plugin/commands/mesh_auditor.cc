@@ -113,11 +113,14 @@ std::string AuditTable(const MeshAudit& audit,
 std::string WallTable(const WallThickness& walls) {
   TextTable table({"wall thickness", ""});
   table.AddRow({"measured on", Percent(walls.measured_share)});
-  table.AddRow({"least", fmt::format("{:.4g}", walls.min)});
-  table.AddRow(
-      {"1 % of the surface below", fmt::format("{:.4g}", walls.percentile_1)});
-  table.AddRow({"5 %", fmt::format("{:.4g}", walls.percentile_5)});
-  table.AddRow({"half", fmt::format("{:.4g}", walls.median)});
+  const auto add = [&](const char* name, double value) {
+    table.AddRow(
+        {name, walls.measured_share > 0 ? fmt::format("{:.4g}", value) : "-"});
+  };
+  add("least", walls.min);
+  add("1 % of the surface below", walls.percentile_1);
+  add("5 %", walls.percentile_5);
+  add("half", walls.median);
   for (const ThinPlace& place : walls.thinnest) {
     table.AddRow({fmt::format("at {:.4g}, {:.4g}, {:.4g}",
                               place.point.x(),

@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "colmap_io/mesh/mesh_io.h"
 #include "plugin/file_roles.h"
+#include "plugin/read_mesh.h"
 #include "plugin/report.h"
 #include "plugin/texturing.h"
 #include "plugin/workspace_options.h"
@@ -62,7 +62,7 @@ void MeshTexturer::Complete() {
 
 void MeshTexturer::Run(const CommandEnvironment& environment) {
   Complete();
-  const IndexedMesh mesh = ReadMesh(mesh_path_).mesh;
+  const IndexedMesh mesh = ReadMeshAndLog(mesh_path_, environment.context);
   PhotographOptions photographs;
   photographs.workspace = loading_.workspace;
   photographs.mask_geometry = loading_.mask_geometry;

@@ -40,6 +40,15 @@ class MeshAuditorTest : public ::testing::Test {
   TemporaryFolder folder_;
 };
 
+TEST_F(MeshAuditorTest, OneSkinHasNoWall) {
+  const ProgramResult result =
+      Audit(HeightField(2, [](double, double) { return 0.0; }));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const nlohmann::json report = Report();
+  EXPECT_EQ(report["wall_thickness"]["measured_share"], 0);
+  EXPECT_TRUE(report["wall_thickness"]["min"].is_null());
+}
+
 TEST_F(MeshAuditorTest, ABoxWithAWall) {
   const ProgramResult result =
       Audit(BoxWithWall(4, 0.1), {"--min_wall", "0.2"});

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <fstream>
+#include <thread>
 
 #include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
@@ -91,6 +93,21 @@ TEST(MeshPath, PlyIsKnownByItsContents) {
   const fs::path path = folder.Path() / "mesh.txt";
   std::ofstream(path) << WriteText(TestMesh(false, false), MeshFormat::kPly);
   EXPECT_EQ(ReadMesh(path).mesh.triangles.size(), 8u);
+}
+
+TEST(MeshPath, MeshesComeThroughPipes) {
+  const TemporaryFolder folder;
+  for (const auto& [name, format] : {std::pair("p.ply", MeshFormat::kPly),
+                                     std::pair("p.obj", MeshFormat::kObj)}) {
+    const fs::path path = folder.Path() / name;
+    ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+    std::thread writer([&] {
+      std::ofstream(path) << WriteText(TestMesh(false, false), format);
+    });
+    const IndexedMesh mesh = ReadMesh(path).mesh;
+    writer.join();
+    EXPECT_EQ(mesh.triangles.size(), 8u) << name;
+  }
 }
 
 }  // namespace

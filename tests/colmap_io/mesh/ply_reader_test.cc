@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <bit>
+#include <stdexcept>
 #include <streambuf>
 
 #include "core/base/error.h"
@@ -287,6 +288,26 @@ class PipeBuffer : public std::streambuf {
  private:
   std::string text_;
 };
+
+// A file of which the disk cannot read the rest.
+class BadBuffer : public PipeBuffer {
+ public:
+  using PipeBuffer::PipeBuffer;
+
+ protected:
+  int_type underflow() override { throw std::runtime_error("input/output"); }
+};
+
+TEST(MeshReaders, AReadErrorIsNoEndOfTheFile) {
+  for (const MeshFormat format :
+       {MeshFormat::kPly, MeshFormat::kObj, MeshFormat::kOff}) {
+    BadBuffer bad(WriteText(TestMesh(false, false), format));
+    std::istream stream(&bad);
+    EXPECT_THAT(
+        [&] { ReadMesh(stream, format, "disk"); },
+        testing::ThrowsMessage<InputError>(HasSubstr("disk: cannot be read")));
+  }
+}
 
 TEST(PlyReader, ReadsStreamsThatCannotSeek) {
   PipeBuffer whole(WriteText(TestMesh(true, true), MeshFormat::kPly));

@@ -126,6 +126,13 @@ TEST(MeasureWallThickness, SameForAnyNumberOfThreads) {
   EXPECT_EQ(one.thinnest.front().point, four.thinnest.front().point);
 }
 
+TEST(MeasureWallThickness, OneSkinHasNone) {
+  const IndexedMesh skin = HeightField(2, [](double, double) { return 0.0; });
+  const WallThickness walls = MeasureWallThickness(skin, {}, Context(2));
+  EXPECT_EQ(walls.measured_share, 0);
+  EXPECT_TRUE(walls.thinnest.empty());
+}
+
 TEST(MeasureWallThickness, NeedsASurface) {
   EXPECT_THROW(Measure(IndexedMesh()), InputError);
 }

@@ -159,6 +159,14 @@ TEST(SimplifyMesh, KeepsTheDistance) {
   }
 }
 
+TEST(SimplifyMesh, ADistanceBelowRoundingLeavesTheMesh) {
+  const IndexedMesh full = Sphere(8, 100);
+  const auto rounding = [](const IndexedMesh&) { return 1e-14; };
+  const SimplifiedMesh simplified =
+      SimplifyWithin(1e-18, rounding, Prepared(full, 4), kContext);
+  EXPECT_EQ(simplified.mesh.triangles.size(), full.triangles.size());
+}
+
 TEST(SimplifyMesh, SizeAndPlaceDoNotMatter) {
   const IndexedMesh full = Potato(12);
   const SimplifiedMesh usual = SimplifyTo(300, Prepared(full, 300), kContext);

@@ -52,6 +52,19 @@ TEST(CompareMeshes, ParallelPlanes) {
   EXPECT_EQ(result.completeness, 0);
 }
 
+// A mesh of which one triangle is a point is no cloud.
+TEST(CompareMeshes, ATriangleThatIsAPointChangesNothing) {
+  const IndexedMesh plane = HeightField(7, [](double, double) { return 0.01; });
+  IndexedMesh with_point = plane;
+  with_point.triangles.insert(with_point.triangles.begin(), {4, 4, 4});
+  const IndexedMesh ground = HeightField(3, Flat);
+  const MeshComparison expected = Compare(plane, ground);
+  const MeshComparison result = Compare(with_point, ground);
+  EXPECT_EQ(result.to_reference.num_samples, 20000u);
+  EXPECT_NEAR(result.to_reference.mean, expected.to_reference.mean, 1e-12);
+  EXPECT_NEAR(result.from_reference.max, expected.from_reference.max, 1e-12);
+}
+
 TEST(CompareMeshes, TiltedPlaneOverALargeOne) {
   const double h = 0.02;
   IndexedMesh ground = HeightField(1, Flat);

@@ -14,6 +14,7 @@
 #include "colmap_io/images/reduced_view.h"
 #include "colmap_io/images/saliency_network.h"
 #include "colmap_io/images/segmentation_files.h"
+#include "colmap_io/model/camera_projector.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/scene/region.h"
@@ -166,7 +167,9 @@ cv::Mat Extractor::RefinedMask(size_t view) const {
   segmentation_.views[view].mask.convertTo(mask, CV_32F);
   const cv::Mat full =
       CarryBack(mask, camera, *file.camera) >= kObjectThreshold;
-  const double scale = double(file.camera->width) / camera.width;
+  // At the centre: a reduced view of a wide lens has another projection.
+  const double scale =
+      CameraProjector(*file.camera).Intrinsics().fx / camera.fx;
   return RefineBorder(ReadPhotograph(file.photograph),
                       full,
                       kReach * std::max(1.0, scale),
@@ -177,7 +180,8 @@ void Extractor::RefineAll() {
   ForEachFile(
       {.count = files_.files.size(),
        .bytes_per_file =
-           BytesOfLargest(files_.files, kRefineBorderBytesPerPixel)},
+           BytesOfLargest(files_.files, kRefineBorderBytesPerPixel),
+       .byte_budget = kRefineBorderBudget},
       "refining borders",
       context_,
       [&](size_t i) {
@@ -185,7 +189,9 @@ void Extractor::RefineAll() {
         const cv::Mat mask = file.given_mask.empty()
                                  ? RefinedMask(i)
                                  : ReadMask(file.given_mask);
-        encoded_[i] = EncodeMask(mask);
+        if (file.given_mask.empty() || !IsInPlace(i)) {
+          encoded_[i] = EncodeMask(mask);
+        }
         reduced_[i] =
             ReduceView(mask, *file.camera, files_.input.views[i].pose.camera) >=
             kObjectThreshold;
@@ -220,9 +226,7 @@ void Extractor::Judge() {
 
 void Extractor::Write() {
   for (size_t i = 0; i < files_.files.size(); ++i) {
-    const ListedMask& listed = list_.views[i];
-    const bool stays = listed.status == MaskStatus::kGiven && IsInPlace(i);
-    if (listed.status == MaskStatus::kUnsure || stays) {
+    if (list_.views[i].status == MaskStatus::kUnsure) {
       encoded_[i].clear();
     }
   }

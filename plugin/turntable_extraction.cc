@@ -190,7 +190,8 @@ void TurntableFolder::Extract(MaskList* list,
   const bool is_reduced = input.images.front().size() != size_;
   ForEachFile(
       {.count = paths_.size(),
-       .bytes_per_file = kRefineBorderBytesPerPixel * size_t(size_.area())},
+       .bytes_per_file = kRefineBorderBytesPerPixel * size_t(size_.area()),
+       .byte_budget = kRefineBorderBudget},
       "refining borders",
       context_,
       [&](size_t i) {

@@ -197,8 +197,11 @@ PhotographFiles OpenPhotographs(const fs::path& workspace_path,
                     summary.num_without_mask,
                     summary.num_images - summary.num_missing));
   }
-  const size_t pixels = MostPixels(reader->Files(), &PhotographFile::camera);
+  size_t pixels = MostPixels(reader->Files(), &PhotographFile::camera);
   for (const PhotographFile& file : reader->Files()) {
+    // The view of a wide lens may be larger than its photograph.
+    pixels = std::max(pixels,
+                      size_t(file.window.width) * size_t(file.window.height));
     result.photographs.poses.push_back(
         {file.image->name, file.window, file.image->CamFromWorld()});
   }

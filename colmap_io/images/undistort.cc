@@ -269,7 +269,7 @@ cv::Mat FindUncovered(const cv::Mat& source,
                       const PinholeCamera& target,
                       const cv::Mat& undistorted,
                       const Context& context) {
-  if (IsPinhole(camera)) {
+  if (CopiedWindow(camera, CameraProjector(camera).Intrinsics(), target)) {
     return {};
   }
   // What another value fills.

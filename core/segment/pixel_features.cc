@@ -33,10 +33,9 @@ cv::Mat Roughness(const cv::Mat& lightness) {
 }  // namespace
 
 cv::Mat PixelFeatures(const cv::Mat& image) {
-  cv::Mat scaled;
-  image.convertTo(scaled, CV_32FC3, 1.0 / 255);
   cv::Mat lab;
-  cv::cvtColor(scaled, lab, cv::COLOR_BGR2Lab);
+  image.convertTo(lab, CV_32FC3, 1.0 / 255);
+  cv::cvtColor(lab, lab, cv::COLOR_BGR2Lab);
   cv::Mat lightness;
   cv::extractChannel(lab, lightness, 0);
   cv::Mat features;

@@ -6,9 +6,12 @@
 
 namespace octacut {
 
-// Bytes for each pixel of an image that RefineBorder and its caller need:
-// photograph, window of it with its features, and the cut's graph.
-inline constexpr size_t kRefineBorderBytesPerPixel = 48;
+// Bytes for each pixel of an image that RefineBorder and its caller need, at
+// most: photograph and masks 6, and of a window that is the whole image, Lab
+// colours, lightness, roughness and features 36, distances 8.
+inline constexpr size_t kRefineBorderBytesPerPixel = 50;
+// What a loop over images may take: two photographs of 12 megapixels at once.
+inline constexpr size_t kRefineBorderBudget = size_t{3} << 29;
 
 // Moves the border of `mask` (CV_8UC1, 0 or 255, of the size of `image`,
 // CV_8UC3) to where the photograph has it: by the minimal cut, in a band of

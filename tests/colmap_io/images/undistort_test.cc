@@ -119,6 +119,25 @@ TEST(Undistort, RefusesASourceOfAnotherSize) {
       InvariantError);
 }
 
+TEST(FindUncovered, BeyondTheFrameOfAPinholeToo) {
+  const cv::Mat mask(300, 400, CV_8UC1, cv::Scalar(0));
+  const PinholeCamera same = UndistortedCamera(kPinhole);
+  const auto uncovered = [&](const PinholeCamera& target) {
+    return FindUncovered(mask,
+                         kPinhole,
+                         target,
+                         Undistort(mask, kPinhole, target, 255, Context(1)),
+                         Context(1));
+  };
+  EXPECT_TRUE(uncovered(same).empty());
+  PinholeCamera wider = same;
+  wider.width += 20;
+  const cv::Mat beyond = uncovered(wider);
+  ASSERT_EQ(beyond.size(), cv::Size(420, 300));
+  EXPECT_EQ(cv::countNonZero(beyond.colRange(0, 400)), 0);
+  EXPECT_EQ(cv::countNonZero(beyond), 20 * 300);
+}
+
 TEST(UndistortedCamera, KeepsAPinhole) {
   const PinholeCamera camera = UndistortedCamera(kPinhole);
   EXPECT_EQ(camera.width, 400);

@@ -15,26 +15,33 @@ namespace {
 constexpr float kPixelsPerVoxel = 2.0f;
 constexpr float kSplatRadius = 0.6f;  // voxels
 
+// The centres of the voxels that the surface cuts.
+std::vector<Eigen::Vector3f> CutCenters(const VoxelGrid& surface,
+                                        const std::vector<FaceLabels>& labels) {
+  std::vector<Eigen::Vector3f> centers;
+  surface.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    if (IsCut(labels[index])) {
+      centers.push_back(VoxelCenter(DecodeMorton(code), surface.Level()));
+    }
+  });
+  return centers;
+}
+
 DepthMap RenderSurface(const ViewProjection& projection,
-                       const VoxelGrid& surface,
-                       const std::vector<FaceLabels>& labels) {
-  const float voxel = 1.0f / float(surface.Resolution());
+                       const std::vector<Eigen::Vector3f>& centers,
+                       float voxel) {
   const float scale =
       std::min(1.0f, kPixelsPerVoxel / projection.CenterFootprint(voxel));
   DepthMap map(projection, scale);
-  surface.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    if (!IsCut(labels[index])) {
-      return;
-    }
-    const std::optional<ProjectedPoint> p =
-        projection.Project(VoxelCenter(DecodeMorton(code), surface.Level()));
+  for (const Eigen::Vector3f& center : centers) {
+    const std::optional<ProjectedPoint> p = projection.Project(center);
     if (p && p->depth > voxel) {
       map.Splat(p->u,
                 p->v,
                 kSplatRadius * scale * projection.Footprint(voxel, p->depth),
                 p->depth);
     }
-  });
+  }
   return map;
 }
 
@@ -70,10 +77,12 @@ Visibility Visibility::Estimate(const ViewSet& views,
   visibility.voxel_ = 1 / float(1 << level);
   visibility.max_views_ = options.max_views;
   visibility.depth_maps_.resize(views.size());
+  const std::vector<Eigen::Vector3f> centers = CutCenters(surface, labels);
+  const float voxel = 1.0f / float(surface.Resolution());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       visibility.depth_maps_[i] =
-          RenderSurface(views[i].projection, surface, labels);
+          RenderSurface(views[i].projection, centers, voxel);
     }
   });
   return visibility;

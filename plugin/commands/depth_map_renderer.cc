@@ -278,7 +278,8 @@ void DepthMapRenderer::Run(const CommandEnvironment& environment) {
                       : "must be empty for source = sweep, which knows of no "
                         "mesh");
   if (is_mesh) {
-    environment.options.RefuseUnused({"mask_path",
+    environment.options.RefuseUnused({"image_path",
+                                      "mask_path",
                                       "mask_geometry",
                                       "original_path",
                                       "skip_missing_masks",

@@ -50,7 +50,7 @@ class BilinearSampler {
 
  private:
   const uint8_t* TopLeft(int x, int y) const {
-    return source_.data + size_t(y) * step_ + x * kChannels;
+    return source_.data + size_t(y) * step_ + size_t(x) * kChannels;
   }
   static void Blend(const uint8_t* top,
                     int right,

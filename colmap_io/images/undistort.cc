@@ -42,8 +42,9 @@ struct RowMap {
 
 template <int kChannels>
 void Store(const float* sum, float scale, uint8_t* pixel) {
+  constexpr float kHalf = 0.5f;  // to round; std::lround is slow
   for (int c = 0; c < kChannels; ++c) {
-    pixel[c] = uint8_t(sum[c] * scale + 0.5f);
+    pixel[c] = uint8_t(sum[c] * scale + kHalf);
   }
 }
 
@@ -63,7 +64,7 @@ void SampleRows(const BilinearSampler<kChannels>& sampler,
       if (sampler.Covers(map.x[x], map.y[x])) {
         float sum[kChannels] = {};
         sampler.Add(map.x[x], map.y[x], sum);
-        Store<kChannels>(sum, 1, pixels + x * kChannels);
+        Store<kChannels>(sum, 1, pixels + size_t(x) * kChannels);
       }
     }
   }
@@ -138,7 +139,8 @@ void AverageRows(const BilinearSampler<kChannels>& sampler,
         });
       }
       if (covered) {
-        Store<kChannels>(sum, 1.0f / float(n * n), pixels + x * kChannels);
+        Store<kChannels>(
+            sum, 1.0f / float(n * n), pixels + size_t(x) * kChannels);
       }
     }
   }

@@ -131,7 +131,7 @@ Eigen::Vector3d OccupancyGrid::OffsetOf(int x, int y, int z) const {
 float OccupancyGrid::ScoreOf(const Eigen::Vector3f& offset,
                              std::span<const PointProjector> projectors,
                              bool is_allowed) const {
-  static const float most = EvidenceOf(std::numeric_limits<float>::infinity());
+  static const float kMost = EvidenceOf(std::numeric_limits<float>::infinity());
   float sum = 0;
   size_t num_showing = 0;
   for (size_t i = 0; i < views_.size(); ++i) {
@@ -141,7 +141,7 @@ float OccupancyGrid::ScoreOf(const Eigen::Vector3f& offset,
       sum += views_[i].evidence.at<float>(int(v), int(u));
       ++num_showing;
     }
-    if (sum + most * float(views_.size() - i) < kIgnored) {
+    if (sum + kMost * float(views_.size() - i) < kIgnored) {
       return kNoObject;
     }
   }

@@ -57,6 +57,7 @@ class MeshComparer : public Command {
                      const Context& context,
                      MeasuredMesh* measured);
   void PrintTables(const ComparedMesh& reference, std::ostream& out) const;
+  void RefuseUnusedOptions(const OptionManager& options) const;
   void WritePage(const CommandEnvironment& environment,
                  const SparseModel& views,
                  const Json& report);
@@ -298,6 +299,18 @@ void MeshComparer::WritePage(const CommandEnvironment& environment,
   WriteComparisonPage(paths_.page, page, {}, environment.context);
 }
 
+void MeshComparer::RefuseUnusedOptions(const OptionManager& options) const {
+  if (judged_.views_path.empty()) {
+    options.RefuseUnused({"min_views", "max_view_angle"}, "views_path");
+  }
+  if (!compare_.align) {
+    options.RefuseUnused({"Alignment.global_search",
+                          "Alignment.num_samples",
+                          "Alignment.estimate_scale"},
+                         "align 1");
+  }
+}
+
 void MeshComparer::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   compare_.Check();
@@ -312,16 +325,7 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
               "cannot be used together with transform_path");
   CheckComparerPaths(
       paths_, protocol_.crop_paths, compare_.align || protocol_run_->Aligns());
-  if (judged_.views_path.empty()) {
-    environment.options.RefuseUnused({"min_views", "max_view_angle"},
-                                     "views_path");
-  }
-  if (!compare_.align) {
-    environment.options.RefuseUnused({"Alignment.global_search",
-                                      "Alignment.num_samples",
-                                      "Alignment.estimate_scale"},
-                                     "align 1");
-  }
+  RefuseUnusedOptions(environment.options);
   SparseModel views;
   if (!judged_.views_path.empty()) {
     views = ReadLargestModel(judged_.views_path,

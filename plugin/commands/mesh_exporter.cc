@@ -49,7 +49,7 @@ class MeshExporter : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
-  void Check() const;
+  void Check(const OptionManager& options) const;
   std::optional<Workspace> OpenIfNeeded(const Context& context) const;
   // Up in the frame of the mesh; adds what was found to the report.
   Eigen::Vector3d FindUp(const IndexedMesh& mesh,
@@ -140,7 +140,7 @@ Eigen::Vector3d ParseUp(const std::string& text) {
   return up;
 }
 
-void MeshExporter::Check() const {
+void MeshExporter::Check(const OptionManager& options) const {
   scale_.Check();
   ParseUp(up_);
   CheckOption(base_depth_ >= 0 && std::isfinite(base_depth_),
@@ -151,7 +151,10 @@ void MeshExporter::Check() const {
               "base_depth",
               base_depth_,
               "needs --flat_base 1");
-  if (workspace_path_.empty() && (scale_.NeedsWorkspace() || up_ == kStand)) {
+  if (!scale_.NeedsWorkspace() && up_ != kStand) {
+    options.RefuseUnused({"workspace_path", "image_path", "sparse_path"},
+                         "aruco_side or --up stand");
+  } else if (workspace_path_.empty()) {
     throw OptionError(
         "--workspace_path must be given for --aruco_side and --up stand");
   }
@@ -260,12 +263,7 @@ IndexedMesh MeshExporter::MakePrint(const IndexedMesh& mesh,
 
 void MeshExporter::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
-  Check();
-  if (!scale_.NeedsWorkspace() && up_ != kStand) {
-    environment.options.RefuseUnused(
-        {"workspace_path", "image_path", "sparse_path"},
-        "aruco_side or --up stand");
-  }
+  Check(environment.options);
   if (report_path_.empty()) {
     report_path_ = output_path_.string() + ".json";
   }

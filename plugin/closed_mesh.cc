@@ -44,7 +44,7 @@ void RequireFloatsSuffice(const IndexedMesh& mesh,
 }  // namespace
 
 IndexedMesh ReadClosedMesh(const fs::path& path, const Context& context) {
-  IndexedMesh mesh = ReadMeshAndLog(path, context);
+  IndexedMesh mesh = ReadMeshAndLog(path, context).mesh;
   // What is audited is what steps keep and files hold.
   std::vector<Eigen::Vector3d> rounded = mesh.positions;
   RoundToFloats(&rounded);

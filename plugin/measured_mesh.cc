@@ -6,12 +6,12 @@
 #include <sstream>
 #include <utility>
 
-#include "colmap_io/mesh/mesh_io.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
 #include "plugin/mesh_json.h"
+#include "plugin/read_mesh.h"
 
 namespace octacut {
 
@@ -51,10 +51,7 @@ MeasuredMesh MeasureMesh(const fs::path& path,
                          const Context& context,
                          AllowClouds clouds) {
   const Phase phase(context, fmt::format("Examine {}", name));
-  MeshFile file = ReadMesh(path);
-  for (const std::string& note : file.notes) {
-    context.Info(fmt::format("{}: {}", path.string(), note));
-  }
+  MeshFile file = ReadMeshAndLog(path, context);
   if (file.mesh.triangles.empty() &&
       (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {
     throw InputError(fmt::format("{}: the mesh has no faces, only {} vertices",

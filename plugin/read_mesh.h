@@ -3,13 +3,13 @@
 
 #include <filesystem>
 
+#include "colmap_io/mesh/mesh_io.h"
 #include "core/base/context.h"
-#include "core/mesh/indexed_mesh.h"
 
 namespace octacut {
 
 // As ReadMesh does; logs what was changed or left out on the way.
-IndexedMesh ReadMeshAndLog(const std::filesystem::path& path,
-                           const Context& context);
+MeshFile ReadMeshAndLog(const std::filesystem::path& path,
+                        const Context& context);
 
 }  // namespace octacut

@@ -137,7 +137,7 @@ Json ScoreMeshes(const TexturedMesh& textured,
     names.emplace_back("vertex colours of the same mesh");
   }
   for (const fs::path& path : arguments.compare_paths) {
-    colored.push_back(ReadMeshAndLog(path, context));
+    colored.push_back(ReadMeshAndLog(path, context).mesh);
     if (colored.back().colors.empty()) {
       throw InputError(
           fmt::format("{}: the mesh has no vertex colours", path.string()));
@@ -289,7 +289,7 @@ Json TextureAndWrite(const IndexedMesh& mesh,
   const IndexedMesh full =
       arguments.normal_map_path.empty()
           ? IndexedMesh()
-          : ReadMeshAndLog(arguments.normal_map_path, context);
+          : ReadMeshAndLog(arguments.normal_map_path, context).mesh;
   TexturingResult result =
       Texture(mesh, mesh_name, photographs, arguments.texture, context);
   Json json = SummaryToJson(result.summary, files.summary, photographs);

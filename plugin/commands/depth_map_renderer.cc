@@ -182,7 +182,7 @@ void DepthMapRenderer::CheckIsSeen(const IndexedMesh& mesh,
 void DepthMapRenderer::RenderMesh(const Workspace& workspace,
                                   const std::vector<const SparseImage*>& images,
                                   const Context& context) {
-  const IndexedMesh mesh = ReadMeshAndLog(mesh_path_, context);
+  const IndexedMesh mesh = ReadMeshAndLog(mesh_path_, context).mesh;
   if (mesh.triangles.empty()) {
     throw InputError(fmt::format("{}: the mesh has no faces, only {} vertices",
                                  mesh_path_.string(),

@@ -59,7 +59,7 @@ void MaskRenderer::Run(const CommandEnvironment& environment) {
   const Workspace workspace =
       OpenWorkspace(workspace_path_, workspace_, context);
   RequireOnlyOwnMasks(output_path_);
-  const RayScene rays(ReadMeshAndLog(mesh_path_, context));
+  const RayScene rays(ReadMeshAndLog(mesh_path_, context).mesh);
   MaskList list;
   std::vector<std::vector<uchar>> pngs;
   size_t num_empty = 0;

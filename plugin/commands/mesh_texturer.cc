@@ -62,7 +62,7 @@ void MeshTexturer::Complete() {
 
 void MeshTexturer::Run(const CommandEnvironment& environment) {
   Complete();
-  const IndexedMesh mesh = ReadMeshAndLog(mesh_path_, environment.context);
+  const IndexedMesh mesh = ReadMeshAndLog(mesh_path_, environment.context).mesh;
   PhotographOptions photographs;
   photographs.workspace = loading_.workspace;
   photographs.mask_geometry = loading_.mask_geometry;

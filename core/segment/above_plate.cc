@@ -55,6 +55,27 @@ bool IsOfPlate(const Eigen::Vector3d& point,
          double(num_still) <= kMostStill * double(num_shown);
 }
 
+// CV_8U of the view's size: 255 for pixels that can show something of the box.
+cv::Mat PixelsOfBox(const Pose& pose, const Eigen::AlignedBox3d& box) {
+  const cv::Size size(pose.camera.width, pose.camera.height);
+  std::vector<cv::Point2f> corners;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d corner =
+        pose.cam_from_world * box.corner(Eigen::AlignedBox3d::CornerType(i));
+    if (!(corner.z() > 0)) {
+      return {size, CV_8U, cv::Scalar(255)};
+    }
+    const Eigen::Vector2d pixel = pose.camera.Project(corner);
+    corners.emplace_back(float(pixel.x() - 0.5), float(pixel.y() - 0.5));
+  }
+  std::vector<cv::Point2f> outline;
+  cv::convexHull(corners, outline);
+  cv::Mat pixels(size, CV_8U, cv::Scalar(0));
+  const std::vector<cv::Point> rounded(outline.begin(), outline.end());
+  cv::fillConvexPoly(pixels, rounded, cv::Scalar(255));
+  return pixels;
+}
+
 }  // namespace
 
 std::vector<cv::Mat> FindPixelsAbovePlate(
@@ -103,6 +124,10 @@ double ContradictedPart(std::span<const cv::Mat> labels,
         log_odds.emplace_back(cv::Mat::zeros(of_view.size(), CV_32F));
     odds.setTo(-2 * kOneViewsWord, still);
   }
+  std::vector<cv::Mat> judged(above.begin(), above.end());
+  for (size_t i = 0; i < judged.size() && region.box; ++i) {
+    judged[i] = above[i] & PixelsOfBox(poses[i], *region.box);
+  }
   const OccupancyGrid grid(region.cube,
                            kVoxelsAcross,
                            {region.box, plane},
@@ -111,13 +136,14 @@ double ContradictedPart(std::span<const cv::Mat> labels,
                            context);
   const int64_t num_contradicted =
       ParallelSum(context, poses.size(), 1, [&](size_t i, size_t) {
-        return cv::countNonZero((grid.WordOfOthers(i) < kWordOfTwo) & above[i]);
+        return cv::countNonZero((grid.WordOfOthers(i) < kWordOfTwo) &
+                                judged[i]);
       });
-  int64_t num_above = 0;
-  for (const cv::Mat& of_view : above) {
-    num_above += cv::countNonZero(of_view);
+  int64_t num_judged = 0;
+  for (const cv::Mat& of_view : judged) {
+    num_judged += cv::countNonZero(of_view);
   }
-  return double(num_contradicted) / double(std::max<int64_t>(num_above, 1));
+  return double(num_contradicted) / double(std::max<int64_t>(num_judged, 1));
 }
 
 }  // namespace octacut

@@ -25,9 +25,10 @@ std::vector<cv::Mat> FindPixelsAbovePlate(
 
 // Part of those pixels (`above`, as FindPixelsAbovePlate returns them) that
 // other views contradict: two of them or more see still background at every
-// point of the pixel's ray within `region`. Silhouettes of one object have few
-// such pixels; if parts of it were taken for background in some views, the
-// other views show them against this.
+// point of the pixel's ray within `region`. If the region has a box, only
+// pixels that can show it count. Silhouettes of one object have few such
+// pixels; if parts of it were taken for background in some views, the other
+// views show them against this.
 double ContradictedPart(std::span<const cv::Mat> labels,
                         std::span<const cv::Mat> above,
                         std::span<const Pose> poses,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/core.hpp>
+#include <optional>
 #include <vector>
 
 #include "core/segment/labels.h"
@@ -15,14 +16,15 @@ namespace {
 using testing::RingScene;
 
 // Returns how many warnings there are.
-size_t UseTurntableOf(RingScene* scene) {
+size_t UseTurntableOf(RingScene* scene,
+                      const std::optional<Eigen::AlignedBox3d>& box = {}) {
   std::vector<Pose> poses;
   for (const UnsegmentedView& view : scene->input.views) {
     poses.push_back(view.pose);
   }
   testing::Recorder recorder;
   UseTurntable(
-      FindSearchRegion(poses, {}), Context(2, &recorder), &scene->input);
+      FindSearchRegion(poses, box), Context(2, &recorder), &scene->input);
   return recorder.warnings.size();
 }
 
@@ -45,6 +47,17 @@ TEST(UseTurntable, KnowsWhatIsAboveThePlate) {
       EXPECT_GT(cv::countNonZero(view.above_plate), 200) << i;
     }
   }
+}
+
+// Other masks leave nothing of the upper half in the box around the lower one.
+TEST(UseTurntable, JudgesMasksByPixelsOfTheBox) {
+  RingScene scene = testing::MakePlateScene(12);
+  EXPECT_EQ(
+      UseTurntableOf(&scene,
+                     Eigen::AlignedBox3d(Eigen::Vector3d(-0.45, -0.45, -0.5),
+                                         Eigen::Vector3d(0.45, 0.45, 0))),
+      0u);
+  EXPECT_TRUE(scene.input.views[0].is_turntable);
 }
 
 TEST(UseTurntable, DropsMasksThatContradictEachOther) {

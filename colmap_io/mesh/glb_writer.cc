@@ -9,6 +9,7 @@
 #include "colmap_io/mesh/output_buffer.h"
 #include "colmap_io/mesh/split_vertices.h"
 #include "core/base/error.h"
+#include "core/base/srgb.h"
 
 namespace octacut {
 namespace {
@@ -30,12 +31,6 @@ Eigen::Vector3f UnitNormal(const Eigen::Vector3f& normal) {
   return unit.allFinite() && unit.squaredNorm() > 0.5f
              ? unit
              : Eigen::Vector3f(0, 0, 1);
-}
-
-double DecodeSrgb(uint8_t value) {
-  const double encoded = value / 255.0;
-  return encoded <= 0.04045 ? encoded / 12.92
-                            : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 // Collects the JSON part and the bytes behind it.
@@ -104,7 +99,7 @@ class GlbBuilder {
                 const std::vector<uint32_t>& vertices) {
     std::array<uint16_t, 256> linear;
     for (size_t i = 0; i < linear.size(); ++i) {
-      linear[i] = uint16_t(std::lround(65535 * DecodeSrgb(uint8_t(i))));
+      linear[i] = uint16_t(std::lround(65535 * DecodeSrgb(double(i) / 255)));
     }
     const int accessor = AddAccessor(
         "VEC4", kUnsignedShort, vertices.size(), kVertexBuffer, [&] {

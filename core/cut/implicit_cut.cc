@@ -193,10 +193,15 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
     }
     return Solve(problem, walk, merged_ties, plan, context, search);
   };
+  const bool is_narrow = plan.scale.shift != 0;
+  if (state != nullptr && is_narrow) {
+    state->flows.reset();  // of an earlier crust
+  } else if (state != nullptr) {
+    state->narrow_flows.reset();
+  }
   OctahedralCut cut =
-      plan.scale.shift == 0
-          ? solve(state == nullptr ? nullptr : &state->flows)
-          : solve(state == nullptr ? nullptr : &state->narrow_flows);
+      !is_narrow ? solve(state == nullptr ? nullptr : &state->flows)
+                 : solve(state == nullptr ? nullptr : &state->narrow_flows);
   if (state != nullptr) {
     state->bricks = problem.crust->Bricks();
   }

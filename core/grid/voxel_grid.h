@@ -13,9 +13,9 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/base/morton.h"
 #include "core/grid/count_bits.h"
 #include "core/grid/face.h"
-#include "core/grid/morton.h"
 
 namespace octacut {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/grid/morton.h"
+#include "core/base/morton.h"
 #include "core/views/view_set.h"
 
 namespace octacut {

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
+#include "core/mesh/disjoint_sets.h"
 #include "core/mesh/mesh_components.h"
 #include "core/mesh/vertex_corners.h"
 
@@ -86,27 +86,13 @@ class VertexAuditor {
         });
   }
 
-  uint32_t Root(uint32_t link) {
-    while (parents_[link] != link) {
-      link = parents_[link] = parents_[parents_[link]];
-    }
-    return link;
-  }
-
   // Sets of triangles that hang together through edges at the vertex.
   size_t CountUmbrellas() {
-    parents_.resize(links_.size());
-    std::iota(parents_.begin(), parents_.end(), 0u);
+    umbrellas_.Reset(links_.size());
     size_t count = links_.size();
     for (size_t i = 1; i < spokes_.size(); ++i) {
-      if (spokes_[i].neighbor != spokes_[i - 1].neighbor) {
-        continue;
-      }
-      const uint32_t a = Root(spokes_[i].link);
-      const uint32_t b = Root(spokes_[i - 1].link);
-      if (a != b) {
-        parents_[a] = b;
-        --count;
+      if (spokes_[i].neighbor == spokes_[i - 1].neighbor) {
+        count -= umbrellas_.Unite(spokes_[i].link, spokes_[i - 1].link);
       }
     }
     return count;
@@ -127,7 +113,7 @@ class VertexAuditor {
 
   std::vector<std::array<uint32_t, 2>> links_;
   std::vector<Spoke> spokes_;
-  std::vector<uint32_t> parents_;
+  DisjointSets umbrellas_;
 };
 
 // Sums of one chunk of triangles.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/morton.h"
 #include "core/base/parallel.h"
 
 namespace octacut {
@@ -13,19 +14,9 @@ namespace {
 
 constexpr size_t kNodeGrain = 8192;
 
-// Spreads 21 bits so that two free ones stand before each.
-uint64_t SpreadBits(uint64_t x) {
-  x = (x | x << 32) & 0x001f00000000ffff;
-  x = (x | x << 16) & 0x001f0000ff0000ff;
-  x = (x | x << 8) & 0x100f00f00f00f00f;
-  x = (x | x << 4) & 0x10c30c30c30c30c3;
-  x = (x | x << 2) & 0x1249249249249249;
-  return x;
-}
-
-uint64_t ToCell(double position) {
+uint32_t ToCell(double position) {
   // Coordinates near the end of doubles may have overflown.
-  return position >= 0 && position < 1 << 21 ? static_cast<uint64_t>(position)
+  return position >= 0 && position < 1 << 21 ? static_cast<uint32_t>(position)
                                              : 0;
 }
 
@@ -76,10 +67,9 @@ BoxTree::BoxTree(const IndexedMesh& mesh,
     for (size_t i = begin; i < end; ++i) {
       const Eigen::Vector3d cell =
           (BoxOf(mesh, order_[i]).center() - bounds.min()) * cells;
-      keys[i] = {SpreadBits(ToCell(cell.x())) |
-                     SpreadBits(ToCell(cell.y())) << 1 |
-                     SpreadBits(ToCell(cell.z())) << 2,
-                 order_[i]};
+      keys[i] = {
+          EncodeMorton(ToCell(cell.x()), ToCell(cell.y()), ToCell(cell.z())),
+          order_[i]};
     }
   });
   std::sort(keys.begin(), keys.end());

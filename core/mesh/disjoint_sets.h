@@ -11,8 +11,11 @@ namespace octacut {
 
 class DisjointSets {
  public:
+  explicit DisjointSets(size_t size = 0) { Reset(size); }
+
   // Each of 0 .. size - 1 in a set of its own.
-  explicit DisjointSets(size_t size) : parents_(size) {
+  void Reset(size_t size) {
+    parents_.resize(size);
     std::iota(parents_.begin(), parents_.end(), 0u);
   }
 

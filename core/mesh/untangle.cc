@@ -88,6 +88,25 @@ bool RoundWithdrawn(const std::vector<Eigen::Vector3d>& start,
   return is_changed;
 }
 
+WithdrawSummary UntangleFrom(const std::vector<Eigen::Vector3d>& start,
+                             double min_height,
+                             const Context& context,
+                             NewIntersections* intersections,
+                             IndexedMesh* mesh) {
+  WithdrawSummary summary;
+  size_t num_intersecting;
+  do {
+    const WithdrawSummary thin = WithdrawFromThinTriangles(
+        mesh->triangles, start, min_height, context, mesh->positions);
+    num_intersecting =
+        WithdrawFromIntersections(start, context, intersections, mesh);
+    summary.num_withdrawn += thin.num_withdrawn + num_intersecting;
+    summary.num_thin = thin.num_thin;
+    // What is moved back may be thin again, until all of it is at the start.
+  } while (num_intersecting > 0);
+  return summary;
+}
+
 }  // namespace
 
 void RoundToFloats(std::vector<Eigen::Vector3d>* positions) {
@@ -101,29 +120,20 @@ WithdrawSummary Untangle(const std::vector<Eigen::Vector3d>& start,
                          const Context& context,
                          IndexedMesh* mesh) {
   NewIntersections intersections(start);
-  WithdrawSummary summary;
-  size_t num_intersecting;
-  do {
-    const WithdrawSummary thin = WithdrawFromThinTriangles(
-        mesh->triangles, start, min_height, context, mesh->positions);
-    num_intersecting =
-        WithdrawFromIntersections(start, context, &intersections, mesh);
-    summary.num_withdrawn += thin.num_withdrawn + num_intersecting;
-    summary.num_thin = thin.num_thin;
-    // What is moved back may be thin again, until all of it is at the start.
-  } while (num_intersecting > 0);
-  return summary;
+  return UntangleFrom(start, min_height, context, &intersections, mesh);
 }
 
 WithdrawSummary UntangleFloats(const std::vector<Eigen::Vector3d>& start,
                                double min_height,
                                const Context& context,
                                IndexedMesh* mesh) {
+  NewIntersections intersections(start);
   WithdrawSummary summary;
   std::vector<Eigen::Vector3d> before;
   do {
     before = mesh->positions;
-    const WithdrawSummary once = Untangle(start, min_height, context, mesh);
+    const WithdrawSummary once =
+        UntangleFrom(start, min_height, context, &intersections, mesh);
     summary.num_withdrawn += once.num_withdrawn;
     summary.num_thin = once.num_thin;
   } while (RoundWithdrawn(start, before, &mesh->positions));

@@ -10,6 +10,7 @@
 #include "core/base/check_option.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
+#include "core/base/srgb.h"
 #include "core/mesh/bounding_box.h"
 #include "core/raycast/sampling.h"
 #include "core/raycast/tone_curve.h"
@@ -38,7 +39,7 @@ constexpr size_t kRowsAtOnce = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vector3f Decode(const Vector3d& color) {
-  return color.unaryExpr(&ToneCurve::Decode).cast<float>();
+  return color.unaryExpr(&DecodeSrgb).cast<float>();
 }
 
 // Means of the triangles' normals, weighted by area.
@@ -257,30 +258,6 @@ cv::Mat RenderDepth(const RayScene& rays,
     }
   });
   return depth;
-}
-
-cv::Mat RenderMask(const RayScene& rays,
-                   const PinholeCamera& camera,
-                   const Rigid3d& cam_from_world,
-                   const Context& context,
-                   int samples) {
-  CheckOption(samples >= 1, "samples", samples, "must be positive");
-  const PixelRays pixel_rays(camera, cam_from_world);
-  cv::Mat mask(camera.height, camera.width, CV_8UC1);
-  ForRows(camera, context, [&](int y) {
-    for (int x = 0; x < camera.width; ++x) {
-      int num_hits = 0;
-      for (int k = 0; k < samples * samples; ++k) {
-        const int row = k / samples;
-        const Vector3d ray = pixel_rays.Direction(
-            x + (k % samples + 0.5) / samples, y + (row + 0.5) / samples);
-        num_hits += rays.IsOccluded(pixel_rays.Origin(), ray, 0, kInfinity);
-      }
-      mask.at<uint8_t>(y, x) = static_cast<uint8_t>(
-          std::lround(255.0 * num_hits / (samples * samples)));
-    }
-  });
-  return mask;
 }
 
 }  // namespace octacut

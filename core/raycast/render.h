@@ -1,4 +1,4 @@
-// Pictures of a mesh as a camera sees it: shaded, depth, silhouette.
+// Pictures of a mesh as a camera sees it: shaded, and its depth.
 #pragma once
 
 #include <Eigen/Core>
@@ -45,13 +45,5 @@ cv::Mat RenderDepth(const RayScene& rays,
                     const PinholeCamera& camera,
                     const Rigid3d& cam_from_world,
                     const Context& context);
-
-// Coverage of each pixel by the mesh from 0 to 255, out of `samples` x
-// `samples` rays (1: the pixel's centre alone). CV_8UC1.
-cv::Mat RenderMask(const RayScene& rays,
-                   const PinholeCamera& camera,
-                   const Rigid3d& cam_from_world,
-                   const Context& context,
-                   int samples = 4);
 
 }  // namespace octacut

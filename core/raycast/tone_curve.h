@@ -1,4 +1,4 @@
-// From linear light to the eight bits of an image.
+// From linear light to the eight bits of an image, by a table.
 #pragma once
 
 #include <algorithm>
@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "core/base/srgb.h"
 
 namespace octacut {
 
@@ -15,7 +17,7 @@ class ToneCurve {
   ToneCurve() {
     for (size_t i = 0; i < table_.size(); ++i) {
       table_[i] = static_cast<uint8_t>(std::lround(
-          255 * Encode((static_cast<double>(i) + 0.5) / table_.size())));
+          255 * EncodeSrgb((static_cast<double>(i) + 0.5) / table_.size())));
     }
   }
 
@@ -23,15 +25,6 @@ class ToneCurve {
     const float scaled = linear * static_cast<float>(table_.size());
     return table_[static_cast<size_t>(
         std::clamp(scaled, 0.0f, static_cast<float>(table_.size() - 1)))];
-  }
-
-  static double Encode(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear
-                               : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-  }
-  static double Decode(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92
-                              : std::pow((encoded + 0.055) / 1.055, 2.4);
   }
 
  private:

@@ -5,8 +5,8 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/parallel.h"
+#include "core/base/srgb.h"
 #include "core/raycast/render.h"
-#include "core/raycast/tone_curve.h"
 #include "core/texture/bake_normals.h"
 #include "core/texture/pixel_sampler.h"
 
@@ -123,11 +123,10 @@ cv::Mat RenderRelit(const TexturedMesh& mesh,
       }
       cv::Vec3b& pixel = picture.at<cv::Vec3b>(y, x);
       for (int c = 0; c < 3; ++c) {
-        const double light = ToneCurve::Decode(pixel[c] / 255.0);
+        const double light = DecodeSrgb(pixel[c] / 255.0);
         const double albedo =
-            ToneCurve::Decode(unlit.color.at<cv::Vec3b>(y, x)[c] / 255.0);
-        pixel[c] =
-            cv::saturate_cast<uint8_t>(255 * ToneCurve::Encode(light * albedo));
+            DecodeSrgb(unlit.color.at<cv::Vec3b>(y, x)[c] / 255.0);
+        pixel[c] = cv::saturate_cast<uint8_t>(255 * EncodeSrgb(light * albedo));
       }
     }
   }

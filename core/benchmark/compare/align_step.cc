@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Dense>
 #include <Eigen/Geometry>
+#include <opencv2/core.hpp>
 
 #include "core/base/parallel.h"
 
@@ -62,14 +62,19 @@ NormalEquations Accumulate(const std::vector<AlignPair>& pairs,
 
 // The least squares solution of the smallest norm.
 Vector7d Solve(const NormalEquations& equations) {
-  const Eigen::SelfAdjointEigenSolver<Matrix7d> solver(equations.matrix);
-  const double smallest = kSmallestEigenvalue * solver.eigenvalues()[6];
+  // A compiler takes five seconds for Eigen's decomposition of this size.
+  cv::Mat_<double> matrix(7, 7);
+  for (int i = 0; i < 49; ++i) {
+    matrix(i / 7, i % 7) = equations.matrix(i / 7, i % 7);
+  }
+  cv::Mat_<double> values;   // from the largest on
+  cv::Mat_<double> vectors;  // one a row
+  cv::eigen(matrix, values, vectors);
   Vector7d solution = Vector7d::Zero();
   for (int i = 0; i < 7; ++i) {
-    if (solver.eigenvalues()[i] > smallest) {
-      const Vector7d direction = solver.eigenvectors().col(i);
-      solution += direction *
-                  (direction.dot(equations.right) / solver.eigenvalues()[i]);
+    if (values(i) > kSmallestEigenvalue * values(0)) {
+      const Eigen::Map<const Vector7d> direction(vectors[i]);
+      solution += direction * (direction.dot(equations.right) / values(i));
     }
   }
   return solution;

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/benchmark/evaluate/outline.h"
-#include "core/raycast/render_coverage.h"
+#include "core/raycast/render_silhouette.h"
 #include "core/scene/scene.h"
 
 namespace octacut {
@@ -93,7 +93,7 @@ SilhouetteAgreement MeasureSilhouettes(const RayScene& rays,
     for (size_t i = begin; i < end; ++i) {
       agreement.views[i] = CompareSilhouettes(
           views[i].mask,
-          RenderCoverage(
+          RenderSilhouette(
               rays, views[i].camera, views[i].cam_from_world, depths[i], alone),
           &distances[i]);
       phase.Advance();

@@ -9,11 +9,11 @@
 #include "core/base/check_option.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
+#include "core/base/srgb.h"
 #include "core/benchmark/synthetic/sparse_points.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/bounding_box.h"
 #include "core/mesh/normals.h"
-#include "core/raycast/tone_curve.h"
 
 namespace octacut {
 
@@ -83,8 +83,8 @@ void ColorReference(const TextureOptions& texture,
           const Eigen::Vector3f color =
               TextureColor(texture, mesh.positions[i].cast<float>());
           for (int k = 0; k < 3; ++k) {
-            mesh.colors[i][k] = static_cast<uint8_t>(
-                std::lround(255 * ToneCurve::Encode(color[k])));
+            mesh.colors[i][k] =
+                static_cast<uint8_t>(std::lround(255 * EncodeSrgb(color[k])));
           }
         }
       });

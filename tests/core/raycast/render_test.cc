@@ -23,30 +23,6 @@ IndexedMesh Square(double size, double z) {
 
 PinholeCamera TestCamera() { return {64, 48, 60, 60, 32, 24}; }
 
-TEST(RenderMask, CoversWhatTheSquareCovers) {
-  // 2 units at distance 4: 30 x 30 pixels around the centre, its borders on
-  // pixel borders.
-  const RayScene rays(Square(2, 4));
-  const cv::Mat mask = RenderMask(rays, TestCamera(), {}, Context(2));
-  ASSERT_EQ(mask.type(), CV_8UC1);
-  for (int y = 0; y < mask.rows; ++y) {
-    for (int x = 0; x < mask.cols; ++x) {
-      const bool inside = x >= 17 && x < 47 && y >= 9 && y < 39;
-      ASSERT_EQ(mask.at<uint8_t>(y, x), inside ? 255 : 0) << x << " " << y;
-    }
-  }
-}
-
-TEST(RenderMask, BordersAreCoverage) {
-  // 30.5 pixels wide: a quarter of each border pixel.
-  const RayScene rays(Square(30.5 / 15, 4));
-  const cv::Mat mask = RenderMask(rays, TestCamera(), {}, Context(2));
-  EXPECT_EQ(mask.at<uint8_t>(24, 16), 64);
-  EXPECT_EQ(mask.at<uint8_t>(24, 47), 64);
-  EXPECT_EQ(mask.at<uint8_t>(8, 30), 64);
-  EXPECT_EQ(mask.at<uint8_t>(8, 16), 16);
-}
-
 TEST(RenderDepth, IsTheDistanceAlongTheViewingAxis) {
   Rigid3d cam_from_world;
   cam_from_world.translation = {0, 0, 1.5};
@@ -136,9 +112,6 @@ TEST(RenderShaded, RefusesBadOptions) {
   options.background_color.x() = -0.1;
   EXPECT_THROW(options.Check(), OptionError);
   EXPECT_NO_THROW(RenderOptions{}.Check());
-  EXPECT_THROW(
-      RenderMask(RayScene(Square(1, 4)), TestCamera(), {}, Context(1), 0),
-      OptionError);
 }
 
 }  // namespace

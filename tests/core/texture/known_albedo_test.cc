@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/srgb.h"
 #include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/benchmark/synthetic/texture.h"
-#include "core/raycast/tone_curve.h"
 #include "core/texture/pixel_sampler.h"
 #include "core/texture/texture_mesh.h"
 
@@ -55,7 +55,7 @@ Eigen::Vector3d TexelAt(const TexturedMesh& textured,
   const cv::Mat& page = textured.pages[textured.PageOf(f)].color;
   const Eigen::Vector3f bgr =
       SamplePixels(page, uv.x() * page.cols, uv.y() * page.rows);
-  return (bgr.reverse().cast<double>() / 255).unaryExpr(&ToneCurve::Decode);
+  return (bgr.reverse().cast<double>() / 255).unaryExpr(&DecodeSrgb);
 }
 
 struct ChromaErrors {

@@ -5,10 +5,10 @@
 
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/context.h"
+#include "core/base/morton.h"
 #include "core/base/parallel.h"
 #include "core/benchmark/synthetic/objects.h"
 #include "core/benchmark/synthetic/polygonize.h"
-#include "core/grid/morton.h"
 
 int main() {
   const octacut::Context context(2);

@@ -1,5 +1,5 @@
-// Morton codes of voxel coordinates: bit 3i is bit i of x, 3i + 1 of y,
-// 3i + 2 of z. Coordinates up to 2^20 - 1.
+// Morton codes of coordinates of cells: bit 3i is bit i of x, 3i + 1 of y,
+// 3i + 2 of z. Coordinates up to 2^21 - 1.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ using MortonCode = uint64_t;
 namespace internal {
 
 inline constexpr uint64_t SpreadBits(uint64_t x) {
-  x &= 0xfffff;
+  x &= 0x1fffff;
   x = (x | x << 32) & 0x001f00000000ffffull;
   x = (x | x << 16) & 0x001f0000ff0000ffull;
   x = (x | x << 8) & 0x100f00f00f00f00full;
@@ -27,7 +27,7 @@ inline constexpr uint64_t GatherBits(uint64_t x) {
   x = (x ^ (x >> 4)) & 0x100f00f00f00f00full;
   x = (x ^ (x >> 8)) & 0x001f0000ff0000ffull;
   x = (x ^ (x >> 16)) & 0x001f00000000ffffull;
-  x = (x ^ (x >> 32)) & 0x00000000000fffffull;
+  x = (x ^ (x >> 32)) & 0x00000000001fffffull;
   return x;
 }
 

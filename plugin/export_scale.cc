@@ -96,7 +96,8 @@ void ExportScaleOptions::Check() const {
         "the two points that have it");
   }
   if (!between_.empty()) {
-    CheckOption(between_.size() == 6 && Between(between_) > 0,
+    CheckOption(between_.size() == 6 && Between(between_) > 0 &&
+                    std::isfinite(Between(between_)),
                 "between",
                 fmt::format("{}", fmt::join(between_, ",")),
                 "must be two different points x0,y0,z0,x1,y1,z1");

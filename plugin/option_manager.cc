@@ -269,13 +269,16 @@ const Option* OptionManager::FindByField(std::string_view wanted) const {
     return name.substr(name.rfind('.') + 1);
   };
   const std::string field = plain(std::string(wanted));
+  std::string joined = field;  // texture.contrast is Scene.texture_contrast
+  std::erase(joined, '.');
   const Option* named = nullptr;
   for (const Option& option : options_) {
     const std::string name = plain(option.name);
     if (name == field) {
       return &option;
     }
-    if (named == nullptr && last_part(name) == last_part(field)) {
+    if (named == nullptr &&
+        (last_part(name) == last_part(field) || last_part(name) == joined)) {
       named = &option;
     }
   }

@@ -21,6 +21,8 @@ constexpr double kMostStill = 0.25;
 constexpr int kVoxelsAcross = 96;
 // Pixels by which borders may be off.
 constexpr int kBorderError = 2;
+// Pixels; OpenCV draws no polygon with corners much farther off.
+constexpr double kFarOutside = 1 << 20;
 // The word of more than one view, whatever the sampling.
 constexpr float kWordOfTwo = -1.5f * kOneViewsWord;
 
@@ -62,10 +64,10 @@ cv::Mat PixelsOfBox(const Pose& pose, const Eigen::AlignedBox3d& box) {
   for (int i = 0; i < 8; ++i) {
     const Eigen::Vector3d corner =
         pose.cam_from_world * box.corner(Eigen::AlignedBox3d::CornerType(i));
-    if (!(corner.z() > 0)) {
+    const Eigen::Vector2d pixel = pose.camera.Project(corner);
+    if (!(corner.z() > 0) || pixel.cwiseAbs().maxCoeff() > kFarOutside) {
       return {size, CV_8U, cv::Scalar(255)};
     }
-    const Eigen::Vector2d pixel = pose.camera.Project(corner);
     corners.emplace_back(float(pixel.x() - 0.5), float(pixel.y() - 0.5));
   }
   std::vector<cv::Point2f> outline;

@@ -221,7 +221,7 @@ TEST(OptionManager, JsonHoldsEveryOptionWithItsValue) {
 }
 
 TEST(OptionManager, CompletesMessagesOfChecks) {
-  const Bound bound;
+  Bound bound;
   EXPECT_EQ(bound.manager.NameOption("level = 99: must be at most 12"),
             "--Meshing.level = 99: must be at most 12");
   EXPECT_EQ(bound.manager.NameOption("meshing.level = 99: must be less"),
@@ -230,6 +230,10 @@ TEST(OptionManager, CompletesMessagesOfChecks) {
             "--verbose = 2: must be less");
   EXPECT_EQ(bound.manager.NameOption("verbose = 1: not now"),
             "--verbose = 1: not now");
+  // A struct's name may be a part of the option's.
+  bound.manager.Add("box_size", &bound.level, "Size");
+  EXPECT_EQ(bound.manager.NameOption("box.size = 0: must be positive"),
+            "--box_size = 0: must be positive");
   for (const char* message : {"other = 1: no", "no field at all", ""}) {
     EXPECT_EQ(bound.manager.NameOption(message), message);
   }

@@ -12,7 +12,7 @@ namespace octacut {
 
 void PolygonizeOptions::Check() const {
   CheckOption(resolution >= 8 && resolution <= 4096,
-              "resolution",
+              "reference.resolution",
               resolution,
               "must be in [8, 4096]");
   CheckOption(smoothing_rounds >= 0,

@@ -25,56 +25,55 @@ void Append(const IndexedMesh& part, IndexedMesh* mesh) {
   }
 }
 
-// A ball that has lost its outer parts, and small ones.
-TEST(NeededComponents, AreThoseThatSilhouettesMiss) {
+// Views of a ball whose mesh has lost its outer parts.
+struct SmallBall {
+  SmallBall() { kept.mesh = SphereViews::Ball(0.7); }
+
+  void Remove(const IndexedMesh& part) {
+    Append(part, &kept.removed);
+    ++kept.summary.num_removed;
+  }
+
+  size_t Restore() {
+    return RestoreNeededComponents(
+        sphere.test.views, sphere.test.region.cube, Context(2), &kept);
+  }
+
+  const Eigen::Vector3d up{0, 0, SphereViews::kRadius};
   const SphereViews sphere = MakeSphereViews();
-  const Eigen::Vector3d up(0, 0, SphereViews::kRadius);
   KeptComponents kept;
-  kept.mesh = SphereViews::Ball(0.7);
-  const size_t num_triangles = kept.mesh.triangles.size();
-  const IndexedMesh needed = BallAt(0.85 * up, 0.08);
-  Append(BallAt(-0.85 * up, 0.004), &kept.removed);  // a crumb
-  Append(needed, &kept.removed);
-  Append(BallAt(0.3 * up, 0.08), &kept.removed);  // covered
-  kept.summary.num_removed = 3;
-  EXPECT_EQ(RestoreNeededComponents(
-                sphere.test.views, sphere.test.region.cube, Context(2), &kept),
-            1u);
-  EXPECT_EQ(kept.summary.num_removed, 2u);
-  EXPECT_EQ(kept.mesh.triangles.size(),
+};
+
+TEST(NeededComponents, AreThoseThatSilhouettesMiss) {
+  SmallBall ball;
+  const size_t num_triangles = ball.kept.mesh.triangles.size();
+  const IndexedMesh needed = BallAt(0.85 * ball.up, 0.08);
+  ball.Remove(BallAt(-0.85 * ball.up, 0.004));  // a crumb
+  ball.Remove(needed);
+  ball.Remove(BallAt(0.3 * ball.up, 0.08));  // covered
+  EXPECT_EQ(ball.Restore(), 1u);
+  EXPECT_EQ(ball.kept.summary.num_removed, 2u);
+  EXPECT_EQ(ball.kept.mesh.triangles.size(),
             num_triangles + needed.triangles.size());
-  EXPECT_EQ(kept.removed.triangles.size(), 2 * needed.triangles.size());
-  EXPECT_EQ(kept.mesh.positions.back(), needed.positions.back());
+  EXPECT_EQ(ball.kept.removed.triangles.size(), 2 * needed.triangles.size());
+  EXPECT_EQ(ball.kept.mesh.positions.back(), needed.positions.back());
 }
 
 TEST(NeededComponents, OneOfThoseThatCoverTheSamePixels) {
-  const SphereViews sphere = MakeSphereViews();
-  const Eigen::Vector3d up(0, 0, SphereViews::kRadius);
-  KeptComponents kept;
-  kept.mesh = SphereViews::Ball(0.7);
-  const size_t num_triangles = kept.mesh.triangles.size();
+  SmallBall ball;
+  const size_t num_triangles = ball.kept.mesh.triangles.size();
   const IndexedMesh larger = Sphere(16, [&](const Eigen::Vector3d& direction) {
-    return Eigen::Vector3d(0.85 * up + 0.08 * direction);
+    return Eigen::Vector3d(0.85 * ball.up + 0.08 * direction);
   });
-  Append(BallAt(0.85 * up, 0.07), &kept.removed);
-  Append(larger, &kept.removed);
-  kept.summary.num_removed = 2;
-  EXPECT_EQ(RestoreNeededComponents(
-                sphere.test.views, sphere.test.region.cube, Context(2), &kept),
-            1u);
-  EXPECT_EQ(kept.summary.num_removed, 1u);
-  EXPECT_EQ(kept.mesh.triangles.size(),
+  ball.Remove(BallAt(0.85 * ball.up, 0.07));
+  ball.Remove(larger);
+  EXPECT_EQ(ball.Restore(), 1u);
+  EXPECT_EQ(ball.kept.summary.num_removed, 1u);
+  EXPECT_EQ(ball.kept.mesh.triangles.size(),
             num_triangles + larger.triangles.size());
 }
 
-TEST(NeededComponents, OfNoneAreNone) {
-  const SphereViews sphere = MakeSphereViews();
-  KeptComponents kept;
-  kept.mesh = SphereViews::Ball(0.7);
-  EXPECT_EQ(RestoreNeededComponents(
-                sphere.test.views, sphere.test.region.cube, Context(2), &kept),
-            0u);
-}
+TEST(NeededComponents, OfNoneAreNone) { EXPECT_EQ(SmallBall().Restore(), 0u); }
 
 }  // namespace
 }  // namespace octacut

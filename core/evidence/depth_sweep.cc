@@ -36,6 +36,10 @@ void DepthSweepOptions::Check() const {
               "depth_sweep.min_score",
               min_score,
               "must lie between 0 and 1");
+  CheckOption(plain_deviation > 0 && plain_deviation <= 64,
+              "depth_sweep.plain_deviation",
+              plain_deviation,
+              "must be positive and at most 64");
 }
 
 std::vector<SweptDepthMap> SweepDepths(
@@ -56,18 +60,17 @@ std::vector<SweptDepthMap> SweepDepths(
     }
   });
   std::vector<SweptDepthMap> maps(views.size());
-  const float spacing =
-      1.0f / float(hull.Resolution()) / float(options.planes_per_voxel);
+  const ScoreOptions score{.plane_spacing = 1.0f / float(hull.Resolution()) /
+                                            float(options.planes_per_voxel),
+                           .window_radius = options.window_radius,
+                           .plain_deviation = float(options.plain_deviation)};
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       // One neighbour alone cannot tell an occlusion from a mismatch.
-      const ScoreVolume volume = (*neighbors)[i].size() >= 2
-                                     ? ScorePlanes(reduced,
-                                                   int(i),
-                                                   (*neighbors)[i],
-                                                   spacing,
-                                                   options.window_radius)
-                                     : ScoreVolume();
+      const ScoreVolume volume =
+          (*neighbors)[i].size() >= 2
+              ? ScorePlanes(reduced, int(i), (*neighbors)[i], score)
+              : ScoreVolume();
       maps[i] = PickDepths(reduced[i], volume, float(options.min_score));
       phase.Advance();
     }
@@ -82,10 +85,10 @@ size_t EstimateSweepBytes(size_t num_views,
   const double resolution = double(1u << hull_level);
   const double side = resolution * options.samples_per_voxel;
   const double num_planes = resolution * options.planes_per_voxel;
-  // A reduced view and its depths, 20 bytes per sample, and the scores of all
-  // planes for each thread.
+  // A reduced view and its depths, 20 bytes per sample, the depths of a second
+  // sweep with their confidence, and the scores of all planes for each thread.
   return size_t(side * side *
-                (20 * double(num_views) +
+                (33 * double(num_views) +
                  num_planes * sizeof(float) * context.NumThreads()));
 }
 

@@ -55,6 +55,12 @@ size_t CountFree(const std::vector<float>& values) {
       values.begin(), values.end(), [](float value) { return value < 0; }));
 }
 
+// Below this share of the object's samples with a depth, fainter contrast is
+// asked; its depths count if they are so many times as many.
+constexpr double kFewFound = 0.3;
+constexpr double kFaintContrast = 0.5;
+constexpr double kManyMore = 1.4;
+
 // From this share of contradicted depths on, half of all depths are wrong.
 constexpr double kManyContradictions = 0.3;
 
@@ -69,6 +75,56 @@ void WarnOfContradictions(double share, const Context& context) {
       "Usual causes are highlights or a light that moves with the camera; "
       "diffuse light or a matt coating helps.",
       100 * share));
+}
+
+// A sweep of all views, with the views that confirm its depths.
+struct JudgedSweep {
+  std::vector<std::vector<int>> neighbors;
+  std::vector<SweptDepthMap> swept;
+  std::vector<std::vector<uint8_t>> counts;  // as CountAgreeing has them
+  size_t num_agreeing = 0;
+  ReliableDepths depths;  // of those that enough views confirm
+};
+
+JudgedSweep SweepAndJudge(const ViewSet& views,
+                          const VoxelGrid& hull,
+                          const InsideEvidenceOptions& options,
+                          float shown,
+                          const Context& context) {
+  const float voxel = 1.0f / float(hull.Resolution());
+  JudgedSweep sweep;
+  sweep.swept =
+      SweepDepths(views, hull, options.sweep, context, &sweep.neighbors);
+  sweep.counts =
+      CountAgreeing(views, sweep.swept, sweep.neighbors, voxel, context);
+  const std::vector<SweptDepthMap> agreeing =
+      KeepAgreeing(sweep.swept, sweep.counts, options.min_agreeing_views);
+  sweep.num_agreeing = CountDepths(agreeing);
+  const double surrounded_share =
+      1 - double(CountLonely(sweep.neighbors, options.sweep.num_neighbors)) /
+              double(sweep.neighbors.size());
+  sweep.depths = EstimateDepthConfidence(
+      views, hull, agreeing, surrounded_share, shown, context);
+  return sweep;
+}
+
+// Where few depths are found on what is no mirror, windows of half the contrast
+// are tried: a faint texture has many more depths then, a plain surface hardly
+// any (docs/experiments/faint_texture.md).
+JudgedSweep SweepForDepths(const ViewSet& views,
+                           const VoxelGrid& hull,
+                           InsideEvidenceOptions options,
+                           float shown,
+                           const Context& context) {
+  JudgedSweep sweep = SweepAndJudge(views, hull, options, shown, context);
+  if (shown > 0 && sweep.depths.found_share < kFewFound) {
+    options.sweep.plain_deviation *= kFaintContrast;
+    JudgedSweep faint = SweepAndJudge(views, hull, options, shown, context);
+    if (faint.depths.found_share > kManyMore * sweep.depths.found_share) {
+      return faint;
+    }
+  }
+  return sweep;
 }
 
 }  // namespace
@@ -111,33 +167,27 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                                       float shown,
                                       const Context& context) {
   options.Check();
-  const float voxel = 1.0f / float(hull.Resolution());
-  std::vector<std::vector<int>> neighbors;
-  const std::vector<SweptDepthMap> swept =
-      SweepDepths(views, hull, options.sweep, context, &neighbors);
-  const std::vector<std::vector<uint8_t>> counts =
-      CountAgreeing(views, swept, neighbors, voxel, context);
-  const std::vector<SweptDepthMap> agreeing =
-      KeepAgreeing(swept, counts, options.min_agreeing_views);
-  const double surrounded_share =
-      1 - double(CountLonely(neighbors, options.sweep.num_neighbors)) /
-              double(neighbors.size());
-  ReliableDepths depths = EstimateDepthConfidence(
-      views, hull, agreeing, surrounded_share, shown, context);
+  JudgedSweep sweep = SweepForDepths(views, hull, options, shown, context);
+  ReliableDepths& depths = sweep.depths;
   InsideEvidence evidence;
   evidence.mask_confidence =
       EstimateMaskConfidence(views, KeepReliable(depths), context);
-  evidence.summary.num_depths = CountDepths(swept);
-  evidence.summary.num_agreeing = CountDepths(agreeing);
+  evidence.summary.num_depths = CountDepths(sweep.swept);
+  evidence.summary.num_agreeing = sweep.num_agreeing;
   evidence.summary.contradicted_share = depths.contradicted_share;
   evidence.summary.found_share = depths.found_share;
   if (evidence.summary.num_agreeing == 0) {
-    WarnOfNoDepths(neighbors, options, context);
+    WarnOfNoDepths(sweep.neighbors, options, context);
   }
   WarnOfContradictions(depths.contradicted_share, context);
   const size_t num_kept = CountDepths(depths.maps);
-  evidence.values = EvidenceWithPlausible(
-      views, hull, KeepAgreeing(swept, counts, 1), options, context, &depths);
+  evidence.values =
+      EvidenceWithPlausible(views,
+                            hull,
+                            KeepAgreeing(sweep.swept, sweep.counts, 1),
+                            options,
+                            context,
+                            &depths);
   evidence.depth_confidence = ConfidenceInSpace(views, hull, depths, context);
   evidence.decision_confidence = evidence.depth_confidence;
   evidence.summary.num_plausible = CountDepths(depths.maps) - num_kept;

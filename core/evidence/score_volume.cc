@@ -15,8 +15,6 @@ namespace {
 // 0.2 in windows of 25 samples, is as much above the mean of the best two.
 constexpr float kBestAlone = 0.1f;
 
-// Grey-level variance below which a window counts as plain.
-constexpr float kPlainVariance = 4;
 // Grey values are taken from their middle: small numbers keep the digits that
 // a variance needs.
 constexpr float kMiddleGrey = 128;
@@ -115,10 +113,13 @@ struct Reference {
   std::vector<float> mean;
   std::vector<float> inverse_deviation;
   std::vector<RowRange> ranges;
+  float plain_variance = 0;  // added to that of every window
 };
 
-Reference PrepareReference(const SweepView& view, int radius) {
+Reference PrepareReference(const SweepView& view, const ScoreOptions& options) {
+  const int radius = options.window_radius;
   Reference reference;
+  reference.plain_variance = options.plain_deviation * options.plain_deviation;
   const cv::Rect frame = FrameOfHull(view, radius);
   reference.frame = frame;
   const size_t size = size_t(frame.area());
@@ -146,7 +147,7 @@ Reference PrepareReference(const SweepView& view, int radius) {
           sums.Squares()[x] * sums.InverseCount() - mean * mean;
       reference.mean[i] = mean;
       reference.inverse_deviation[i] =
-          1 / std::sqrt(std::max(variance, 0.0f) + kPlainVariance);
+          1 / std::sqrt(std::max(variance, 0.0f) + reference.plain_variance);
     }
   }
   return reference;
@@ -160,6 +161,7 @@ void CorrelatePlane(const Reference& reference,
                     std::vector<float>* scores) {
   const int radius = sums->Radius();
   const cv::Rect& frame = reference.frame;
+  const float plain_variance = reference.plain_variance;
   sums->Clear();
   for (int y = 0; y < frame.height + radius; ++y) {
     const int in = std::min(y, frame.height - 1);
@@ -190,7 +192,7 @@ void CorrelatePlane(const Reference& reference,
       const float variance = squares[x] * inverse_count - own_mean * own_mean;
       const float covariance = products[x] * inverse_count - own_mean * mean[x];
       row[x] = covariance * inverse_deviation[x] /
-               std::sqrt(std::max(variance, 0.0f) + kPlainVariance);
+               std::sqrt(std::max(variance, 0.0f) + plain_variance);
     }
   }
 }
@@ -223,9 +225,7 @@ void MeanOfBestHalf(std::vector<std::vector<float>>* scores, float* out) {
 ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
                         int reference_index,
                         const std::vector<int>& neighbors,
-                        float plane_spacing,
-                        int window_radius,
-                        bool one_is_enough) {
+                        const ScoreOptions& options) {
   const SweepView& view = views[reference_index];
   double near, far;
   cv::minMaxLoc(view.near_depth, &near, nullptr);
@@ -234,19 +234,20 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
   if (!(far > near)) {
     return volume;  // the view does not see the hull
   }
-  const Reference reference = PrepareReference(view, window_radius);
-  volume.spacing = plane_spacing;
+  const Reference reference = PrepareReference(view, options);
+  volume.spacing = options.plane_spacing;
   volume.first_depth = float(near);
-  volume.num_planes = int((far - near) / plane_spacing) + 1;
+  volume.num_planes = int((far - near) / options.plane_spacing) + 1;
   volume.frame = reference.frame;
   volume.num_rays = reference.grey.size();
   volume.scores.resize(volume.num_rays * volume.num_planes);
-  WindowSums sums(volume.frame.width, window_radius);
+  WindowSums sums(volume.frame.width, options.window_radius);
   std::vector<float> warped(volume.frame.width);
   std::vector<std::vector<float>> scores(
       neighbors.size(), std::vector<float>(volume.num_rays, -1.0f));
   for (int plane = 0; plane < volume.num_planes; ++plane) {
-    const float depth = volume.first_depth + float(plane) * plane_spacing;
+    const float depth =
+        volume.first_depth + float(plane) * options.plane_spacing;
     for (size_t i = 0; i < neighbors.size(); ++i) {
       CorrelatePlane(reference,
                      PlaneWarp(view, views[neighbors[i]], depth),
@@ -256,7 +257,8 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
     }
     float* out = volume.scores.data() + size_t(plane) * volume.num_rays;
     MeanOfBestHalf(&scores, out);
-    for (size_t ray = 0; one_is_enough && ray < volume.num_rays; ++ray) {
+    for (size_t ray = 0; options.one_is_enough && ray < volume.num_rays;
+         ++ray) {
       out[ray] = std::max(out[ray], scores[0][ray] - kBestAlone);
     }
     for (int y = 0; y < volume.frame.height; ++y) {

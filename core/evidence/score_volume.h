@@ -21,15 +21,21 @@ struct ScoreVolume {
   std::vector<float> scores;
 };
 
-// Zero-mean normalised cross-correlation of windows of (2 window_radius + 1)^2
-// samples, the mean over the best half of the neighbours; `one_is_enough`: or
-// that of the best one less 0.1, where that is more, for points that few views
-// see.
+struct ScoreOptions {
+  float plane_spacing = 0;  // unit coordinates
+  int window_radius = 2;    // windows have (2 window_radius + 1)^2 samples
+  // Grey levels: windows of less contrast count as plain.
+  float plain_deviation = 2;
+  // Where the best neighbour's correlation less 0.1 is more than the mean over
+  // the best half, it counts: for points that few views see.
+  bool one_is_enough = false;
+};
+
+// Zero-mean normalised cross-correlation of windows, the mean over the best
+// half of the neighbours.
 ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
                         int reference,
                         const std::vector<int>& neighbors,
-                        float plane_spacing,
-                        int window_radius,
-                        bool one_is_enough = false);
+                        const ScoreOptions& options);
 
 }  // namespace octacut

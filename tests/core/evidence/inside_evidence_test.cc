@@ -54,38 +54,75 @@ Shares SharesWhere(const TestScene& test,
 }
 
 // A cup half as deep as wide, whose bottom most of the upper views see.
+struct OpenCup {
+  static constexpr int kLevel = 6;
+  static constexpr double kTop = (0.5 + 0.15) / 2;
+  static constexpr double kBottom = kTop - 0.5;
+
+  explicit OpenCup(double contrast)
+      : test(MakeTestScene(Spec(contrast))),
+        hull(HullOf(test, kLevel)),
+        evidence(EstimateInsideEvidence(
+            test.views, hull, InsideEvidenceOptions(), 1, Context(2))) {}
+
+  static SceneSpec Spec(double contrast) {
+    SceneSpec spec = testing::TestSpec("cup", 240, 180, 32);
+    spec.parameters.cup_depth = 0.5;
+    spec.texture.contrast = contrast;
+    spec.rig.kind = RigKind::kRings;
+    spec.rig.min_elevation = -10;
+    spec.rig.max_elevation = 75;
+    return spec;
+  }
+
+  Shares Cavity() const {
+    const double voxel = test.VoxelSize(kLevel);
+    return SharesWhere(test, hull, evidence, [&](const Eigen::Vector3d& x) {
+      return x.head<2>().norm() < 0.5 - 3 * voxel &&
+             x.z() > kBottom + 3 * voxel && x.z() < kTop - voxel;
+    });
+  }
+
+  Shares Wall() const {
+    return SharesWhere(test, hull, evidence, [&](const Eigen::Vector3d& x) {
+      return std::abs(x.head<2>().norm() - 0.575) < 0.05 &&
+             x.z() < kTop - 2 * test.VoxelSize(kLevel);
+    });
+  }
+
+  TestScene test;
+  VoxelGrid hull;
+  InsideEvidence evidence;
+};
+
 TEST(InsideEvidence, IsNegativeInACavityAndPositiveInItsWalls) {
-  SceneSpec spec = testing::TestSpec("cup", 240, 180, 32);
-  spec.parameters.cup_depth = 0.5;
-  spec.rig.kind = RigKind::kRings;
-  spec.rig.min_elevation = -10;
-  spec.rig.max_elevation = 75;
+  const OpenCup cup(1);
+  ASSERT_EQ(cup.evidence.values.size(), cup.hull.Size());
+  EXPECT_GT(cup.Cavity().count, 500u);
+  EXPECT_GT(cup.Cavity().negative, 0.9);
+  EXPECT_GT(cup.Wall().count, 500u);
+  EXPECT_GT(cup.Wall().positive, 0.85);
+  EXPECT_LT(cup.Wall().negative, 0.05);
+}
+
+// Of a box with a texture of this contrast, the share of the samples with a
+// depth.
+double FoundShareOf(double contrast) {
+  SceneSpec spec = testing::TestSpec("box", 240, 180, 24);
+  spec.texture.contrast = contrast;
   const TestScene test = MakeTestScene(spec);
-  constexpr int kLevel = 6;
-  const VoxelGrid hull = HullOf(test, kLevel);
-  const InsideEvidence evidence = EstimateInsideEvidence(
-      test.views, hull, InsideEvidenceOptions(), 1, Context(2));
-  ASSERT_EQ(evidence.values.size(), hull.Size());
-  const double voxel = test.VoxelSize(kLevel);
-  const double top = (0.5 + 0.15) / 2;
-  const double bottom = top - 0.5;
-  const auto radius = [](const Eigen::Vector3d& x) {
-    return x.head<2>().norm();
-  };
-  const Shares cavity =
-      SharesWhere(test, hull, evidence, [&](const Eigen::Vector3d& x) {
-        return radius(x) < 0.5 - 3 * voxel && x.z() > bottom + 3 * voxel &&
-               x.z() < top - voxel;
-      });
-  EXPECT_GT(cavity.count, 500u);
-  EXPECT_GT(cavity.negative, 0.9);
-  const Shares wall =
-      SharesWhere(test, hull, evidence, [&](const Eigen::Vector3d& x) {
-        return std::abs(radius(x) - 0.575) < 0.05 && x.z() < top - 2 * voxel;
-      });
-  EXPECT_GT(wall.count, 500u);
-  EXPECT_GT(wall.positive, 0.85);
-  EXPECT_LT(wall.negative, 0.05);
+  return EstimateInsideEvidence(test.views,
+                                HullOf(test, 6),
+                                InsideEvidenceOptions(),
+                                1,
+                                Context(2))
+      .summary.found_share;
+}
+
+// By its usual contrast, the sweep finds 0.23 on both boxes.
+TEST(InsideEvidence, AsksForLessContrastWhereThatFindsManyMoreDepths) {
+  EXPECT_GT(FoundShareOf(0.05), 0.3);
+  EXPECT_LT(FoundShareOf(0), 0.25);
 }
 
 TEST(InsideEvidence, OfASolidKeepsWhatTheHullHas) {

@@ -32,9 +32,11 @@ class PixelHits {
 
   uint8_t Coverage(int x, int y) const {
     int num_hits = 0;
-    for (int k = 0; k < kSamples * kSamples; ++k) {
-      num_hits += IsHit(x + (k % kSamples + 0.5) / kSamples,
-                        y + (k / kSamples + 0.5) / kSamples);
+    for (int row = 0; row < kSamples; ++row) {
+      for (int column = 0; column < kSamples; ++column) {
+        num_hits +=
+            IsHit(x + (column + 0.5) / kSamples, y + (row + 0.5) / kSamples);
+      }
     }
     return uint8_t(std::lround(255.0 * num_hits / (kSamples * kSamples)));
   }

@@ -79,12 +79,12 @@ TEST(RenderSilhouette, OutlineIsWhatRaysThroughAllPixelsShow) {
     for (int x = 0; x < mask.cols; ++x) {
       int num_hits = 0;
       for (int k = 0; k < 16; ++k) {
-        num_hits +=
-            rays.IsOccluded(Eigen::Vector3d::Zero(),
-                            camera.Unproject({x + (k % 4) / 4.0 + 0.125,
-                                              y + (k / 4) / 4.0 + 0.125}),
-                            0,
-                            std::numeric_limits<double>::infinity());
+        const int row = k / 4;
+        num_hits += rays.IsOccluded(
+            Eigen::Vector3d::Zero(),
+            camera.Unproject({x + (k % 4 + 0.5) / 4, y + (row + 0.5) / 4}),
+            0,
+            std::numeric_limits<double>::infinity());
       }
       EXPECT_EQ(mask.at<uint8_t>(y, x), std::lround(255.0 * num_hits / 16));
       num_partly += num_hits > 0 && num_hits < 16;

@@ -12,8 +12,8 @@
 namespace octacut {
 
 // `mesh`, which has normals, with vertex colours: the mean over the views that
-// see the vertex, weighted as Visibility does; grey where none does. `surface`
-// is the labelling that the mesh came from.
+// see the vertex, weighted as Visibility does. Vertices that no view sees have
+// the colours around them. `surface` is the labelling that the mesh came from.
 SurfaceMesh ColoredMesh(const IndexedMesh& mesh,
                         const ViewSet& views,
                         const LabeledVoxels& surface,

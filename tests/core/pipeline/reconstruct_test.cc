@@ -136,22 +136,29 @@ TEST(Reconstruct, SaysWhatItHasDone) {
   EXPECT_EQ(summary.levels[0].num_crust_voxels, summary.hull.num_voxels);
 }
 
-// A plain object of a known colour under even light.
+// A plain object of a known colour under even light, which no view shows from
+// below.
 TEST(Reconstruct, ColorsAreThoseOfThePhotographs) {
   SceneSpec spec = QuickScene("sphere", 120, 90, 12);
   spec.texture.kind = TextureKind::kPlain;
   spec.texture.color = {0.8f, 0.3f, 0.1f};
   spec.lighting.num_samples = 2;
+  spec.rig.kind = RigKind::kRings;
+  spec.rig.min_elevation = 20;
+  spec.rig.max_elevation = 70;
   const Scene scene = ToScene(MakeScene(spec, Context(2)));
   SmallScene small = MakeSmallScene("sphere");
   small.scene = scene;
   const Reconstruction result = RunSmall(small, Context(2));
   size_t reddish = 0;
+  size_t num_grey = 0;
   for (const auto vertex : result.mesh.vertices()) {
     const SurfaceMesh::Color& color = result.mesh.color(vertex);
     reddish += color[0] > color[1] + 20 && color[1] > color[2];
+    num_grey += color[0] == color[1] && color[1] == color[2];
   }
   EXPECT_GT(reddish, result.mesh.n_vertices() * 9 / 10);
+  EXPECT_EQ(num_grey, 0u);
 }
 
 TEST(Reconstruct, CanBeCancelledInEveryPhase) {

@@ -26,8 +26,8 @@ struct DepthSweepOptions {
   double planes_per_voxel = 1;   // depth planes across a hull voxel
   int window_radius = 2;         // of the correlation window, in samples
   double min_score = 0.5;        // correlation of an accepted depth
-  // Grey levels: what is added to the standard deviation of every window, so
-  // that the correlation of windows with less contrast does not count.
+  // Grey levels: its square is added to the variance of every window, so that
+  // windows of less contrast do not correlate.
   double plain_deviation = 2;
   void Check() const;
 };

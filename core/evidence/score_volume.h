@@ -24,7 +24,7 @@ struct ScoreVolume {
 struct ScoreOptions {
   float plane_spacing = 0;  // unit coordinates
   int window_radius = 2;    // windows have (2 window_radius + 1)^2 samples
-  // Grey levels: windows of less contrast count as plain.
+  // As in DepthSweepOptions.
   float plain_deviation = 2;
   // Where the best neighbour's correlation less 0.1 is more than the mean over
   // the best half, it counts: for points that few views see.

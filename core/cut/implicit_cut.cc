@@ -200,8 +200,8 @@ OctahedralCut SolveImplicitly(const OctahedralCutProblem& problem,
     state->narrow_flows.reset();
   }
   OctahedralCut cut =
-      !is_narrow ? solve(state == nullptr ? nullptr : &state->flows)
-                 : solve(state == nullptr ? nullptr : &state->narrow_flows);
+      is_narrow ? solve(state == nullptr ? nullptr : &state->narrow_flows)
+                : solve(state == nullptr ? nullptr : &state->flows);
   if (state != nullptr) {
     state->bricks = problem.crust->Bricks();
   }

@@ -60,16 +60,14 @@ std::vector<SweptDepthMap> SweepDepths(
     }
   });
   std::vector<SweptDepthMap> maps(views.size());
-  const ScoreOptions score{.plane_spacing = 1.0f / float(hull.Resolution()) /
-                                            float(options.planes_per_voxel),
-                           .window_radius = options.window_radius,
-                           .plain_deviation = float(options.plain_deviation)};
+  const float spacing =
+      1.0f / float(hull.Resolution()) / float(options.planes_per_voxel);
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       // One neighbour alone cannot tell an occlusion from a mismatch.
       const ScoreVolume volume =
           (*neighbors)[i].size() >= 2
-              ? ScorePlanes(reduced, int(i), (*neighbors)[i], score)
+              ? ScorePlanes(reduced, int(i), (*neighbors)[i], spacing, options)
               : ScoreVolume();
       maps[i] = PickDepths(reduced[i], volume, float(options.min_score));
       phase.Advance();

@@ -116,10 +116,12 @@ struct Reference {
   float plain_variance = 0;  // added to that of every window
 };
 
-Reference PrepareReference(const SweepView& view, const ScoreOptions& options) {
+Reference PrepareReference(const SweepView& view,
+                           const DepthSweepOptions& options) {
   const int radius = options.window_radius;
   Reference reference;
-  reference.plain_variance = options.plain_deviation * options.plain_deviation;
+  reference.plain_variance =
+      float(options.plain_deviation * options.plain_deviation);
   const cv::Rect frame = FrameOfHull(view, radius);
   reference.frame = frame;
   const size_t size = size_t(frame.area());
@@ -225,7 +227,9 @@ void MeanOfBestHalf(std::vector<std::vector<float>>* scores, float* out) {
 ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
                         int reference_index,
                         const std::vector<int>& neighbors,
-                        const ScoreOptions& options) {
+                        float plane_spacing,
+                        const DepthSweepOptions& options,
+                        bool one_is_enough) {
   const SweepView& view = views[reference_index];
   double near, far;
   cv::minMaxLoc(view.near_depth, &near, nullptr);
@@ -235,9 +239,9 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
     return volume;  // the view does not see the hull
   }
   const Reference reference = PrepareReference(view, options);
-  volume.spacing = options.plane_spacing;
+  volume.spacing = plane_spacing;
   volume.first_depth = float(near);
-  volume.num_planes = int((far - near) / options.plane_spacing) + 1;
+  volume.num_planes = int((far - near) / plane_spacing) + 1;
   volume.frame = reference.frame;
   volume.num_rays = reference.grey.size();
   volume.scores.resize(volume.num_rays * volume.num_planes);
@@ -246,8 +250,7 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
   std::vector<std::vector<float>> scores(
       neighbors.size(), std::vector<float>(volume.num_rays, -1.0f));
   for (int plane = 0; plane < volume.num_planes; ++plane) {
-    const float depth =
-        volume.first_depth + float(plane) * options.plane_spacing;
+    const float depth = volume.first_depth + float(plane) * plane_spacing;
     for (size_t i = 0; i < neighbors.size(); ++i) {
       CorrelatePlane(reference,
                      PlaneWarp(view, views[neighbors[i]], depth),
@@ -257,8 +260,7 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
     }
     float* out = volume.scores.data() + size_t(plane) * volume.num_rays;
     MeanOfBestHalf(&scores, out);
-    for (size_t ray = 0; options.one_is_enough && ray < volume.num_rays;
-         ++ray) {
+    for (size_t ray = 0; one_is_enough && ray < volume.num_rays; ++ray) {
       out[ray] = std::max(out[ray], scores[0][ray] - kBestAlone);
     }
     for (int y = 0; y < volume.frame.height; ++y) {

@@ -6,6 +6,7 @@
 #include <opencv2/core/types.hpp>
 #include <vector>
 
+#include "core/evidence/depth_sweep.h"
 #include "core/evidence/sweep_view.h"
 
 namespace octacut {
@@ -21,21 +22,14 @@ struct ScoreVolume {
   std::vector<float> scores;
 };
 
-struct ScoreOptions {
-  float plane_spacing = 0;  // unit coordinates
-  int window_radius = 2;    // windows have (2 window_radius + 1)^2 samples
-  // As in DepthSweepOptions.
-  float plain_deviation = 2;
-  // Where the best neighbour's correlation less 0.1 is more than the mean over
-  // the best half, it counts: for points that few views see.
-  bool one_is_enough = false;
-};
-
-// Zero-mean normalised cross-correlation of windows, the mean over the best
-// half of the neighbours.
+// Zero-mean normalised cross-correlation of the windows that `options` have,
+// the mean over the best half of the neighbours; `one_is_enough`: or that of
+// the best one less 0.1, where that is more, for points that few views see.
 ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
                         int reference,
                         const std::vector<int>& neighbors,
-                        const ScoreOptions& options);
+                        float plane_spacing,
+                        const DepthSweepOptions& options,
+                        bool one_is_enough = false);
 
 }  // namespace octacut

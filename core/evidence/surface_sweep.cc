@@ -157,13 +157,7 @@ void SurfaceSweep::SweepSquare(const SweepView& view,
     }
   }
   const ScoreVolume volume =
-      ScorePlanes(*compared,
-                  0,
-                  others,
-                  {.plane_spacing = kSpacing * voxel_,
-                   .window_radius = radius,
-                   .plain_deviation = float(options_.plain_deviation),
-                   .one_is_enough = true});
+      ScorePlanes(*compared, 0, others, kSpacing * voxel_, options_, true);
   const SweptDepthMap depths =
       PickDepths(crop, volume, float(options_.min_score));
   const float margin = kEndPlanes * volume.spacing;

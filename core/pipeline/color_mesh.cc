@@ -11,10 +11,11 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kVertexGrain = 1024;
 using Color = SurfaceMesh::Color;
 using Vertex = SurfaceMesh::VertexHandle;
 
+constexpr size_t kVertexGrain = 1024;
+// Of a mesh that no view sees.
 constexpr uint8_t kUnseenGrey = 128;
 
 // Mean colour of the selected views at a point.

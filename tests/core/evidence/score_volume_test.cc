@@ -69,10 +69,8 @@ TEST(ScorePlanes, AreTheSameWhateverTheFrame) {
   ScoredScene scene = MakeScoredScene();
   ASSERT_EQ(scene.neighbors.size(), 4u);
   const auto score = [&] {
-    return ScorePlanes(scene.views,
-                       scene.reference,
-                       scene.neighbors,
-                       {.plane_spacing = kScoreVolumeVoxel});
+    return ScorePlanes(
+        scene.views, scene.reference, scene.neighbors, kScoreVolumeVoxel, {});
   };
   const ScoreVolume volume = score();
   cv::Mat_<float>& far = scene.views[scene.reference].far_depth;
@@ -106,8 +104,8 @@ TEST(ScorePlanes, OneNeighborIsEnoughWhereTheOthersDoNotSeeIt) {
   const std::vector<int>& neighbors = scene.neighbors;
   const int reference = scene.reference;
   ASSERT_EQ(neighbors.size(), 4u);
-  const size_t num_seen = CountMatched(ScorePlanes(
-      views, reference, neighbors, {.plane_spacing = kScoreVolumeVoxel}));
+  const size_t num_seen = CountMatched(
+      ScorePlanes(views, reference, neighbors, kScoreVolumeVoxel, {}));
   ASSERT_GT(num_seen, 200u);
   std::mt19937 random(1);
   for (int i = 1; i < 4; ++i) {
@@ -116,15 +114,9 @@ TEST(ScorePlanes, OneNeighborIsEnoughWhereTheOthersDoNotSeeIt) {
     }
   }
   const size_t num_alone = CountMatched(
-      ScorePlanes(views,
-                  reference,
-                  neighbors,
-                  {.plane_spacing = kScoreVolumeVoxel, .one_is_enough = true}));
-  const size_t num_together = CountMatched(ScorePlanes(
-      views,
-      reference,
-      neighbors,
-      {.plane_spacing = kScoreVolumeVoxel, .one_is_enough = false}));
+      ScorePlanes(views, reference, neighbors, kScoreVolumeVoxel, {}, true));
+  const size_t num_together = CountMatched(
+      ScorePlanes(views, reference, neighbors, kScoreVolumeVoxel, {}, false));
   EXPECT_GT(double(num_alone), 0.6 * double(num_seen));
   EXPECT_LT(double(num_together), 0.8 * double(num_alone));
 }

@@ -262,11 +262,17 @@ struct PointQuery {
 bool VisitTriangle(RTCPointQueryFunctionArguments* arguments) {
   PointQuery& state = *static_cast<PointQuery*>(arguments->userPtr);
   const auto& corners = state.triangles[arguments->primID];
-  const Eigen::Vector3d point =
-      ClosestPointOnTriangle(state.query,
-                             state.positions[corners[0]],
-                             state.positions[corners[1]],
-                             state.positions[corners[2]]);
+  const Eigen::Vector3d& a = state.positions[corners[0]];
+  const Eigen::Vector3d& b = state.positions[corners[1]];
+  const Eigen::Vector3d& c = state.positions[corners[2]];
+  // Most triangles that Embree offers lie in a box that is too far away.
+  const Eigen::Vector3d below = a.cwiseMin(b).cwiseMin(c) - state.query;
+  const Eigen::Vector3d above = state.query - a.cwiseMax(b).cwiseMax(c);
+  if (below.cwiseMax(above).cwiseMax(0).squaredNorm() >
+      (1 + 1e-12) * state.best.distance * state.best.distance) {
+    return false;
+  }
+  const Eigen::Vector3d point = ClosestPointOnTriangle(state.query, a, b, c);
   const double distance = (point - state.query).norm();
   if (distance > state.best.distance ||
       (distance == state.best.distance &&

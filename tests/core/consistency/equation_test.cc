@@ -157,7 +157,7 @@ double Variance(const Samples& samples) {
 }
 
 TEST(PhotoConsistency, IsEquationOne) {
-  const SphereScene sphere = MakeSphereScene(testing::SphereSpec());
+  const SphereScene sphere = MakeSphereScene();
   const Visibility visibility = sphere.EstimateVisibility(sphere.test.views);
   for (const int radius : {1, 2, 3}) {
     ConsistencyOptions options;
@@ -208,7 +208,7 @@ TEST(PhotoConsistency, IsEquationOne) {
 }
 
 TEST(Patch, LeavesOutViewsThatShowBackground) {
-  SphereScene sphere = MakeSphereScene(testing::SphereSpec());
+  SphereScene sphere = MakeSphereScene();
   const Visibility visibility = sphere.EstimateVisibility(sphere.test.views);
   // One at the middle of the side toward the first view.
   const Eigen::Vector3f direction =

@@ -17,7 +17,6 @@ namespace {
 using ::testing::HasSubstr;
 using testing::MakeSphereScene;
 using testing::SphereScene;
-using testing::SphereSpec;
 
 constexpr int kPhiLevel = SphereScene::kLevel;
 
@@ -48,7 +47,7 @@ class Measure : public ::testing::TestWithParam<ConsistencyMeasure> {
 };
 
 TEST_P(Measure, IsLowOnTheTrueSurfaceAndHighBesideIt) {
-  const SphereScene sphere = MakeSphereScene(SphereSpec());
+  const SphereScene sphere = MakeSphereScene();
   const PhotoConsistency consistency = sphere.Estimate(Options());
   ASSERT_EQ(consistency.phi.size(), sphere.shell.Size());
   for (const float phi : consistency.phi) {
@@ -82,7 +81,7 @@ double HeightOfLeastPhi(const SphereScene& sphere,
 }
 
 TEST_P(Measure, IsLowestOnACurvedSurfaceWhereItsCurvatureIsKnown) {
-  SphereScene sphere = MakeSphereScene(SphereSpec());
+  SphereScene sphere = MakeSphereScene();
   ConsistencyOptions options = Options();
   options.patch_radius = 4;
   EXPECT_NEAR(HeightOfLeastPhi(sphere, sphere.Estimate(options).phi), 0, 0.1);
@@ -99,7 +98,7 @@ TEST_P(Measure, IsLowestOnACurvedSurfaceWhereItsCurvatureIsKnown) {
 }
 
 TEST_P(Measure, IsNeutralWhereFewerThanTwoViewsSee) {
-  const SphereScene sphere = MakeSphereScene(SphereSpec());
+  const SphereScene sphere = MakeSphereScene();
   const ViewSet one(sphere.test.views.begin(), sphere.test.views.begin() + 1);
   ConsistencyOptions options = Options();
   options.neutral = 0.375;
@@ -121,7 +120,7 @@ TEST_P(Measure, IsNeutralWhereFewerThanTwoViewsSee) {
 }
 
 TEST_P(Measure, SumsUpTheSameForAnyNumberOfThreads) {
-  const SphereScene sphere = MakeSphereScene(SphereSpec());
+  const SphereScene sphere = MakeSphereScene();
   const PhotoConsistency consistency =
       sphere.Estimate(Options(), sphere.test.views, Context(1));
   // Seen voxels have phi == neutral almost never.
@@ -170,7 +169,7 @@ class NormalizingMeasure : public Measure {};
 
 // Plain surfaces say nothing: neither consistent nor inconsistent.
 TEST_P(NormalizingMeasure, IsNeutralOnPlainPatches) {
-  SphereScene sphere = MakeSphereScene(SphereSpec());
+  SphereScene sphere = MakeSphereScene();
   for (View& view : sphere.test.scene.views) {
     view.image = cv::Mat(view.mask.size(), CV_8UC3, cv::Scalar(90, 120, 60));
     view.mask = cv::Mat(view.mask.size(), CV_8UC1, cv::Scalar::all(255));
@@ -187,8 +186,7 @@ TEST_P(NormalizingMeasure, IsNeutralOnPlainPatches) {
 // Gain and offset of whole images change nothing but the rounding of pixels
 // and what the noise weighs.
 TEST_P(NormalizingMeasure, DoesNotFeelExposure) {
-  SceneSpec spec = SphereSpec();
-  SphereScene sphere = MakeSphereScene(spec);
+  SphereScene sphere = MakeSphereScene();
   ConsistencyOptions options = Options();
   options.pixel_noise = 0.5;
   const std::vector<float> before = sphere.Estimate(options).phi;
@@ -269,7 +267,7 @@ TEST(ConsistencyOptions, AreRejectedWithFieldAndConstraint) {
 
 // A voxel covers some 1.5 pixels here.
 TEST(PhotoConsistency, PatchesGrowUntilTheySpanEnoughPixels) {
-  const SphereScene sphere = MakeSphereScene(testing::SphereSpec());
+  const SphereScene sphere = MakeSphereScene();
   const float voxel = 1.0f / (1 << SphereScene::kLevel);
   double pixels = 0;
   for (const PreparedView& view : sphere.test.views) {

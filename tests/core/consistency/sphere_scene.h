@@ -58,9 +58,9 @@ inline SceneSpec SphereSpec() {
   return spec;
 }
 
-inline SphereScene MakeSphereScene(const SceneSpec& spec) {
+inline SphereScene MakeSphereScene() {
   SphereScene sphere;
-  sphere.test = MakeTestScene(spec);
+  sphere.test = MakeTestScene(RenderOnce(0, [](int) { return SphereSpec(); }));
   const double radius = SphereScene::kRadius / sphere.test.region.cube.edge;
   const Eigen::Vector3d middle =
       ToUnit(sphere.test.region.cube, Eigen::Vector3d::Zero());

@@ -18,8 +18,7 @@ constexpr float kVoxel = 1.0f / (1 << kDepthsLevel);
 // A sphere's views, the hull, and maps with the depth of the middle of the cube
 // at every fourth pixel.
 struct Setting {
-  TestScene test =
-      testing::MakeTestScene(testing::TestSpec("sphere", 120, 90, 8));
+  TestScene test = testing::MakeTestScene("sphere", 120, 90, 8);
   VoxelGrid hull;
   std::vector<SweptDepthMap> maps;
 

@@ -20,8 +20,7 @@ constexpr float kDepthConfidenceVoxel = 1.0f / (1 << kDepthConfidenceLevel);
 
 // A sphere's views, its hull, and the true depths of every fourth pixel.
 struct DepthSetting {
-  TestScene test =
-      testing::MakeTestScene(testing::TestSpec("sphere", 160, 120, 16));
+  TestScene test = testing::MakeTestScene("sphere", 160, 120, 16);
   VoxelGrid hull;
   std::vector<SweptDepthMap> maps;
 

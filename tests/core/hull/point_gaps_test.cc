@@ -27,9 +27,11 @@ using testing::TestSpec;
 constexpr double kGapTolerance = 2;
 
 TestScene SceneWithPoints(const std::string& object) {
-  SceneSpec spec = TestSpec(object, 240, 180, 24);
-  spec.num_points = 4000;
-  return MakeTestScene(spec);
+  return MakeTestScene(testing::RenderOnce(object, [](const std::string& name) {
+    SceneSpec spec = TestSpec(name, 240, 180, 24);
+    spec.num_points = 4000;
+    return spec;
+  }));
 }
 
 cv::Point PixelOf(const View& view, const Eigen::Vector3d& point) {

@@ -19,12 +19,14 @@ using testing::TestScene;
 constexpr double kCupDepth = 0.25;  // and its width is 1
 
 TestScene MakeCup() {
-  SceneSpec spec = testing::TestSpec("cup", 240, 180, 32);
-  spec.parameters.cup_depth = kCupDepth;
-  spec.rig.kind = RigKind::kRings;
-  spec.rig.min_elevation = -10;
-  spec.rig.max_elevation = 75;
-  return MakeTestScene(spec);
+  return MakeTestScene(testing::RenderOnce(kCupDepth, [](double depth) {
+    SceneSpec spec = testing::TestSpec("cup", 240, 180, 32);
+    spec.parameters.cup_depth = depth;
+    spec.rig.kind = RigKind::kRings;
+    spec.rig.min_elevation = -10;
+    spec.rig.max_elevation = 75;
+    return spec;
+  }));
 }
 
 // Solves a scene's first two levels without depths, so that what its hull fills

@@ -23,9 +23,12 @@ struct DentSetting {
   TestScene test;
 
   explicit DentSetting(MaterialKind material) {
-    SceneSpec spec = testing::TestSpec("sphere", 240, 180, 20);
-    spec.material = material;
-    test = testing::MakeTestScene(spec);
+    test = testing::MakeTestScene(
+        testing::RenderOnce(material, [](MaterialKind kind) {
+          SceneSpec spec = testing::TestSpec("sphere", 240, 180, 20);
+          spec.material = kind;
+          return spec;
+        }));
   }
 
   // `shape` gets the signed distances to the sphere and to a ball that reaches

@@ -3,8 +3,11 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "core/base/hash.h"
 #include "tests/core/pipeline/reconstruction_checks.h"
+#include "tests/core/views/render_once.h"
 
 namespace octacut {
 namespace {
@@ -15,6 +18,7 @@ using testing::PipelineSpec;
 using testing::QuickOptions;
 using testing::ReconstructedScene;
 using testing::ReconstructScene;
+using testing::RenderOnce;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -42,7 +46,15 @@ TEST(Reconstruct, Sphere) {
   EXPECT_NEAR(audit.area, area, 0.03 * area);
 }
 
-SceneSpec LumpSpec() { return PipelineSpec("lump", 240, 180); }
+SyntheticScene LumpWithMasks(const DegradeOptions& degrade) {
+  SyntheticScene lump = RenderOnce(std::string("lump"), [](const auto& object) {
+    return PipelineSpec(object, 240, 180);
+  });
+  for (size_t i = 0; i < lump.views.size(); ++i) {
+    DegradeMask(degrade, HashBits(lump.spec.seed, i), lump.views[i].mask);
+  }
+  return lump;
+}
 
 // 64^3 to 128^3.
 ReconstructionOptions CutOptions() {
@@ -56,7 +68,7 @@ ReconstructionOptions CutOptions() {
 // The lump with masks as they should be.
 const ReconstructedScene& CleanLump() {
   static const ReconstructedScene kScene =
-      ReconstructScene(LumpSpec(), CutOptions());
+      ReconstructScene(LumpWithMasks({}), CutOptions());
   return kScene;
 }
 
@@ -69,9 +81,9 @@ double Error(const ReconstructedScene& scene) {
 // The same of a lump whose masks are too large by so many pixels.
 double ErrorWithMasksOff(int mask_offset,
                          const ReconstructionOptions& options) {
-  SceneSpec spec = LumpSpec();
-  spec.degrade.mask_offset = mask_offset;
-  return Error(ReconstructScene(spec, options));
+  DegradeOptions degrade;
+  degrade.mask_offset = mask_offset;
+  return Error(ReconstructScene(LumpWithMasks(degrade), options));
 }
 
 TEST(Reconstruct, ToleratesMasksThatAreTooSmall) {
@@ -96,15 +108,17 @@ TEST(Reconstruct, RefinesBeyondMasksThatAreOff) {
 }
 
 TEST(Reconstruct, ToleratesLargeHolesInMasks) {
-  SceneSpec spec = LumpSpec();
   ReconstructionOptions options = CutOptions();
-  spec.degrade.num_mask_holes = 4;
-  spec.degrade.mask_defect_radius = 5;
-  const ReconstructedScene filled = ReconstructScene(spec, options);
+  DegradeOptions degrade;
+  degrade.num_mask_holes = 4;
+  degrade.mask_defect_radius = 5;
+  const ReconstructedScene filled =
+      ReconstructScene(LumpWithMasks(degrade), options);
   EXPECT_GT(filled.result.summary.num_false_gaps, 48u);
   EXPECT_EQ(filled.result.audit.genus, 0);
   options.masks.fill_false_gaps = false;
-  const ReconstructedScene unrepaired = ReconstructScene(spec, options);
+  const ReconstructedScene unrepaired =
+      ReconstructScene(LumpWithMasks(degrade), options);
   EXPECT_EQ(unrepaired.result.summary.num_false_gaps, 0u);
   EXPECT_GT(unrepaired.result.audit.genus, 3);
   const auto error = [](const ReconstructedScene& scene) {
@@ -137,13 +151,16 @@ TEST(Reconstruct, ACupAsDeepAsWideIsHollow) {
   spec.rig.num_views = 14;
   spec.rig.min_elevation = -10;
   spec.rig.max_elevation = 30;
+  SyntheticScene cup = MakeScene(spec, Context(2));
   // The bottom is in sight from 45 degrees on, half of it from 63.
-  RigOptions from_above = spec.rig;
-  from_above.num_views = 16;
-  from_above.min_elevation = 48;
-  from_above.max_elevation = 82;
+  spec.rig.num_views = 16;
+  spec.rig.min_elevation = 48;
+  spec.rig.max_elevation = 82;
+  const SyntheticScene from_above = MakeScene(spec, Context(2));
+  cup.views.insert(
+      cup.views.end(), from_above.views.begin(), from_above.views.end());
   const ReconstructedScene scene =
-      ReconstructScene(spec, QuickOptions(), from_above);
+      ReconstructScene(std::move(cup), QuickOptions());
   EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
   const InsideTest inside(scene.mesh);
   const auto ring = [&](double radius, double z, bool expected) {

@@ -31,9 +31,7 @@ struct SmallScene {
 };
 
 // 32^3 to 64^3.
-SmallScene MakeSmallScene(const std::string& object = "torus") {
-  SceneSpec spec = QuickScene(object, 120, 90, 16);
-  spec.lighting.num_samples = 2;
+SmallScene MakeSmallScene(const SceneSpec& spec) {
   const SyntheticScene synthetic = MakeScene(spec, Context(2));
   SmallScene small;
   small.reference = synthetic.reference;
@@ -43,6 +41,12 @@ SmallScene MakeSmallScene(const std::string& object = "torus") {
   small.options.hull.hull_level = 5;
   small.options.target_level = 6;
   return small;
+}
+
+SmallScene MakeSmallScene(const std::string& object = "torus") {
+  SceneSpec spec = QuickScene(object, 120, 90, 16);
+  spec.lighting.num_samples = 2;
+  return MakeSmallScene(spec);
 }
 
 Reconstruction RunSmall(const SmallScene& small, const Context& context) {
@@ -162,8 +166,10 @@ TEST(Reconstruct, ColorsAreThoseOfThePhotographs) {
 }
 
 TEST(Reconstruct, CanBeCancelledInEveryPhase) {
-  SmallScene small = MakeSmallScene();
-  small.scene.views.resize(8);
+  // As little work as has all phases.
+  SceneSpec spec = QuickScene("sphere", 60, 45, 8);
+  spec.lighting.num_samples = 1;
+  SmallScene small = MakeSmallScene(spec);
   small.options.hull.hull_level = 4;
   small.options.target_level = 5;
   std::atomic<bool> stop{false};
@@ -171,7 +177,7 @@ TEST(Reconstruct, CanBeCancelledInEveryPhase) {
   RunSmall(small, Context(2, &counter, &stop));
   EXPECT_THAT(counter.phases, Contains("visual hull"));
   EXPECT_THAT(counter.phases, Contains("photo-consistency of level 5"));
-  for (size_t phase = 0; phase < counter.phases.size(); ++phase) {
+  for (const size_t phase : counter.FirstOfEachName()) {
     stop = false;
     Stopper stopper(int(phase), &stop);
     EXPECT_THROW(RunSmall(small, Context(2, &stopper, &stop)), CancelledError)

@@ -2,8 +2,8 @@
 // this folder.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <utility>
 
 #include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/pipeline/reconstruct.h"
@@ -40,28 +40,23 @@ inline SceneSpec PipelineSpec(const std::string& object,
   return spec;
 }
 
-// `spec` and, where there is one, the views of another rig around the same
-// object.
 inline ReconstructedScene ReconstructScene(
-    SceneSpec spec,
-    const ReconstructionOptions& options,
-    const std::optional<RigOptions>& second_rig = std::nullopt) {
+    SyntheticScene synthetic, const ReconstructionOptions& options) {
   const Context context(2);
   ReconstructedScene scene;
   scene.options = options;
-  scene.synthetic = MakeScene(spec, context);
+  scene.synthetic = std::move(synthetic);
   scene.scene = ToScene(scene.synthetic);
-  if (second_rig) {
-    spec.rig = *second_rig;
-    const Scene more = ToScene(MakeScene(spec, context));
-    scene.scene.views.insert(
-        scene.scene.views.end(), more.views.begin(), more.views.end());
-  }
   scene.region = EstimateRegion(
       scene.scene.views, scene.scene.points, RegionOptions(), context);
   scene.result = Reconstruct(scene.scene, scene.region, options, context);
   scene.mesh = ToIndexedMesh(scene.result.mesh);
   return scene;
+}
+
+inline ReconstructedScene ReconstructScene(
+    const SceneSpec& spec, const ReconstructionOptions& options) {
+  return ReconstructScene(MakeScene(spec, Context(2)), options);
 }
 
 // Whether a point is inside a closed mesh: the first triangle that a ray meets

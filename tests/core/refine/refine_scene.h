@@ -70,17 +70,23 @@ inline SceneSpec RefineSceneSpec() {
 // `pixel_noise` of the photographs: grey levels.
 inline RefineScene MakeRefineScene(double min_elevation = -60,
                                    double pixel_noise = 0) {
-  SceneSpec spec = RefineSceneSpec();
-  spec.rig.min_elevation = min_elevation;
-  spec.degrade.pixel_noise = pixel_noise;
-  return {MakeTestScene(spec)};
+  return {MakeTestScene(RenderOnce(std::pair(min_elevation, pixel_noise),
+                                   [](const auto& elevation_and_noise) {
+                                     SceneSpec spec = RefineSceneSpec();
+                                     std::tie(spec.rig.min_elevation,
+                                              spec.degrade.pixel_noise) =
+                                         elevation_and_noise;
+                                     return spec;
+                                   }))};
 }
 
 // The same with masks that are `mask_offset` pixels too large.
 inline RefineScene MakeSceneWithMasksOff(int mask_offset) {
-  SceneSpec spec = RefineSceneSpec();
-  spec.degrade.mask_offset = mask_offset;
-  return {MakeTestScene(spec)};
+  return {MakeTestScene(RenderOnce(mask_offset, [](int offset) {
+    SceneSpec spec = RefineSceneSpec();
+    spec.degrade.mask_offset = offset;
+    return spec;
+  }))};
 }
 
 // The same with poses that are so many pixels off.

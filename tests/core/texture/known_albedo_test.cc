@@ -2,13 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
+#include "core/base/hash.h"
 #include "core/base/srgb.h"
 #include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/benchmark/synthetic/texture.h"
 #include "core/texture/pixel_sampler.h"
 #include "core/texture/texture_mesh.h"
+#include "tests/core/views/render_once.h"
 
 namespace octacut {
 namespace {
@@ -96,13 +99,21 @@ ChromaErrors Measure(const SyntheticScene& scene, const TexturedMesh& mesh) {
 // errors are those of dark paint in the shade, of which the eight bits of a
 // photograph have few levels.
 SyntheticScene WhiteLights(double noise) {
-  SceneSpec spec = QuickScene("example", 640, 480, 20);
-  spec.degrade.pixel_noise = noise;
-  for (AreaLight& light : spec.lighting.lights) {
-    light.color.setConstant(light.color.mean());
+  SyntheticScene scene =
+      testing::RenderOnce(std::string("example"), [](const auto& object) {
+        SceneSpec spec = QuickScene(object, 640, 480, 20);
+        for (AreaLight& light : spec.lighting.lights) {
+          light.color.setConstant(light.color.mean());
+        }
+        spec.lighting.ambient.setConstant(0.43f);
+        return spec;
+      });
+  DegradeOptions degrade;
+  degrade.pixel_noise = noise;
+  for (size_t i = 0; i < scene.views.size(); ++i) {
+    DegradeImage(degrade, HashBits(scene.spec.seed, i), scene.views[i].image);
   }
-  spec.lighting.ambient.setConstant(0.43f);
-  return MakeScene(spec, Context(1));
+  return scene;
 }
 
 void ExpectErrorsBelow(double mean, double of_95_percent, double noise) {

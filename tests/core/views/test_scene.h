@@ -2,11 +2,14 @@
 #pragma once
 
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/scene/region.h"
 #include "core/views/view_set.h"
 #include "tests/core/views/random_views.h"
+#include "tests/core/views/render_once.h"
 
 namespace octacut::testing {
 
@@ -30,10 +33,9 @@ struct TestScene {
   }
 };
 
-inline TestScene MakeTestScene(const SceneSpec& spec,
-                               const Context& context = Context(2)) {
+inline TestScene MakeTestScene(SyntheticScene synthetic) {
   TestScene test;
-  test.synthetic = MakeScene(spec, context);
+  test.synthetic = std::move(synthetic);
   test.scene = ToScene(test.synthetic);
   const Eigen::AlignedBox3d& box = test.synthetic.object.shape.box;
   test.region.cube.edge = 1.1 * box.sizes().maxCoeff();
@@ -43,8 +45,11 @@ inline TestScene MakeTestScene(const SceneSpec& spec,
       Eigen::AlignedBox3d(test.region.cube.min_corner,
                           test.region.cube.min_corner +
                               Eigen::Vector3d::Constant(test.region.cube.edge));
-  test.views = PrepareViews(test.scene, test.region.cube, context);
+  test.views = PrepareViews(test.scene, test.region.cube, Context(2));
   return test;
+}
+inline TestScene MakeTestScene(const SceneSpec& spec) {
+  return MakeTestScene(MakeScene(spec, Context(2)));
 }
 
 // The whole cube is in sight, so that no phantoms are left at its corners.
@@ -63,7 +68,9 @@ inline TestScene MakeTestScene(const std::string& object,
                                int width = 160,
                                int height = 120,
                                int num_views = 20) {
-  return MakeTestScene(TestSpec(object, width, height, num_views));
+  return MakeTestScene(
+      RenderOnce(std::tuple(object, width, height, num_views),
+                 [](const auto& key) { return std::apply(TestSpec, key); }));
 }
 
 }  // namespace octacut::testing

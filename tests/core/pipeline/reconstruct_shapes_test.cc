@@ -56,20 +56,13 @@ SyntheticScene LumpWithMasks(const DegradeOptions& degrade) {
   return lump;
 }
 
-// 64^3 to 128^3.
-ReconstructionOptions CutOptions() {
+// Two levels.
+ReconstructionOptions CutOptions(int target_level) {
   ReconstructionOptions options;
-  options.hull.hull_level = 6;
-  options.target_level = 7;
+  options.hull.hull_level = target_level - 1;
+  options.target_level = target_level;
   options.refine = false;
   return options;
-}
-
-// The lump with masks as they should be.
-const ReconstructedScene& CleanLump() {
-  static const ReconstructedScene kScene =
-      ReconstructScene(LumpWithMasks({}), CutOptions());
-  return kScene;
 }
 
 // Mean distance from the reference, in voxels.
@@ -87,8 +80,8 @@ double ErrorWithMasksOff(int mask_offset,
 }
 
 TEST(Reconstruct, ToleratesMasksThatAreTooSmall) {
-  ReconstructionOptions options = CutOptions();
-  const double clean = Error(CleanLump());
+  ReconstructionOptions options = CutOptions(6);
+  const double clean = ErrorWithMasksOff(0, options);
   options.masks.move_mask_borders = false;
   const double tolerant = ErrorWithMasksOff(-2, options);
   options.masks.mask_tolerance = 0;
@@ -108,7 +101,8 @@ TEST(Reconstruct, RefinesBeyondMasksThatAreOff) {
 }
 
 TEST(Reconstruct, ToleratesLargeHolesInMasks) {
-  ReconstructionOptions options = CutOptions();
+  ReconstructionOptions options = CutOptions(7);
+  const ReconstructedScene clean = ReconstructScene(LumpWithMasks({}), options);
   DegradeOptions degrade;
   degrade.num_mask_holes = 4;
   degrade.mask_defect_radius = 5;
@@ -126,7 +120,7 @@ TEST(Reconstruct, ToleratesLargeHolesInMasks) {
            scene.VoxelSize();
   };
   // Bites that stay take up to three times what little error there is.
-  EXPECT_LT(error(filled), 3 * error(CleanLump()));
+  EXPECT_LT(error(filled), 3 * error(clean));
   EXPECT_LT(error(filled), 0.4);
   EXPECT_GT(error(unrepaired), 2 * error(filled));
 }

@@ -257,38 +257,49 @@ struct PointQuery {
   double scale;
   double slack;  // normalized
   RayScene::Closest best;
+
+  // Never less than the true one, so that rounding hides no triangle.
+  float Radius() const {
+    return static_cast<float>(best.distance / scale + slack);
+  }
+  bool Offer(uint32_t triangle);  // whether it is better
 };
+
+bool PointQuery::Offer(uint32_t triangle) {
+  const auto& corners = triangles[triangle];
+  const Eigen::Vector3d& a = positions[corners[0]];
+  const Eigen::Vector3d& b = positions[corners[1]];
+  const Eigen::Vector3d& c = positions[corners[2]];
+  // Most triangles that Embree offers lie in a box that is too far away.
+  const Eigen::Vector3d below = a.cwiseMin(b).cwiseMin(c) - query;
+  const Eigen::Vector3d above = query - a.cwiseMax(b).cwiseMax(c);
+  if (below.cwiseMax(above).cwiseMax(0).squaredNorm() >
+      (1 + 1e-12) * best.distance * best.distance) {
+    return false;
+  }
+  const Eigen::Vector3d point = ClosestPointOnTriangle(query, a, b, c);
+  const double distance = (point - query).norm();
+  if (distance > best.distance ||
+      (distance == best.distance && triangle >= best.triangle)) {
+    return false;
+  }
+  best = {point, distance, triangle};
+  return true;
+}
 
 bool VisitTriangle(RTCPointQueryFunctionArguments* arguments) {
   PointQuery& state = *static_cast<PointQuery*>(arguments->userPtr);
-  const auto& corners = state.triangles[arguments->primID];
-  const Eigen::Vector3d& a = state.positions[corners[0]];
-  const Eigen::Vector3d& b = state.positions[corners[1]];
-  const Eigen::Vector3d& c = state.positions[corners[2]];
-  // Most triangles that Embree offers lie in a box that is too far away.
-  const Eigen::Vector3d below = a.cwiseMin(b).cwiseMin(c) - state.query;
-  const Eigen::Vector3d above = state.query - a.cwiseMax(b).cwiseMax(c);
-  if (below.cwiseMax(above).cwiseMax(0).squaredNorm() >
-      (1 + 1e-12) * state.best.distance * state.best.distance) {
+  if (!state.Offer(arguments->primID)) {
     return false;
   }
-  const Eigen::Vector3d point = ClosestPointOnTriangle(state.query, a, b, c);
-  const double distance = (point - state.query).norm();
-  if (distance > state.best.distance ||
-      (distance == state.best.distance &&
-       arguments->primID >= state.best.triangle)) {
-    return false;
-  }
-  state.best = {point, distance, arguments->primID};
-  // Never less than the true radius, so that rounding hides no triangle.
-  arguments->query->radius =
-      static_cast<float>(distance / state.scale + state.slack);
+  arguments->query->radius = state.Radius();
   return true;
 }
 
 }  // namespace
 
-RayScene::Closest RayScene::ClosestPoint(const Eigen::Vector3d& query) const {
+RayScene::Closest RayScene::ClosestPoint(const Eigen::Vector3d& query,
+                                         std::optional<uint32_t> near) const {
   const Eigen::Vector3d normalized = impl_->Normalize(query);
   PointQuery state{impl_->positions,
                    impl_->triangles,
@@ -299,11 +310,15 @@ RayScene::Closest RayScene::ClosestPoint(const Eigen::Vector3d& query) const {
                     std::numeric_limits<double>::infinity(),
                     std::numeric_limits<uint32_t>::max()}};
   RTCPointQuery point_query;
+  point_query.radius = std::numeric_limits<float>::infinity();
+  if (near) {
+    state.Offer(*near);
+    point_query.radius = state.Radius();
+  }
   point_query.x = static_cast<float>(normalized.x());
   point_query.y = static_cast<float>(normalized.y());
   point_query.z = static_cast<float>(normalized.z());
   point_query.time = 0;
-  point_query.radius = std::numeric_limits<float>::infinity();
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(impl_->scene, &point_query, &context, &VisitTriangle, &state);

@@ -52,8 +52,10 @@ class RayScene {
                   double min_distance,
                   double max_distance) const;
   // Exact to double precision. Of triangles at the very same distance the
-  // one with the lowest index.
-  Closest ClosestPoint(const Eigen::Vector3d& query) const;
+  // one with the lowest index. The search is faster from `near`, a triangle
+  // that is likely to be close; the result does not depend on it.
+  Closest ClosestPoint(const Eigen::Vector3d& query,
+                       std::optional<uint32_t> near = std::nullopt) const;
 
  private:
   struct Impl;

@@ -1,6 +1,7 @@
 // One step of aligning two surfaces from pairs of points.
 #pragma once
 
+#include <cstdint>
 #include <Eigen/Core>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct AlignPair {
   Eigen::Vector3d normal;  // of the reference, at `target`
   double distance;         // infinite: does not count
   double weight;           // of its squared distance along the normal
+  uint32_t closest;        // triangle of the surface that was searched
 };
 
 struct AlignStep {

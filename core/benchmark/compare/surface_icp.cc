@@ -87,11 +87,11 @@ SurfaceIcp::SurfaceIcp(const MeshWithScene& mesh,
   size_ = box.diagonal().norm() / 2;
 }
 
-AlignPair SurfaceIcp::PairOfMesh(
-    const SurfaceSample& sample,
-    const Similarity3d& reference_from_mesh) const {
+AlignPair SurfaceIcp::PairOfMesh(const SurfaceSample& sample,
+                                 const Similarity3d& reference_from_mesh,
+                                 std::optional<uint32_t> near) const {
   const Eigen::Vector3d moved = reference_from_mesh * sample.point;
-  const RayScene::Closest closest = reference_.scene.ClosestPoint(moved);
+  const RayScene::Closest closest = reference_.scene.ClosestPoint(moved, near);
   const bool counts = !filter_ || filter_(closest.triangle, closest.point);
   return {moved,
           closest.point,
@@ -100,15 +100,16 @@ AlignPair SurfaceIcp::PairOfMesh(
                                 TriangleNormal(mesh_.mesh, sample.triangle))
               : TriangleNormal(reference_.mesh, closest.triangle),
           counts ? closest.distance : std::numeric_limits<double>::infinity(),
-          0};
+          0,
+          closest.triangle};
 }
 
-AlignPair SurfaceIcp::PairOfReference(
-    const SurfaceSample& sample,
-    const Similarity3d& reference_from_mesh,
-    const Similarity3d& mesh_from_reference) const {
+AlignPair SurfaceIcp::PairOfReference(const SurfaceSample& sample,
+                                      const Similarity3d& reference_from_mesh,
+                                      const Similarity3d& mesh_from_reference,
+                                      std::optional<uint32_t> near) const {
   const RayScene::Closest closest =
-      mesh_.scene.ClosestPoint(mesh_from_reference * sample.point);
+      mesh_.scene.ClosestPoint(mesh_from_reference * sample.point, near);
   return {reference_from_mesh * closest.point,
           sample.point,
           reference_is_cloud_
@@ -116,25 +117,31 @@ AlignPair SurfaceIcp::PairOfReference(
                                 TriangleNormal(mesh_.mesh, closest.triangle))
               : TriangleNormal(reference_.mesh, sample.triangle),
           closest.distance * reference_from_mesh.scale,
-          0};
+          0,
+          closest.triangle};
 }
 
-std::vector<AlignPair> SurfaceIcp::FindPairs(
-    const Similarity3d& reference_from_mesh, const Context& context) const {
+void SurfaceIcp::FindPairs(const Similarity3d& reference_from_mesh,
+                           const Context& context,
+                           std::vector<AlignPair>* pairs) const {
   const Similarity3d mesh_from_reference = reference_from_mesh.Inverse();
   const size_t num_mesh = mesh_samples_.size();
-  std::vector<AlignPair> pairs(num_mesh + reference_samples_.size());
+  const bool is_first = pairs->empty();
+  pairs->resize(num_mesh + reference_samples_.size());
   ParallelFor(
-      context, pairs.size(), kSearchGrain, [&](size_t begin, size_t end) {
+      context, pairs->size(), kSearchGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {
-          pairs[i] = i < num_mesh
-                         ? PairOfMesh(mesh_samples_[i], reference_from_mesh)
-                         : PairOfReference(reference_samples_[i - num_mesh],
-                                           reference_from_mesh,
-                                           mesh_from_reference);
+          AlignPair& pair = (*pairs)[i];
+          const auto near =
+              is_first ? std::nullopt : std::optional(pair.closest);
+          pair = i < num_mesh
+                     ? PairOfMesh(mesh_samples_[i], reference_from_mesh, near)
+                     : PairOfReference(reference_samples_[i - num_mesh],
+                                       reference_from_mesh,
+                                       mesh_from_reference,
+                                       near);
         }
       });
-  return pairs;
 }
 
 IcpResidual SurfaceIcp::WeighPairs(std::vector<AlignPair>* pairs) const {
@@ -180,9 +187,10 @@ IcpResult SurfaceIcp::Run(const Similarity3d& start,
   IcpResult best;
   best.reference_from_mesh = start;
   Similarity3d current = start;
+  std::vector<AlignPair> pairs;
   for (int iteration = 0; iteration <= options.max_iterations; ++iteration) {
     context.ThrowIfCancelled();
-    std::vector<AlignPair> pairs = FindPairs(current, context);
+    FindPairs(current, context, &pairs);
     const IcpResidual residual = WeighPairs(&pairs);
     if (iteration == 0) {
       best.before = best.after = residual;

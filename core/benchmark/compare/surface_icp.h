@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/base/context.h"
@@ -79,13 +80,18 @@ class SurfaceIcp {
   }
 
  private:
-  std::vector<AlignPair> FindPairs(const Similarity3d& reference_from_mesh,
-                                   const Context& context) const;
+  // `pairs` are those of the iteration before, empty in the first.
+  void FindPairs(const Similarity3d& reference_from_mesh,
+                 const Context& context,
+                 std::vector<AlignPair>* pairs) const;
+  // `near`: see RayScene::ClosestPoint.
   AlignPair PairOfMesh(const SurfaceSample& sample,
-                       const Similarity3d& reference_from_mesh) const;
+                       const Similarity3d& reference_from_mesh,
+                       std::optional<uint32_t> near) const;
   AlignPair PairOfReference(const SurfaceSample& sample,
                             const Similarity3d& reference_from_mesh,
-                            const Similarity3d& mesh_from_reference) const;
+                            const Similarity3d& mesh_from_reference,
+                            std::optional<uint32_t> near) const;
   IcpResidual WeighPairs(std::vector<AlignPair>* pairs) const;
 
   const MeshWithScene mesh_;

@@ -45,7 +45,7 @@ OutlineFit::OutlineFit(double blur) : blur_(blur) {
 }
 
 std::optional<FittedOutline> OutlineFit::Find(
-    std::span<const Eigen::Vector3f> samples, int near) const {
+    std::span<const Eigen::Vector3f> samples, int near, bool is_wide) const {
   const int begin = near - kOutlineSearch - kOutlineWindow;
   if (begin < 0 ||
       near + kOutlineSearch + kOutlineWindow >= int(samples.size())) {
@@ -62,6 +62,9 @@ std::optional<FittedOutline> OutlineFit::Find(
   }
   Eigen::Index best = 0;
   residuals.minCoeff(&best);
+  if (best == 0 && is_wide) {
+    return Find(samples, near - kOutlineSearch, false);
+  }
   FittedOutline fitted;
   const float variance =
       (window(best).colwise() - window(best).rowwise().mean()).squaredNorm();

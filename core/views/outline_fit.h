@@ -54,10 +54,12 @@ class OutlineFit {
 
   // `samples` of linear light, kEdgeStep pixels apart, from outside to inside.
   // The outline is where a step and a square root, both blurred, fit the
-  // samples around best, at most a pixel and a quarter from `near`. None where
+  // samples around best, at most a pixel and a quarter from `near`, or, if it
+  // is found nowhere there and `is_wide`, as much farther outside. None where
   // that range and the window do not fit into the line.
   std::optional<FittedOutline> Find(std::span<const Eigen::Vector3f> samples,
-                                    int near) const;
+                                    int near,
+                                    bool is_wide) const;
 
  private:
   static constexpr int kSamples = 2 * kOutlineWindow + 1;

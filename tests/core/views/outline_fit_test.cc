@@ -53,7 +53,8 @@ double MeanError(const Line& line, double blur) {
   int count = 0;
   for (int k = -10; k <= 10; ++k) {
     const double at = 0.05 * k;
-    const auto found = fit.Find(Samples(line, at, blur, &generator), kMiddle);
+    const auto found =
+        fit.Find(Samples(line, at, blur, &generator), kMiddle, false);
     EXPECT_TRUE(found);
     if (found && found->position) {
       sum += kEdgeStep * (*found->position - kMiddle) - at;
@@ -87,8 +88,8 @@ TEST(OutlineFit, LeavesLeastWithTheRightBlur) {
   for (const Line& line : {Line{.step = 60}, Line{.root = 50}}) {
     const auto share = [&](double blur) {
       std::mt19937 generator(1);
-      const auto found =
-          OutlineFit(blur).Find(Samples(line, 0.1, 0.8, &generator), kMiddle);
+      const auto found = OutlineFit(blur).Find(
+          Samples(line, 0.1, 0.8, &generator), kMiddle, false);
       return found ? found->residual_share : 1;
     };
     EXPECT_LT(share(0.8), share(0.52));
@@ -102,12 +103,27 @@ TEST(OutlineFit, IsNotFoundOutsideTheSearch) {
   const std::vector<Eigen::Vector3f> samples =
       Samples({.step = 60}, 0, 0.6, &generator);
   for (const int side : {-1, 1}) {
-    const auto found = fit.Find(samples, kMiddle + side * int(2 / kEdgeStep));
+    const int near = kMiddle + side * int(2 / kEdgeStep);
+    const auto found = fit.Find(samples, near, false);
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->position);
   }
-  EXPECT_FALSE(fit.Find(samples, 0));
-  EXPECT_FALSE(fit.Find(samples, kNumSamples - 1));
+  EXPECT_FALSE(fit.Find(samples, 0, true));
+  EXPECT_FALSE(fit.Find(samples, kNumSamples - 1, true));
+}
+
+// Gloss that is as dark as the ground at the outline, and lighter inside.
+TEST(OutlineFit, IsFartherOutsideInAWideSearch) {
+  std::mt19937 generator(1);
+  const OutlineFit fit(0.6);
+  const auto samples = Samples({.step = -15, .root = 50}, 0, 0.6, &generator);
+  const int inside = kMiddle + int(1.75f / kEdgeStep);
+  const auto found = fit.Find(samples, inside, false);
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(found->position);
+  const auto wide = fit.Find(samples, inside, true);
+  ASSERT_TRUE(wide && wide->position);
+  EXPECT_NEAR(*wide->position, kMiddle, 0.4);
 }
 
 }  // namespace

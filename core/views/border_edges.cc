@@ -47,6 +47,7 @@ EdgePositions EdgesOfAll(const ViewSet& views, const Context& context) {
   for (const EdgePositions& of_view : FindEdgesOfViews(views, context)) {
     Append(of_view.all, &edges.all);
     Append(of_view.comparable, &edges.comparable);
+    edges.num_lines += of_view.num_lines;
   }
   return edges;
 }

@@ -75,6 +75,7 @@ class BorderLines {
   EdgePositions FindAll() const {
     EdgePositions positions;
     ForEachLine([&](const Profile& profile, float border) {
+      ++positions.num_lines;
       const Contrast contrast = EdgeContrast(profile);
       const float strongest = contrast[StrongestEdge(contrast)];
       for (int i = 1; i + 1 < num_steps_; ++i) {

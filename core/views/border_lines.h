@@ -48,6 +48,7 @@ std::vector<BorderLine> FindBorderLines(const PreparedView& view);
 struct EdgePositions {
   std::vector<float> all;
   std::vector<float> comparable;  // to the strongest edge of their line
+  size_t num_lines = 0;           // with and without edges
 };
 
 // On lines of kWideEdgeRange. `view` has an image.

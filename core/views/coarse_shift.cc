@@ -1,5 +1,6 @@
 #include "core/views/coarse_shift.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -15,6 +16,11 @@ namespace {
 // height: the outline of an object with a painted rim is where the masks are.
 constexpr float kAtBorder = 1.5f;
 constexpr float kMaxBorderPeak = 0.5f;
+
+// The share of all lines that need an edge within a pixel of a shift: in
+// photographs that are burnt out in part, few lines have any, and those agree
+// by chance (docs/experiments/mask_borders.md).
+constexpr double kMinLines = 0.2;
 
 }  // namespace
 
@@ -35,6 +41,13 @@ CoarseShift FindCoarseShift(const EdgePositions& edges) {
   const std::optional<float> shift =
       FindLonePeak(edges.comparable, kWideEdgeRange);
   if (!shift) {
+    return {};
+  }
+  const auto num_near = std::count_if(
+      edges.comparable.begin(), edges.comparable.end(), [&](float offset) {
+        return std::abs(offset - *shift) < 1;
+      });
+  if (double(num_near) < kMinLines * double(edges.num_lines)) {
     return {};
   }
   const auto height = [&](float center) {

@@ -28,7 +28,8 @@ std::vector<EdgePositions> FindEdgesOfViews(const ViewSet& views,
                                             const Context& context);
 
 // Where the edges agree that are comparable to the strongest one of their line,
-// wherever that is: those at random are as frequent anywhere.
+// wherever that is: those at random are as frequent anywhere. None where few of
+// the lines have an edge there.
 CoarseShift FindCoarseShift(const EdgePositions& edges);
 
 }  // namespace octacut

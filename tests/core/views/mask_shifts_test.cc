@@ -83,7 +83,7 @@ TEST(MoveBorderInside, GrowsAndShrinksADisc) {
 }
 
 TEST(FindCoarseShift, IsDoubtedWhereFaintEdgesAreAtTheBorder) {
-  EdgePositions edges;
+  EdgePositions edges{.num_lines = 400};
   for (int i = 0; i < 400; ++i) {
     const float noise = 0.4f * std::sin(float(i));
     edges.comparable.push_back(8 + noise);
@@ -98,6 +98,17 @@ TEST(FindCoarseShift, IsDoubtedWhereFaintEdgesAreAtTheBorder) {
   ASSERT_TRUE(known.shift);
   EXPECT_FALSE(known.is_doubted);
   EXPECT_NEAR(*known.shift, 8, 0.5);
+}
+
+// As in photographs that are burnt out in part.
+TEST(FindCoarseShift, IsNoneWhereFewLinesHaveAnEdge) {
+  EdgePositions edges{.num_lines = 3000};
+  for (int i = 0; i < 400; ++i) {
+    edges.comparable.push_back(8 + 0.4f * std::sin(float(i)));
+  }
+  EXPECT_FALSE(FindCoarseShift(edges).shift);
+  edges.num_lines = 1500;
+  EXPECT_TRUE(FindCoarseShift(edges).shift);
 }
 
 }  // namespace

@@ -153,6 +153,11 @@ TEST_P(RandomSoups, ClosestPointIsExact) {
     EXPECT_EQ(closest.distance, expected);
     EXPECT_EQ((closest.point - query).norm(), expected);
     ASSERT_LT(closest.triangle, mesh_.triangles.size());
+    // From any triangle the same.
+    const auto near = uint32_t(trial * 7) % uint32_t(mesh_.triangles.size());
+    const auto again = scene_.ClosestPoint(query, near);
+    EXPECT_EQ(again.point, closest.point);
+    EXPECT_EQ(again.triangle, closest.triangle);
   }
 }
 

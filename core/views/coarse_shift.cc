@@ -1,6 +1,5 @@
 #include "core/views/coarse_shift.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -43,11 +42,8 @@ CoarseShift FindCoarseShift(const EdgePositions& edges) {
   if (!shift) {
     return {};
   }
-  const auto num_near = std::count_if(
-      edges.comparable.begin(), edges.comparable.end(), [&](float offset) {
-        return std::abs(offset - *shift) < 1;
-      });
-  if (double(num_near) < kMinLines * double(edges.num_lines)) {
+  if (double(WithinAPixel(edges.comparable, *shift).size()) <
+      kMinLines * double(edges.num_lines)) {
     return {};
   }
   const auto height = [&](float center) {

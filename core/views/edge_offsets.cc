@@ -18,7 +18,7 @@ constexpr double kLeastUnknownBlur = 1.2;
 
 // With more blur, photographs out of focus, whose blur is no Gaussian, seem to
 // have outlines farther outside (docs/experiments/mask_borders.md).
-constexpr double kLeastWideBlur = 0.75;
+constexpr double kMaxWideBlur = 0.75;
 
 // How outlines are looked for.
 struct OutlineSearch {
@@ -91,7 +91,7 @@ std::optional<OutlineSearch> SearchForOutlines(
     return near;
   }
   const OutlineSearch wide = SearchOfBlur(lines, fits, true);
-  if (std::max(near.fit->Blur(), wide.fit->Blur()) < kLeastWideBlur &&
+  if (std::max(near.fit->Blur(), wide.fit->Blur()) < kMaxWideBlur &&
       FindsMost(wide, lines)) {
     return wide;
   }

@@ -24,17 +24,6 @@ constexpr float kClearHeight = 0.75f;
 constexpr float kMinRise = 1.0f / 3;
 constexpr float kMaxRival = 0.5f;
 
-std::vector<float> WithinAPixel(const std::vector<float>& offsets,
-                                float center) {
-  std::vector<float> near;
-  for (const float offset : offsets) {
-    if (std::abs(offset - center) < 1) {
-      near.push_back(offset);
-    }
-  }
-  return near;
-}
-
 float MeanOf(const std::vector<int>& counts, int begin, int end) {
   begin = std::max(begin, 0);
   end = std::min(end, int(counts.size()));
@@ -89,6 +78,17 @@ size_t HighestPeak(const Frequencies& frequencies) {
 }
 
 }  // namespace
+
+std::vector<float> WithinAPixel(const std::vector<float>& offsets,
+                                float center) {
+  std::vector<float> near;
+  for (const float offset : offsets) {
+    if (std::abs(offset - center) < 1) {
+      near.push_back(offset);
+    }
+  }
+  return near;
+}
 
 std::optional<OffsetPeak> FindOffsetPeak(const std::vector<float>& offsets,
                                          double min_share) {

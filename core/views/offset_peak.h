@@ -13,6 +13,10 @@ struct OffsetPeak {
   double share = 0;      // of the offsets that are within a pixel
 };
 
+// Those less than a pixel from `center`.
+std::vector<float> WithinAPixel(const std::vector<float>& offsets,
+                                float center);
+
 // The median of the most frequent of the offsets, which lie within kEdgeRange.
 // None if fewer than a hundred, or than `min_share`, lie within a pixel of it.
 std::optional<OffsetPeak> FindOffsetPeak(const std::vector<float>& offsets,

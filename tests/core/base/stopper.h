@@ -1,7 +1,6 @@
 // Stops a run at the beginning of one of its phases.
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <string>
 #include <string_view>
@@ -22,18 +21,6 @@ class Stopper : public ProgressSink {
     }
     phases.emplace_back(name);
   }
-  // The indices of phases whose name none before them has. Those of one name
-  // are the same code.
-  std::vector<size_t> FirstOfEachName() const {
-    std::vector<size_t> indices;
-    for (auto phase = phases.begin(); phase != phases.end(); ++phase) {
-      if (std::find(phases.begin(), phase, *phase) == phase) {
-        indices.push_back(size_t(phase - phases.begin()));
-      }
-    }
-    return indices;
-  }
-
   void Advance(size_t) override {}
   void EndPhase() override {}
   void Info(std::string_view) override {}

@@ -38,16 +38,7 @@ VoxelValues ConfidenceOf(const LabeledVoxels& surface, float confidence) {
 constexpr double kCupDepth = 0.25;  // and its width is 1
 
 // A cup whose hull is filled.
-TestScene MakeCup() {
-  return MakeTestScene(testing::RenderOnce(kCupDepth, [](double depth) {
-    SceneSpec spec = testing::TestSpec("cup", 240, 180, 32);
-    spec.parameters.cup_depth = depth;
-    spec.rig.kind = RigKind::kRings;
-    spec.rig.min_elevation = -10;
-    spec.rig.max_elevation = 75;
-    return spec;
-  }));
-}
+TestScene MakeCup() { return testing::MakeOpenCup(kCupDepth); }
 
 TEST(FinerDepths, LeadIntoACavityThatTheSurfaceHasFilled) {
   const TestScene test = MakeCup();

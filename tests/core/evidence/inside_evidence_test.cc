@@ -66,12 +66,8 @@ struct OpenCup {
             test.views, hull, InsideEvidenceOptions(), 1, Context(2))) {}
 
   static SceneSpec Spec(double contrast) {
-    SceneSpec spec = testing::TestSpec("cup", 240, 180, 32);
-    spec.parameters.cup_depth = 0.5;
+    SceneSpec spec = testing::OpenCupSpec(0.5);
     spec.texture.contrast = contrast;
-    spec.rig.kind = RigKind::kRings;
-    spec.rig.min_elevation = -10;
-    spec.rig.max_elevation = 75;
     return spec;
   }
 

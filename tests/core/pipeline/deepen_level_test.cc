@@ -13,21 +13,11 @@
 namespace octacut {
 namespace {
 
-using testing::MakeTestScene;
 using testing::TestScene;
 
 constexpr double kCupDepth = 0.25;  // and its width is 1
 
-TestScene MakeCup() {
-  return MakeTestScene(testing::RenderOnce(kCupDepth, [](double depth) {
-    SceneSpec spec = testing::TestSpec("cup", 240, 180, 32);
-    spec.parameters.cup_depth = depth;
-    spec.rig.kind = RigKind::kRings;
-    spec.rig.min_elevation = -10;
-    spec.rig.max_elevation = 75;
-    return spec;
-  }));
-}
+TestScene MakeCup() { return testing::MakeOpenCup(kCupDepth); }
 
 // Solves a scene's first two levels without depths, so that what its hull fills
 // is filled.

@@ -177,7 +177,7 @@ TEST(Reconstruct, CanBeCancelledInEveryPhase) {
   RunSmall(small, Context(2, &counter, &stop));
   EXPECT_THAT(counter.phases, Contains("visual hull"));
   EXPECT_THAT(counter.phases, Contains("photo-consistency of level 5"));
-  for (const size_t phase : counter.FirstOfEachName()) {
+  for (size_t phase = 0; phase < counter.phases.size(); ++phase) {
     stop = false;
     Stopper stopper(int(phase), &stop);
     EXPECT_THROW(RunSmall(small, Context(2, &stopper, &stop)), CancelledError)

@@ -144,10 +144,7 @@ PreparedView MakeViewWithReflection(double shift,
           uint8_t(std::lround(255 * DiscCoverage(x, y, kDiscRadius + shift)));
     }
   }
-  PreparedView view;
-  view.silhouette = Silhouette(mask);
-  view.pyramid = ImagePyramid(image, mask);
-  return view;
+  return ViewOf(image, mask);
 }
 
 TEST(MeasureBorderEdges, PrefersTheOutlineToAStrongerEdgeOfAReflection) {
@@ -185,7 +182,8 @@ PreparedView MakeGlossyDisc() {
       double light = 0;
       for (int k = 0; k < kSteps * kSteps; ++k) {
         const double u = x + (k % kSteps + 0.5) / kSteps;
-        const double v = y + (k / kSteps + 0.5) / kSteps;
+        const int row = k / kSteps;
+        const double v = y + (row + 0.5) / kSteps;
         const double inside =
             kDiscRadius -
             std::hypot(u - kDiscImageSize / 2.0, v - kDiscImageSize / 2.0);
@@ -197,10 +195,7 @@ PreparedView MakeGlossyDisc() {
           uint8_t(std::lround(255 * DiscCoverage(x, y, kDiscRadius)));
     }
   }
-  PreparedView view;
-  view.silhouette = Silhouette(mask);
-  view.pyramid = ImagePyramid(image, mask);
-  return view;
+  return ViewOf(image, mask);
 }
 
 // The steepest edges lie 1.4 pixels inside.

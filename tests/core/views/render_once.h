@@ -7,9 +7,9 @@
 
 namespace octacut::testing {
 
-// The scene of `spec_of(key)`, rendered at the first call with this key: a
-// lambda that captures nothing has a store of its own. Pixels are the caller's,
-// who may change them.
+// The scene of `spec_of(key)`, a lambda that captures nothing, rendered at the
+// first call with this key; each lambda has a store of its own. Pixels are the
+// caller's, who may change them.
 template <typename Key>
 SyntheticScene RenderOnce(const Key& key, const auto& spec_of) {
   static std::map<Key, SyntheticScene> rendered;

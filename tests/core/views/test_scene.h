@@ -73,4 +73,18 @@ inline TestScene MakeTestScene(const std::string& object,
                  [](const auto& key) { return std::apply(TestSpec, key); }));
 }
 
+// A cup, a unit wide, in photographs from the side and from above.
+inline SceneSpec OpenCupSpec(double depth) {
+  SceneSpec spec = TestSpec("cup", 240, 180, 32);
+  spec.parameters.cup_depth = depth;
+  spec.rig.kind = RigKind::kRings;
+  spec.rig.min_elevation = -10;
+  spec.rig.max_elevation = 75;
+  return spec;
+}
+inline TestScene MakeOpenCup(double depth) {
+  return MakeTestScene(
+      RenderOnce(depth, [](double d) { return OpenCupSpec(d); }));
+}
+
 }  // namespace octacut::testing

@@ -105,18 +105,7 @@ bool IsAroundTunnel(const IndexedMesh& mesh,
   return facing > 0;
 }
 
-bool IsHidden(const IndexedMesh& mesh,
-              const HalfEdges& half_edges,
-              const HandleLoop& loop,
-              const RemoveHandlesOptions& options) {
-  return std::all_of(
-      loop.half_edges.begin(), loop.half_edges.end(), [&](uint32_t h) {
-        return options.is_hidden(mesh.positions[half_edges.Origin(h)]);
-      });
-}
-
-// Whether a loop is short enough to be cut: tunnels and hidden loops may be
-// longer.
+// Whether a loop is short enough to be cut.
 bool IsShort(const IndexedMesh& mesh,
              const HalfEdges& half_edges,
              const HandleLoop& loop,
@@ -124,8 +113,12 @@ bool IsShort(const IndexedMesh& mesh,
   const double factor =
       IsAroundTunnel(mesh, half_edges, loop) ? kTunnelLength : 1;
   return loop.length <= factor * options.max_length ||
-         (loop.length <= options.max_hidden_length &&
-          IsHidden(mesh, half_edges, loop, options));
+         (loop.length <= options.max_length_anywhere &&
+          std::all_of(
+              loop.half_edges.begin(), loop.half_edges.end(), [&](uint32_t h) {
+                return loop.length <= options.max_length_at(
+                                          mesh.positions[half_edges.Origin(h)]);
+              }));
 }
 
 struct CutMesh {
@@ -167,7 +160,7 @@ size_t RemoveSome(const RemoveHandlesOptions& options,
       *mesh,
       half_edges,
       SurfaceHomology(half_edges, context),
-      std::max(kTunnelLength * options.max_length, options.max_hidden_length),
+      std::max(kTunnelLength * options.max_length, options.max_length_anywhere),
       context);
   std::erase_if(loops, [&](const HandleLoop& loop) {
     return !IsShort(*mesh, half_edges, loop, options);

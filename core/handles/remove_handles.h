@@ -21,10 +21,10 @@ struct RemoveHandlesOptions {
   double max_length = 0;
   // New triangles are no thinner (thin_triangles.h).
   double min_height = 0;
-  // The same for loops whose vertices all are `is_hidden`, of both kinds.
-  // More than 0 only with `is_hidden`.
-  double max_hidden_length = 0;
-  std::function<bool(const Eigen::Vector3d&)> is_hidden = nullptr;
+  // Loops of both kinds may also be as long as the least of this over their
+  // vertices, and `max_length_anywhere` at most.
+  std::function<double(const Eigen::Vector3d&)> max_length_at = nullptr;
+  double max_length_anywhere = 0;
 };
 
 struct RemoveHandlesSummary {

@@ -18,26 +18,39 @@
 namespace octacut {
 namespace {
 
-// Points this deep in the visual hull show in no silhouette. In voxels, or
-// pixels where these are larger.
-constexpr float kDeepInHull = 4;
-// The longest loop around a handle that no silhouette shows, in units of
-// `min_handle` (docs/experiments/handles.md).
-constexpr double kHiddenHandle = 4;
+// What lies this deep in the silhouettes of all views shows in none of them: by
+// any masks, and by those whose borders are known to `border_shift_slack`. In
+// voxels, or pixels where these are larger.
+constexpr float kDeepInMasks = 4;
+constexpr float kInsideMasks = 1;
+// The longest loops around such handles, in units of `min_handle`
+// (docs/experiments/handles.md).
+constexpr double kDeepHandle = 4;
+constexpr double kInsideHandle = 2;
 
-// Deep in the silhouettes of all views that have the point in their frames.
-// `point` and `voxel` are in unit coordinates.
-bool IsHiddenFromSilhouettes(const ViewSet& views,
-                             const Eigen::Vector3f& point,
-                             float voxel) {
-  return std::all_of(views.begin(), views.end(), [&](const PreparedView& view) {
+// The longest loop through a point that is cut because no silhouette shows it,
+// in units of `min_handle`; 0 where one may. `point` and `voxel` are in unit
+// coordinates.
+double LongestHidden(const ViewSet& views,
+                     const Eigen::Vector3f& point,
+                     float voxel) {
+  bool is_deep = true;
+  for (const PreparedView& view : views) {
     const std::optional<ProjectedPoint> p =
         view.projection.ProjectIntoFrame(point);
-    return !p ||
-           view.DistanceInside(*p) >
-               kDeepInHull *
-                   std::max(1.0f, view.projection.Footprint(voxel, p->depth));
-  });
+    if (!p) {
+      continue;
+    }
+    const float unit =
+        std::max(1.0f, view.projection.Footprint(voxel, p->depth));
+    const float depth = view.DistanceInside(*p) / unit;
+    is_deep = is_deep && depth > kDeepInMasks;
+    if (depth <=
+        std::min(kDeepInMasks, kInsideMasks + view.border_shift_slack)) {
+      return 0;
+    }
+  }
+  return is_deep ? kDeepHandle : kInsideHandle;
 }
 
 }  // namespace
@@ -96,13 +109,13 @@ FinishedMesh FinalMesh(const ViewSet& views,
       std::move(kept.mesh),
       {.max_length = max_length,
        .min_height = placing.min_height * voxel_size,
-       .max_hidden_length = kHiddenHandle * max_length,
-       .is_hidden =
+       .max_length_at =
            [&](const Eigen::Vector3d& point) {
-             return IsHiddenFromSilhouettes(views,
-                                            cube.ToUnit(point).cast<float>(),
-                                            float(voxel_size / cube.edge));
-           }},
+             return max_length * LongestHidden(views,
+                                               cube.ToUnit(point).cast<float>(),
+                                               float(voxel_size / cube.edge));
+           },
+       .max_length_anywhere = kDeepHandle * max_length},
       context);
   summary.handles = cleaned.summary;
   std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;

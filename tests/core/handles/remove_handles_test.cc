@@ -121,28 +121,31 @@ TEST(RemoveHandles, FillsTunnelsTwiceAsWideAsTheBridgesItCuts) {
   EXPECT_EQ(num_removed(PlateWithHole(), 10), 1u);
 }
 
-TEST(RemoveHandles, LoopsMayBeLongerWhereAllOfThemIsHidden) {
+TEST(RemoveHandles, LoopsMayBeLongerWhereAllOfThemMayBe) {
   const auto num_removed = [&](const IndexedMesh& mesh,
-                               double max_hidden_length,
-                               const auto& is_hidden) {
+                               double max_length_anywhere,
+                               const auto& max_length_at) {
     return RemoveHandles(mesh,
                          {.max_length = 5 * kVoxel,
                           .min_height = kMinHeight * kVoxel,
-                          .max_hidden_length = max_hidden_length * kVoxel,
-                          .is_hidden = is_hidden},
+                          .max_length_at = max_length_at,
+                          .max_length_anywhere = max_length_anywhere * kVoxel},
                          Context(2))
         .summary.num_removed;
   };
-  const auto everywhere = [](const Eigen::Vector3d&) { return true; };
-  const auto upper_half = [](const Eigen::Vector3d& p) { return p.z() > 0.5; };
-  const auto nowhere = [](const Eigen::Vector3d&) { return false; };
+  const auto everywhere = [](double voxels) {
+    return [=](const Eigen::Vector3d&) { return voxels * kVoxel; };
+  };
+  const auto in_upper_half = [](const Eigen::Vector3d& p) {
+    return p.z() > 0.5 ? 20 * kVoxel : 0;
+  };
   for (const IndexedMesh& mesh : {WideBars(), PlateWithHole()}) {
-    EXPECT_EQ(num_removed(mesh, 20, everywhere), 1u);
-    EXPECT_EQ(num_removed(mesh, 12, everywhere), 0u);
-    EXPECT_EQ(num_removed(mesh, 20, nowhere), 0u);
+    EXPECT_EQ(num_removed(mesh, 20, everywhere(20)), 1u);
+    EXPECT_EQ(num_removed(mesh, 12, everywhere(20)), 0u);
+    EXPECT_EQ(num_removed(mesh, 20, everywhere(12)), 0u);
   }
   // Loops around the bar reach below.
-  EXPECT_EQ(num_removed(WideBars(), 20, upper_half), 0u);
+  EXPECT_EQ(num_removed(WideBars(), 20, in_upper_half), 0u);
 }
 
 TEST(RemoveHandles, LeavesThickHandles) {

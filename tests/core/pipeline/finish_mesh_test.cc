@@ -69,5 +69,14 @@ TEST(FinalMesh, RemovesHandlesThatNoSilhouetteShows) {
   EXPECT_EQ(GenusIn(views), 1);
 }
 
+TEST(FinalMesh, RemovesHandlesJustInsideBordersThatAreKnown) {
+  ViewSet views = ViewsWithPixels(1);
+  views[0].border_shift_slack = 0.1f;
+  EXPECT_EQ(GenusIn(views), 0);
+  views = ViewsWithPixels(1, 0.19);
+  views[0].border_shift_slack = 0.1f;
+  EXPECT_EQ(GenusIn(views), 1);
+}
+
 }  // namespace
 }  // namespace octacut

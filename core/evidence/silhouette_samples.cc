@@ -67,12 +67,8 @@ bool IsSure(const PreparedView& view, const SampleMap& map, int x, int y) {
   const float u = (float(x) + 0.5f) / map.scale;
   const float v = (float(y) + 0.5f) / map.scale;
   return view.silhouette.IsKnown(u, v) &&
-         view.silhouette.Test(float(x - 1) / map.scale,
-                              float(y - 1) / map.scale,
-                              float(x + 2) / map.scale,
-                              float(y + 2) / map.scale) ==
-             Containment::kObject &&
-         view.silhouette.SignedDistance(u, v) > view.SureDepth();
+         view.silhouette.SignedDistance(u, v) >
+             std::max(view.SureDepth(), 1 / map.scale);
 }
 
 SampleMap MapView(const PreparedView& view, const VoxelGrid& matter) {

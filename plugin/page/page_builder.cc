@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/benchmark/evaluate/mean_colors.h"
+#include "core/mesh/cloud.h"
 #include "core/mesh/normals.h"
 #include "core/raycast/ray_scene.h"
 #include "plugin/report.h"
@@ -54,16 +55,13 @@ std::string TextOf(const Json& value) {
   return value.dump();
 }
 
-// At most `count` of a cloud's points, spread evenly over their order.
+// At most `count` of a cloud's points.
 ClusteredMesh TakePoints(const IndexedMesh& cloud, size_t count) {
-  const size_t total = cloud.positions.size();
-  const size_t taken = std::min(count, total);
   ClusteredMesh display;
-  display.is_simplified = taken < total;
-  for (size_t i = 0; i < taken; ++i) {
-    const size_t source = i * total / taken;
-    display.mesh.positions.push_back(cloud.positions[source]);
-    display.sources.push_back(static_cast<uint32_t>(source));
+  display.is_simplified = count < cloud.positions.size();
+  for (const SurfaceSample& point : SampleCloud(cloud, count)) {
+    display.mesh.positions.push_back(point.point);
+    display.sources.push_back(point.triangle);
   }
   return display;
 }

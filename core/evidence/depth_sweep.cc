@@ -9,8 +9,17 @@
 #include "core/evidence/pick_depths.h"
 #include "core/evidence/score_volume.h"
 #include "core/evidence/sweep_view.h"
+#include "core/evidence/window_detail.h"
 
 namespace octacut {
+namespace {
+
+// From this share of `plain_deviation` on, what a window shows besides a linear
+// change is detail (docs/experiments/dents.md).
+constexpr float kDetail = 0.7f;
+
+}  // namespace
+
 void DepthSweepOptions::Check() const {
   CheckOption(num_neighbors >= 2 && num_neighbors <= 8,
               "depth_sweep.num_neighbors",
@@ -70,6 +79,11 @@ std::vector<SweptDepthMap> SweepDepths(
               ? ScorePlanes(reduced, int(i), (*neighbors)[i], spacing, options)
               : ScoreVolume();
       maps[i] = PickDepths(reduced[i], volume, float(options.min_score));
+      const cv::Mat1f detail =
+          ShareWithDetail(reduced[i].grey,
+                          options.window_radius,
+                          kDetail * float(options.plain_deviation));
+      maps[i].detail.assign(detail.begin(), detail.end());
       phase.Advance();
     }
   });
@@ -83,10 +97,10 @@ size_t EstimateSweepBytes(size_t num_views,
   const double resolution = double(1u << hull_level);
   const double side = resolution * options.samples_per_voxel;
   const double num_planes = resolution * options.planes_per_voxel;
-  // A reduced view and its depths, 20 bytes per sample, the depths of a second
+  // A reduced view and its depths, 24 bytes per sample, the depths of a second
   // sweep with their confidence, and the scores of all planes for each thread.
   return size_t(side * side *
-                (33 * double(num_views) +
+                (41 * double(num_views) +
                  num_planes * sizeof(float) * context.NumThreads()));
 }
 

@@ -38,6 +38,8 @@ struct SweptDepthMap {
   int height = 0;
   float scale = 1;
   std::vector<float> depths;  // unit coordinates; 0 where nothing was found
+  // Of SweepDepths, as ShareWithDetail has it: how much there was to match.
+  std::vector<float> detail;
 
   // Homogeneous pixel coordinates of a sample's centre.
   Eigen::Vector3f Pixel(int x, int y) const {

@@ -5,7 +5,10 @@
 // reflections, which agree by chance, lead it astray, so that plain and glazed
 // objects get pits. Measuring both surfaces in the photographs tells the two
 // apart: where the cut is right, the views agree better about it than about the
-// hull in front of it (docs/experiments/dents.md).
+// hull in front of it. The agreement about highlights, which lie behind the
+// surface for all views that see them, tells nothing: where the views show no
+// detail, and the object is not matt, the hull is the better guess
+// (docs/experiments/dents.md).
 #pragma once
 
 #include <vector>
@@ -23,11 +26,13 @@ namespace octacut {
 // `cut` at least half a voxel behind `hull`, labellings of one level. Returns
 // maps of the same size: at these samples the depth of the cut (along the
 // optical axis, unit coordinates), and a confidence of 0 .. 1 that grows with
-// how much better the views agree about the cut than about the hull; elsewhere
-// depth 0. Where no two views see the cut, their agreement about it is 0. Left
-// out are samples where no two views see the hull, and those whose own depth
-// lies far behind the cut, unless the views agree well about the hull.
-// `scene_confidence` is 1: without judged samples, a cut is sure.
+// how much better the views agree about the cut than about the hull and, if
+// the brightness of points of the hull without detail changes from view to
+// view, with the detail around; elsewhere depth 0. Where no two views see the
+// cut, their agreement about it is 0. Left out are samples where no two views
+// see the hull, and those whose own depth lies far behind the cut, unless the
+// views agree well about the hull. `scene_confidence` is 1: without judged
+// samples, a cut is sure.
 ReliableDepths JudgeDents(const ViewSet& views,
                           const LabeledVoxels& hull,
                           const LabeledVoxels& cut,

@@ -143,6 +143,7 @@ std::vector<OffsetMeasurement> SearchOffsets(
           measurements[i] =
               FindPeak(scores, search, patch.SumOfWeights(), chosen.pixel);
           measurements[i].is_measured = true;
+          measurements[i].brightness_deviation = patch.BrightnessDeviation();
         }
         phase->Advance(end - begin);
       });

@@ -116,6 +116,23 @@ float SurfacePatch::SumOfWeights() const {
   return sum;
 }
 
+float SurfacePatch::BrightnessDeviation() const {
+  float sum = 0;
+  float squares = 0;
+  for (int n = 0; n < num_views_; ++n) {
+    Float4 color = {0, 0, 0, 0};
+    for (int s = 0; s < num_samples_; ++s) {
+      color += weights_[s] * projected_[n].colors[s];
+    }
+    const float brightness = (color[0] + color[1] + color[2]) / 3;
+    sum += brightness;
+    squares += brightness * brightness;
+  }
+  const auto count = float(num_views_);
+  return std::sqrt(std::max(0.0f, squares - sum * sum / count) /
+                   std::max(1.0f, count - 1));
+}
+
 void SurfacePatch::SampleColors(const Projected& projected,
                                 float offset,
                                 std::array<Float4, kMaxSamples>* colors) const {

@@ -66,17 +66,20 @@ struct DentSetting {
     });
   }
 
-  // `depth`: what all samples of all views have found, 0 for nothing.
+  // `depth`: what all samples of all views have found, 0 for nothing; `detail`:
+  // how much there is to match around each of them.
   ReliableDepths Judge(const LabeledVoxels& hull,
                        const LabeledVoxels& cut,
                        int num_threads = 2,
-                       float depth = 0) const {
+                       float depth = 0,
+                       float detail = 1) const {
     std::vector<SweptDepthMap> maps(test.views.size());
     for (size_t i = 0; i < maps.size(); ++i) {
       maps[i].scale = 0.5f;
       maps[i].width = test.views[i].projection.width / 2;
       maps[i].height = test.views[i].projection.height / 2;
       maps[i].depths.assign(size_t(maps[i].width) * maps[i].height, depth);
+      maps[i].detail.assign(maps[i].depths.size(), detail);
     }
     return JudgeDents(
         test.views, hull, cut, maps, RefineOptions(), Context(num_threads));
@@ -119,6 +122,23 @@ TEST(JudgeDents, AcceptsWhatTheHullHasTooMuch) {
       MeanOf(setting.Judge(setting.Bulged(kDentDepth), setting.Sphere()));
   EXPECT_GT(bulge.num_samples, 300u);
   EXPECT_GT(bulge.mean_confidence, 0.8);
+}
+
+TEST(JudgeDents, NeedDetailWhereTheObjectIsNotMatt) {
+  const auto with_detail = [](MaterialKind material, float detail) {
+    const DentSetting setting(material);
+    return MeanOf(setting.Judge(
+        setting.Bulged(kDentDepth), setting.Sphere(), 2, 0, detail));
+  };
+  const Judgement matt = with_detail(MaterialKind::kPlaster, 1);
+  const Judgement glazed = with_detail(MaterialKind::kPorcelain, 1);
+  EXPECT_GT(matt.mean_confidence, 0.3);
+  EXPECT_GT(glazed.mean_confidence, 0.3);
+  EXPECT_EQ(with_detail(MaterialKind::kPlaster, 0).mean_confidence,
+            matt.mean_confidence);
+  const Judgement plain = with_detail(MaterialKind::kPorcelain, 0.4f);
+  EXPECT_EQ(plain.num_samples, glazed.num_samples);
+  EXPECT_NEAR(plain.mean_confidence, 0.4 * glazed.mean_confidence, 1e-3);
 }
 
 // Depths far behind the cut: of a pit they are doubted, since the hull is

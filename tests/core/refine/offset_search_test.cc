@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "core/refine/refine_options.h"
 #include "tests/core/refine/refine_scene.h"
 
@@ -55,6 +57,29 @@ class OffsetSearchTest : public ::testing::Test {
   static RefineScene* scene_;
 };
 RefineScene* OffsetSearchTest::scene_ = nullptr;
+
+TEST_F(OffsetSearchTest, MeasuresHowTheBrightnessChangesFromViewToView) {
+  constexpr double kDarker = 40;  // every other photograph, grey levels
+  const auto mean_deviation = [](const RefineScene& scene) {
+    double sum = 0;
+    double count = 0;
+    for (const OffsetMeasurement& measurement : MeasureIn(scene, 0)) {
+      if (measurement.is_measured) {
+        sum += measurement.brightness_deviation;
+        ++count;
+      }
+    }
+    return sum / count;
+  };
+  SyntheticScene uneven = scene_->test.synthetic;
+  for (size_t i = 0; i < uneven.views.size(); i += 2) {
+    uneven.views[i].image = uneven.views[i].image - cv::Scalar::all(kDarker);
+  }
+  EXPECT_LT(mean_deviation(*scene_), 0.1 * kDarker);
+  EXPECT_NEAR(mean_deviation({testing::MakeTestScene(std::move(uneven))}),
+              kDarker / 2,
+              0.1 * kDarker);
+}
 
 TEST_F(OffsetSearchTest, FindsTheSurfaceToAFractionOfAPixel) {
   for (const double pixels : {-1.3, 0.0, 0.6, 1.2}) {

@@ -32,8 +32,8 @@ ViewSet ViewOfBar(double half_width) {
 }
 
 SampleCounts CountWithoutMatter(const ViewSet& views) {
-  return CountSamples(
-      MapSamples(views, VoxelGrid::FromCodes(kSamplesLevel, {}), {}, Context(1)));
+  return CountSamples(MapSamples(
+      views, VoxelGrid::FromCodes(kSamplesLevel, {}), {}, Context(1)));
 }
 
 TEST(MapSamples, AreSureAVoxelFromTheBorderAndNoNearer) {

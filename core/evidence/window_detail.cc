@@ -1,6 +1,5 @@
 #include "core/evidence/window_detail.h"
 
-#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 namespace octacut {

@@ -22,17 +22,18 @@
 
 namespace octacut {
 
-// Finds the samples of `maps` within the silhouettes whose line of sight meets
-// `cut` at least half a voxel behind `hull`, labellings of one level. Returns
-// maps of the same size: at these samples the depth of the cut (along the
-// optical axis, unit coordinates), and a confidence of 0 .. 1 that grows with
-// how much better the views agree about the cut than about the hull and, if
-// the brightness of points of the hull without detail changes from view to
-// view, with the detail around; elsewhere depth 0. Where no two views see the
-// cut, their agreement about it is 0. Left out are samples where no two views
-// see the hull, and those whose own depth lies far behind the cut, unless the
-// views agree well about the hull. `scene_confidence` is 1: without judged
-// samples, a cut is sure.
+// Finds the samples of `maps`, with the `detail` that SweepDepths gives them,
+// within the silhouettes whose line of sight meets `cut` at least half a voxel
+// behind `hull`, labellings of one level. Returns maps of the same size: at
+// these samples the depth of the cut (along the optical axis, unit
+// coordinates), and a confidence of 0 .. 1 that grows with how much better the
+// views agree about the cut than about the hull; elsewhere depth 0. It is
+// multiplied by the detail if the brightness of points of the hull without
+// detail changes from view to view. Where no two views see the cut, their
+// agreement about it is 0. Left out are samples where no two views see the
+// hull, and those whose own depth lies far behind the cut, unless the views
+// agree well about the hull. `scene_confidence` is 1: without judged samples, a
+// cut is sure.
 ReliableDepths JudgeDents(const ViewSet& views,
                           const LabeledVoxels& hull,
                           const LabeledVoxels& cut,

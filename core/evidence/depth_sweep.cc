@@ -16,7 +16,7 @@ namespace {
 
 // From this share of `plain_deviation` on, what a window shows besides a linear
 // change is detail (docs/experiments/dents.md).
-constexpr float kDetail = 0.7f;
+constexpr float kDetail = 0.5f;
 
 }  // namespace
 

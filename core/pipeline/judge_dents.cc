@@ -29,7 +29,7 @@ constexpr float kMore = 0.05f;
 // A depth this many voxels behind the cut is of another surface, which may be
 // right where the cut is wrong. Only where the views agree this well about the
 // hull is the hull likely to be the object's surface: they agree less about the
-// lids of hollows. Without detail, it is a highlight like the cut.
+// lids of hollows.
 constexpr double kBehind = 1;
 constexpr float kAgreed = 0.4f;
 // Standard deviation of the brightness in which the views see a point of the
@@ -174,15 +174,15 @@ void JudgeView(const PreparedView& view,
       }
       const size_t k = size_t(y) * map->width + x;
       const auto of_hull = judges.hull.AgreementAt(*before);
-      const float trust = std::max(map->detail[k], judges.mattness);
       if (!of_hull ||
-          (*of_hull < kAgreed && trust > kHalfDetail &&
+          (*of_hull < kAgreed &&
            (double(depths[k]) - behind->distance) * unit > kBehind)) {
         continue;
       }
       map->depths[k] = float(behind->distance);
       const float of_cut = judges.cut.AgreementAt(*behind).value_or(0);
-      (*confidence)[k] = trust * Ramp(of_cut - *of_hull, kLess, kMore);
+      (*confidence)[k] = std::max(map->detail[k], judges.mattness) *
+                         Ramp(of_cut - *of_hull, kLess, kMore);
     }
   }
 }

@@ -32,8 +32,8 @@ namespace octacut {
 // detail changes from view to view. Where no two views see the cut, their
 // agreement about it is 0. Left out are samples where no two views see the
 // hull, and those whose own depth lies far behind the cut, unless the views
-// agree well about the hull or the detail that is asked for is missing.
-// `scene_confidence` is 1: without judged samples, a cut is sure.
+// agree well about the hull. `scene_confidence` is 1: without judged samples, a
+// cut is sure.
 ReliableDepths JudgeDents(const ViewSet& views,
                           const LabeledVoxels& hull,
                           const LabeledVoxels& cut,

@@ -17,7 +17,6 @@ using testing::TestScene;
 constexpr int kDentLevel = 6;
 constexpr double kDentDepth = 4;  // voxels
 constexpr double kDentRadius = 9;
-constexpr float kFarBehind = 100;
 
 // A photographed sphere, and labellings of it with a dent or a bulge.
 struct DentSetting {
@@ -126,21 +125,18 @@ TEST(JudgeDents, AcceptsWhatTheHullHasTooMuch) {
 }
 
 TEST(JudgeDents, NeedDetailWhereTheObjectIsNotMatt) {
-  const auto with_detail =
-      [](MaterialKind material, float detail, float depth = 0) {
-        const DentSetting setting(material);
-        return MeanOf(setting.Judge(
-            setting.Bulged(kDentDepth), setting.Sphere(), 2, depth, detail));
-      };
+  const auto with_detail = [](MaterialKind material, float detail) {
+    const DentSetting setting(material);
+    return MeanOf(setting.Judge(
+        setting.Bulged(kDentDepth), setting.Sphere(), 2, 0, detail));
+  };
   const Judgement matt = with_detail(MaterialKind::kPlaster, 1);
   const Judgement glazed = with_detail(MaterialKind::kPorcelain, 1);
   EXPECT_GT(matt.mean_confidence, 0.3);
   EXPECT_GT(glazed.mean_confidence, 0.3);
   EXPECT_EQ(with_detail(MaterialKind::kPlaster, 0).mean_confidence,
             matt.mean_confidence);
-  // Depths far behind the cut have no detail either.
-  const Judgement plain =
-      with_detail(MaterialKind::kPorcelain, 0.4f, kFarBehind);
+  const Judgement plain = with_detail(MaterialKind::kPorcelain, 0.4f);
   EXPECT_EQ(plain.num_samples, glazed.num_samples);
   EXPECT_NEAR(plain.mean_confidence, 0.4 * glazed.mean_confidence, 1e-3);
 }
@@ -148,6 +144,7 @@ TEST(JudgeDents, NeedDetailWhereTheObjectIsNotMatt) {
 // Depths far behind the cut: of a pit they are doubted, since the hull is
 // right; where hull and cut are both wrong, they may be right.
 TEST(JudgeDents, LeavesDepthsBehindTheCutUnlessTheHullIsRight) {
+  constexpr float kFarBehind = 100;
   const DentSetting setting(MaterialKind::kDiffuse);
   const LabeledVoxels sphere = setting.Sphere();
   const LabeledVoxels pitted = setting.Pitted();

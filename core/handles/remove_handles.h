@@ -22,7 +22,8 @@ struct RemoveHandlesOptions {
   // New triangles are no thinner (thin_triangles.h).
   double min_height = 0;
   // Loops of both kinds may also be as long as the least of this over their
-  // vertices, and `max_length_anywhere` at most.
+  // vertices, and `max_length_anywhere` at most, which is more than 0 only
+  // with it.
   std::function<double(const Eigen::Vector3d&)> max_length_at = nullptr;
   double max_length_anywhere = 0;
 };

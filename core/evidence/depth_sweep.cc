@@ -12,13 +12,6 @@
 #include "core/evidence/window_detail.h"
 
 namespace octacut {
-namespace {
-
-// From this share of `plain_deviation` on, what a window shows besides a linear
-// change is detail (docs/experiments/dents.md).
-constexpr float kDetail = 0.5f;
-
-}  // namespace
 
 void DepthSweepOptions::Check() const {
   CheckOption(num_neighbors >= 2 && num_neighbors <= 8,
@@ -79,10 +72,9 @@ std::vector<SweptDepthMap> SweepDepths(
               ? ScorePlanes(reduced, int(i), (*neighbors)[i], spacing, options)
               : ScoreVolume();
       maps[i] = PickDepths(reduced[i], volume, float(options.min_score));
-      const cv::Mat1f detail =
-          ShareWithDetail(reduced[i].grey,
-                          options.window_radius,
-                          kDetail * float(options.plain_deviation));
+      const cv::Mat1f detail = ShareWithDetail(reduced[i].grey,
+                                               options.window_radius,
+                                               float(options.plain_deviation));
       maps[i].detail.assign(detail.begin(), detail.end());
       phase.Advance();
     }

@@ -29,18 +29,13 @@ constexpr float kMore = 0.05f;
 // A depth this many voxels behind the cut is of another surface, which may be
 // right where the cut is wrong. Only where the views agree this well about the
 // hull is the hull likely to be the object's surface: they agree less about the
-// lids of hollows.
+// lids of hollows. Without detail, it is a highlight like the cut.
 constexpr double kBehind = 1;
 constexpr float kAgreed = 0.4f;
-// Standard deviation of the brightness in which the views see a point of the
-// hull, grey levels, median over what has no detail: up to the first, the
-// surface is matt, and its shading tells where it is; from the second on, it is
-// not (docs/experiments/dents.md).
-constexpr float kEvenBrightness = 1;
-constexpr float kChangingBrightness = 2;
-// Of the samples along a row or a column, one in so many is asked for that.
-constexpr int kBrightnessStep = 3;
+// Samples of the hull with less detail tell whether the object is matt.
 constexpr float kHalfDetail = 0.5f;
+// Of those along a row or a column, one in so many is asked.
+constexpr int kMattnessStep = 3;
 
 // A surface, and how well the views agree around its points.
 class JudgedSurface {
@@ -71,13 +66,12 @@ class JudgedSurface {
                                              : std::optional(mean);
   }
 
-  // As SurfaceAgreement has it; none where it is not seen.
-  std::optional<float> BrightnessDeviationAt(const RayScene::Hit& hit) const {
+  // None where it is not seen.
+  std::optional<float> MattnessAt(const RayScene::Hit& hit) const {
     const SurfaceAgreement& agreement = measured_.agreement;
     const uint32_t point = PointOf(hit);
-    return agreement.is_seen[point]
-               ? std::optional(agreement.brightness_deviations[point])
-               : std::nullopt;
+    return agreement.is_seen[point] ? std::optional(agreement.mattness[point])
+                                    : std::nullopt;
   }
 
  private:
@@ -91,53 +85,50 @@ class JudgedSurface {
   std::optional<RayScene> rays_;
 };
 
-// Appends the deviations that points of the hull have which a view shows
-// without detail.
-void AppendDeviations(const PreparedView& view,
-                      const SweptDepthMap& map,
-                      const JudgedSurface& hull,
-                      std::vector<float>* deviations) {
+// Appends the mattness of points of the hull that a view shows without detail.
+void AppendMattness(const PreparedView& view,
+                    const SweptDepthMap& map,
+                    const JudgedSurface& hull,
+                    std::vector<float>* mattness) {
   const ViewProjection& projection = view.projection;
   const Eigen::Matrix3f rays = projection.linear.inverse();
-  for (int y = 0; y < map.height; y += kBrightnessStep) {
-    for (int x = 0; x < map.width; x += kBrightnessStep) {
+  for (int y = 0; y < map.height; y += kMattnessStep) {
+    for (int x = 0; x < map.width; x += kMattnessStep) {
       const Eigen::Vector3f pixel = map.Pixel(x, y);
       if (map.detail[size_t(y) * map.width + x] >= kHalfDetail ||
           view.silhouette.SignedDistance(pixel.x(), pixel.y()) <= 0) {
         continue;
       }
       const auto hit = hull.FirstHit(projection.center, rays * pixel);
-      const auto deviation =
-          hit ? hull.BrightnessDeviationAt(*hit) : std::nullopt;
-      if (deviation) {
-        deviations->push_back(*deviation);
+      const auto value = hit ? hull.MattnessAt(*hit) : std::nullopt;
+      if (value) {
+        mattness->push_back(*value);
       }
     }
   }
 }
 
-// How far what has no detail scatters light evenly, 0 .. 1; 1 where everything
-// has detail.
-float Mattness(const ViewSet& views,
-               const std::vector<SweptDepthMap>& maps,
-               const JudgedSurface& hull,
-               const Context& context) {
+// The median over what has no detail, 0 .. 1; 1 where everything has detail.
+float MattnessOfHull(const ViewSet& views,
+                     const std::vector<SweptDepthMap>& maps,
+                     const JudgedSurface& hull,
+                     const Context& context) {
   std::vector<std::vector<float>> of_views(maps.size());
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      AppendDeviations(views[i], maps[i], hull, &of_views[i]);
+      AppendMattness(views[i], maps[i], hull, &of_views[i]);
     }
   });
-  std::vector<float> deviations;
+  std::vector<float> mattness;
   for (const std::vector<float>& of_view : of_views) {
-    deviations.insert(deviations.end(), of_view.begin(), of_view.end());
+    mattness.insert(mattness.end(), of_view.begin(), of_view.end());
   }
-  if (deviations.empty()) {
+  if (mattness.empty()) {
     return 1;
   }
-  const auto median = deviations.begin() + ptrdiff_t(deviations.size() / 2);
-  std::nth_element(deviations.begin(), median, deviations.end());
-  return Ramp(*median, kChangingBrightness, kEvenBrightness);
+  const auto median = mattness.begin() + ptrdiff_t(mattness.size() / 2);
+  std::nth_element(mattness.begin(), median, mattness.end());
+  return *median;
 }
 
 // What the samples of a view are judged by.
@@ -174,15 +165,15 @@ void JudgeView(const PreparedView& view,
       }
       const size_t k = size_t(y) * map->width + x;
       const auto of_hull = judges.hull.AgreementAt(*before);
+      const float trust = std::max(map->detail[k], judges.mattness);
       if (!of_hull ||
-          (*of_hull < kAgreed &&
+          (*of_hull < kAgreed && trust > kHalfDetail &&
            (double(depths[k]) - behind->distance) * unit > kBehind)) {
         continue;
       }
       map->depths[k] = float(behind->distance);
       const float of_cut = judges.cut.AgreementAt(*behind).value_or(0);
-      (*confidence)[k] = std::max(map->detail[k], judges.mattness) *
-                         Ramp(of_cut - *of_hull, kLess, kMore);
+      (*confidence)[k] = trust * Ramp(of_cut - *of_hull, kLess, kMore);
     }
   }
 }
@@ -202,7 +193,7 @@ ReliableDepths JudgeDents(const ViewSet& views,
   const Judges judges{outer,
                       inner,
                       1.0 / double(cut.voxels.Resolution()),
-                      Mattness(views, maps, outer, context)};
+                      MattnessOfHull(views, maps, outer, context)};
   ReliableDepths judged{maps, std::vector<std::vector<float>>(maps.size())};
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

@@ -85,7 +85,7 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
                                                             &phase)) {
     agreement.scores.push_back(measurement.score_before);
     agreement.is_seen.push_back(measurement.is_measured);
-    agreement.brightness_deviations.push_back(measurement.brightness_deviation);
+    agreement.mattness.push_back(measurement.mattness);
   }
   agreement.points = std::move(seen.points);
   return agreement;

@@ -30,8 +30,7 @@ struct SurfaceAgreement {
   SurfacePoints points;
   std::vector<uint8_t> is_seen;  // at least two views show what is around
   std::vector<float> scores;     // -1 .. 1, where they see it
-  // Over the views, of the mean brightness of each point's patch, grey levels.
-  std::vector<float> brightness_deviations;
+  std::vector<float> mattness;   // 0 .. 1, where they see it
 
   // The mean around a point where nothing is seen.
   static constexpr float kUnseen = -2;

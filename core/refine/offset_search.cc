@@ -143,7 +143,7 @@ std::vector<OffsetMeasurement> SearchOffsets(
           measurements[i] =
               FindPeak(scores, search, patch.SumOfWeights(), chosen.pixel);
           measurements[i].is_measured = true;
-          measurements[i].brightness_deviation = patch.BrightnessDeviation();
+          measurements[i].mattness = patch.Mattness();
         }
         phase->Advance(end - begin);
       });

@@ -34,8 +34,7 @@ struct OffsetMeasurement {
   float weight = 0;  // 1 / standard deviation, roughly, in pixels; 0: none
   float score = 0;   // of the peak
   float score_before = 0;  // at offset 0
-  // Over the views, of the mean brightness at offset 0, grey levels.
-  float brightness_deviation = 0;
+  float mattness = 1;      // of Mattness, at offset 0
 };
 
 // One for each of `surfaces`, which are seen by `choices`. There is no offset

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/refine/mattness.h"
 #include "core/base/check_option.h"
 
 namespace octacut {
@@ -116,21 +117,16 @@ float SurfacePatch::SumOfWeights() const {
   return sum;
 }
 
-float SurfacePatch::BrightnessDeviation() const {
-  float sum = 0;
-  float squares = 0;
+float SurfacePatch::Mattness() const {
+  std::array<float, ChosenViews::kMaxViews> brightness;
   for (int n = 0; n < num_views_; ++n) {
     Float4 color = {0, 0, 0, 0};
     for (int s = 0; s < num_samples_; ++s) {
       color += weights_[s] * projected_[n].colors[s];
     }
-    const float brightness = (color[0] + color[1] + color[2]) / 3;
-    sum += brightness;
-    squares += brightness * brightness;
+    brightness[n] = (color[0] + color[1] + color[2]) / 3;
   }
-  const auto count = float(num_views_);
-  return std::sqrt(std::max(0.0f, squares - sum * sum / count) /
-                   std::max(1.0f, count - 1));
+  return octacut::Mattness({brightness.data(), size_t(num_views_)});
 }
 
 void SurfacePatch::SampleColors(const Projected& projected,

@@ -55,9 +55,8 @@ class SurfacePatch {
   int NumViews() const { return num_views_; }
   // The sum of the views' weights.
   float SumOfWeights() const;
-  // Standard deviation over the views of the mean brightness of the patch where
-  // it was placed, grey levels.
-  float BrightnessDeviation() const;
+  // Of the mean brightness that the views show where the patch was placed.
+  float Mattness() const;
 
   // Agreement of the views about the patch moved by `offset` along the normal:
   // mean over pairs of views of the correlation of their colours, weighted by

@@ -1,0 +1,69 @@
+#include "core/refine/mattness.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+
+#include "core/base/ramp.h"
+
+namespace octacut {
+namespace {
+
+// Standard deviation of the brightness, grey levels: up to the first, the noise
+// of photographs, and the surface looks the same to all views; from the second
+// on, it does not.
+constexpr float kEven = 1;
+constexpr float kUneven = 2;
+// The median distance from the median, as a standard deviation, over the
+// standard deviation: 1 for a normal distribution, little where few views
+// differ from the others.
+constexpr float kFewViewsDiffer = 0.25f;
+constexpr float kMostViewsDiffer = 0.5f;
+constexpr float kDeviationOfMedian = 1.4826f;  // of a normal distribution
+// The standard deviation over the median brightness. Seen at up to 60 degrees
+// from a light at the camera, a matt surface is between fully and half as
+// bright: at most 0.25.
+constexpr float kShading = 0.15f;
+constexpr float kMoreThanShading = 0.3f;
+
+float Median(std::span<float> values) {
+  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+float Deviation(std::span<const float> values) {
+  const auto count = float(values.size());
+  const float mean =
+      std::accumulate(values.begin(), values.end(), 0.0f) / count;
+  float squares = 0;
+  for (const float value : values) {
+    squares += (value - mean) * (value - mean);
+  }
+  return std::sqrt(squares / (count - 1));
+}
+
+}  // namespace
+
+float Mattness(std::span<float> brightness) {
+  if (brightness.size() < 2) {
+    return 1;
+  }
+  const float deviation = Deviation(brightness);
+  if (deviation <= kEven) {
+    return 1;
+  }
+  const float median = Median(brightness);
+  for (float& value : brightness) {
+    value = std::abs(value - median);
+  }
+  const float of_most = kDeviationOfMedian * Median(brightness);
+  const float like_shading =
+      Ramp(of_most / deviation, kFewViewsDiffer, kMostViewsDiffer) *
+      Ramp(deviation / std::max(median, 1.0f), kMoreThanShading, kShading);
+  return std::max(Ramp(deviation, kUneven, kEven), like_shading);
+}
+
+}  // namespace octacut

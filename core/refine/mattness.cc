@@ -19,8 +19,8 @@ constexpr float kUneven = 2;
 // The median distance from the median, as a standard deviation, over the
 // standard deviation: 1 for a normal distribution, little where few views
 // differ from the others.
-constexpr float kFewViewsDiffer = 0.25f;
-constexpr float kMostViewsDiffer = 0.5f;
+constexpr float kFewViewsDiffer = 0.4f;
+constexpr float kMostViewsDiffer = 0.6f;
 constexpr float kDeviationOfMedian = 1.4826f;  // of a normal distribution
 // The standard deviation over the median brightness. Seen at up to 60 degrees
 // from a light at the camera, a matt surface is between fully and half as

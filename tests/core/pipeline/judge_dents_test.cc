@@ -18,15 +18,35 @@ constexpr int kDentLevel = 6;
 constexpr double kDentDepth = 4;  // voxels
 constexpr double kDentRadius = 9;
 
+struct Finish {
+  MaterialKind material = MaterialKind::kDiffuse;
+  bool is_plain = false;
+  double specular = 0;
+  bool light_moves = false;  // with the camera
+  auto operator<=>(const Finish&) const = default;
+};
+constexpr Finish kPainted;
+constexpr Finish kPlaster{.material = MaterialKind::kPlaster};
+constexpr Finish kPlastic{.is_plain = true, .specular = 0.5};
+constexpr Finish kOnTurntable{.is_plain = true, .light_moves = true};
+
 // A photographed sphere, and labellings of it with a dent or a bulge.
 struct DentSetting {
   TestScene test;
 
-  explicit DentSetting(MaterialKind material) {
+  explicit DentSetting(const Finish& of_sphere) {
     test = testing::MakeTestScene(
-        testing::RenderOnce(material, [](MaterialKind kind) {
+        testing::RenderOnce(of_sphere, [](const Finish& finish) {
           SceneSpec spec = testing::TestSpec("sphere", 240, 180, 20);
-          spec.material = kind;
+          spec.material = finish.material;
+          if (finish.is_plain) {
+            spec.texture.kind = TextureKind::kPlain;
+          }
+          spec.lighting.specular = finish.specular;
+          if (finish.light_moves) {
+            spec.lighting.fixed_to_camera = true;
+            spec.lighting.lights = {{.direction = {0.3, -0.4, -1}}};
+          }
           return spec;
         }));
   }
@@ -106,18 +126,17 @@ Judgement MeanOf(const ReliableDepths& judged) {
 }
 
 TEST(JudgeDents, RejectsPitsWhereTheHullIsRight) {
-  for (const MaterialKind material :
-       {MaterialKind::kDiffuse, MaterialKind::kPlaster}) {
-    const DentSetting setting(material);
+  for (const Finish& finish : {kPainted, kPlaster}) {
+    const DentSetting setting(finish);
     const Judgement pit =
         MeanOf(setting.Judge(setting.Sphere(), setting.Pitted()));
-    EXPECT_GT(pit.num_samples, 300u) << int(material);
-    EXPECT_LT(pit.mean_confidence, 0.3) << int(material);
+    EXPECT_GT(pit.num_samples, 300u) << int(finish.material);
+    EXPECT_LT(pit.mean_confidence, 0.3) << int(finish.material);
   }
 }
 
 TEST(JudgeDents, AcceptsWhatTheHullHasTooMuch) {
-  const DentSetting setting(MaterialKind::kDiffuse);
+  const DentSetting setting(kPainted);
   const Judgement bulge =
       MeanOf(setting.Judge(setting.Bulged(kDentDepth), setting.Sphere()));
   EXPECT_GT(bulge.num_samples, 300u);
@@ -125,27 +144,29 @@ TEST(JudgeDents, AcceptsWhatTheHullHasTooMuch) {
 }
 
 TEST(JudgeDents, NeedDetailWhereTheObjectIsNotMatt) {
-  const auto with_detail = [](MaterialKind material, float detail) {
-    const DentSetting setting(material);
+  const auto with_detail = [](const DentSetting& setting, float detail) {
     return MeanOf(setting.Judge(
         setting.Bulged(kDentDepth), setting.Sphere(), 2, 0, detail));
   };
-  const Judgement matt = with_detail(MaterialKind::kPlaster, 1);
-  const Judgement glazed = with_detail(MaterialKind::kPorcelain, 1);
-  EXPECT_GT(matt.mean_confidence, 0.3);
-  EXPECT_GT(glazed.mean_confidence, 0.3);
-  EXPECT_EQ(with_detail(MaterialKind::kPlaster, 0).mean_confidence,
-            matt.mean_confidence);
-  const Judgement plain = with_detail(MaterialKind::kPorcelain, 0.4f);
-  EXPECT_EQ(plain.num_samples, glazed.num_samples);
-  EXPECT_NEAR(plain.mean_confidence, 0.4 * glazed.mean_confidence, 1e-3);
+  for (const Finish& finish : {kPlaster, kOnTurntable}) {
+    const DentSetting setting(finish);
+    const Judgement matt = with_detail(setting, 1);
+    EXPECT_GT(matt.mean_confidence, 0.3);
+    EXPECT_EQ(with_detail(setting, 0.4f).mean_confidence, matt.mean_confidence);
+  }
+  const DentSetting plastic(kPlastic);
+  const Judgement glossy = with_detail(plastic, 1);
+  EXPECT_GT(glossy.mean_confidence, 0.3);
+  const Judgement plain = with_detail(plastic, 0.4f);
+  EXPECT_EQ(plain.num_samples, glossy.num_samples);
+  EXPECT_NEAR(plain.mean_confidence, 0.4 * glossy.mean_confidence, 1e-3);
 }
 
 // Depths far behind the cut: of a pit they are doubted, since the hull is
 // right; where hull and cut are both wrong, they may be right.
 TEST(JudgeDents, LeavesDepthsBehindTheCutUnlessTheHullIsRight) {
   constexpr float kFarBehind = 100;
-  const DentSetting setting(MaterialKind::kDiffuse);
+  const DentSetting setting(kPainted);
   const LabeledVoxels sphere = setting.Sphere();
   const LabeledVoxels pitted = setting.Pitted();
   EXPECT_EQ(MeanOf(setting.Judge(sphere, pitted, 2, kFarBehind)).num_samples,
@@ -159,21 +180,21 @@ TEST(JudgeDents, LeavesDepthsBehindTheCutUnlessTheHullIsRight) {
 }
 
 TEST(JudgeDents, FindsNoneWhereTheCutIsTheHull) {
-  const DentSetting setting(MaterialKind::kDiffuse);
+  const DentSetting setting(kPainted);
   EXPECT_EQ(
       MeanOf(setting.Judge(setting.Sphere(), setting.Sphere())).num_samples,
       0u);
 }
 
 TEST(JudgeDents, FindsNoneInAnEmptyCut) {
-  const DentSetting setting(MaterialKind::kDiffuse);
+  const DentSetting setting(kPainted);
   LabeledVoxels empty = setting.Sphere();
   std::fill(empty.labels.begin(), empty.labels.end(), FaceLabels{0});
   EXPECT_EQ(MeanOf(setting.Judge(setting.Sphere(), empty)).num_samples, 0u);
 }
 
 TEST(JudgeDents, IsTheSameForAnyNumberOfThreads) {
-  const DentSetting setting(MaterialKind::kPlaster);
+  const DentSetting setting(kPlaster);
   const LabeledVoxels pitted = setting.Pitted();
   const ReliableDepths one = setting.Judge(setting.Sphere(), pitted, 1);
   const ReliableDepths three = setting.Judge(setting.Sphere(), pitted, 3);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 #include "tests/core/extract/label_crust.h"
 #include "tests/core/views/test_scene.h"
@@ -23,7 +24,13 @@ struct Finish {
   bool is_plain = false;
   double specular = 0;
   bool light_moves = false;  // with the camera
-  auto operator<=>(const Finish&) const = default;
+  bool operator<(const Finish& other) const {
+    return std::tie(material, is_plain, specular, light_moves) <
+           std::tie(other.material,
+                    other.is_plain,
+                    other.specular,
+                    other.light_moves);
+  }
 };
 constexpr Finish kPainted;
 constexpr Finish kPlaster{.material = MaterialKind::kPlaster};

@@ -21,13 +21,6 @@ constexpr float kNoise = 0.4f;
 // The largest weight in coarser rounds.
 constexpr float kMaxCoarseWeight = 12;
 constexpr float kCoarsePrecision = 19;
-// Offsets on convex surfaces are measured too far inside, the more the less the
-// views face the surface: by so many samples for each pixel over the radius of
-// curvature, times the mean squared sine of the angles. Smaller radii than the
-// second constant, in samples, are those of edges, to which it does not apply
-// (docs/experiments/refinement_patches.md).
-constexpr float kCurvatureBias = 3;
-constexpr float kLeastRadius = 4;
 
 // Whether a maximum other than scores[best] is nearly as high.
 bool IsAmbiguous(const std::vector<float>& scores, size_t best) {
@@ -83,27 +76,6 @@ OffsetMeasurement FindPeak(const std::vector<float>& scores,
   measurement.weight = WeightOfPeak(
       1 - measurement.score, curvature / (2 * step * step), num_views, search);
   return measurement;
-}
-
-// How far inside the offset of `surface` is measured, unit coordinates;
-// `spacing` in pixels.
-float CurvatureBias(const ViewSet& views,
-                    const LocalSurface& surface,
-                    const ChosenViews& chosen,
-                    float spacing) {
-  float sum = 0;
-  float weights = 0;
-  for (int n = 0; n < chosen.count; ++n) {
-    const Eigen::Vector3f sight =
-        views[chosen.views[n]].projection.center - surface.center;
-    const float cosine = sight.normalized().dot(surface.normal);
-    sum += chosen.weights[n] * (1 - cosine * cosine);
-    weights += chosen.weights[n];
-  }
-  const float pixel = chosen.pixel;
-  const float curvature =
-      std::min(surface.ConvexCurvature(), 1 / (kLeastRadius * spacing * pixel));
-  return kCurvatureBias * spacing * pixel * pixel * curvature * sum / weights;
 }
 
 // Scores of the patch at steps -half .. half. Every other score is only the
@@ -170,10 +142,6 @@ std::vector<OffsetMeasurement> SearchOffsets(
               half, float(search.step) * chosen.pixel, &patch, &scores);
           measurements[i] =
               FindPeak(scores, search, patch.SumOfWeights(), chosen.pixel);
-          if (measurements[i].weight > 0) {
-            measurements[i].offset +=
-                CurvatureBias(views, surface, chosen, float(search.spacing));
-          }
           measurements[i].is_measured = true;
           measurements[i].mattness = patch.Mattness();
         }

@@ -95,29 +95,6 @@ TEST_F(OffsetSearchTest, FindsTheSurfaceToAFractionOfAPixel) {
   }
 }
 
-// Views from the side see a patch on a small sphere end at the outline, which
-// draws it inside.
-TEST_F(OffsetSearchTest, FindsASphereThatIsHardlyLargerThanAPatch) {
-  const RefineScene scene = {
-      testing::MakeTestScene(testing::RenderOnce(0, [](int) {
-        SceneSpec spec = testing::RefineSceneSpec();
-        spec.rig.width = 24;
-        spec.rig.height = 18;
-        spec.texture.scale = 0.5;
-        return spec;
-      }))};
-  ASSERT_NEAR(RefineScene::kRadius / scene.Pixel(), 6, 1);  // pixels
-  double weights = 0;
-  double sum = 0;
-  for (const OffsetMeasurement& measurement : MeasureIn(scene, 0)) {
-    weights += measurement.weight;
-    sum += measurement.weight * measurement.offset;
-  }
-  ASSERT_GT(weights, 0);
-  // A fifth of a pixel farther inside without what makes up for it.
-  EXPECT_NEAR(sum / weights, 0, 0.1);
-}
-
 TEST_F(OffsetSearchTest, HasNothingBeyondItsRange) {
   size_t num_found = 0, num_all = 0;
   for (const OffsetMeasurement& measurement : Measure(4)) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/refine/mattness.h"
 #include "core/base/check_option.h"
+#include "core/refine/mattness.h"
 
 namespace octacut {
 namespace {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
 #include "core/pipeline/surface_agreement.h"
@@ -123,12 +124,7 @@ float MattnessOfHull(const ViewSet& views,
   for (const std::vector<float>& of_view : of_views) {
     mattness.insert(mattness.end(), of_view.begin(), of_view.end());
   }
-  if (mattness.empty()) {
-    return 1;
-  }
-  const auto median = mattness.begin() + ptrdiff_t(mattness.size() / 2);
-  std::nth_element(mattness.begin(), median, mattness.end());
-  return *median;
+  return mattness.empty() ? 1 : Median(std::move(mattness));
 }
 
 // What the samples of a view are judged by.

@@ -28,12 +28,12 @@ namespace octacut {
 // these samples the depth of the cut (along the optical axis, unit
 // coordinates), and a confidence of 0 .. 1 that grows with how much better the
 // views agree about the cut than about the hull; elsewhere depth 0. It is
-// multiplied by the detail if the brightness of points of the hull without
-// detail changes from view to view. Where no two views see the cut, their
-// agreement about it is 0. Left out are samples where no two views see the
-// hull, and those whose own depth lies far behind the cut, unless the views
-// agree well about the hull. `scene_confidence` is 1: without judged samples, a
-// cut is sure.
+// multiplied by the detail unless points of the hull without detail look matt
+// (core/refine/mattness.h). Where no two views see the cut, their agreement
+// about it is 0. Left out are samples where no two views see the hull, and
+// those whose own depth lies far behind the cut, unless the views agree well
+// about the hull or there is no detail on what is not matt. `scene_confidence`
+// is 1: without judged samples, a cut is sure.
 ReliableDepths JudgeDents(const ViewSet& views,
                           const LabeledVoxels& hull,
                           const LabeledVoxels& cut,

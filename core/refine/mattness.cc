@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <iterator>
 #include <numeric>
+#include <utility>
 
+#include "core/base/median.h"
 #include "core/base/ramp.h"
 
 namespace octacut {
@@ -28,13 +28,7 @@ constexpr float kDeviationOfMedian = 1.4826f;  // of a normal distribution
 constexpr float kShading = 0.15f;
 constexpr float kMoreThanShading = 0.3f;
 
-float Median(std::span<float> values) {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-float Deviation(std::span<const float> values) {
+float Deviation(const std::vector<float>& values) {
   const auto count = float(values.size());
   const float mean =
       std::accumulate(values.begin(), values.end(), 0.0f) / count;
@@ -47,7 +41,7 @@ float Deviation(std::span<const float> values) {
 
 }  // namespace
 
-float Mattness(std::span<float> brightness) {
+float Mattness(std::vector<float> brightness) {
   if (brightness.size() < 2) {
     return 1;
   }
@@ -59,7 +53,7 @@ float Mattness(std::span<float> brightness) {
   for (float& value : brightness) {
     value = std::abs(value - median);
   }
-  const float of_most = kDeviationOfMedian * Median(brightness);
+  const float of_most = kDeviationOfMedian * Median(std::move(brightness));
   const float like_shading =
       Ramp(of_most / deviation, kFewViewsDiffer, kMostViewsDiffer) *
       Ramp(deviation / std::max(median, 1.0f), kMoreThanShading, kShading);

@@ -1,7 +1,7 @@
 // Does a surface scatter light evenly, or does it shine?
 #pragma once
 
-#include <span>
+#include <vector>
 
 namespace octacut {
 
@@ -10,7 +10,7 @@ namespace octacut {
 // views. From view to view, the brightness of a matt surface does not change,
 // or, where the light moves with the camera, changes in most views and by less
 // than shading can. A highlight is bright in few views and far brighter than
-// the surface (docs/experiments/dents.md). Reorders `brightness`.
-float Mattness(std::span<float> brightness);
+// the surface (docs/experiments/dents.md).
+float Mattness(std::vector<float> brightness);
 
 }  // namespace octacut

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/check_option.h"
 #include "core/refine/mattness.h"
@@ -118,15 +119,16 @@ float SurfacePatch::SumOfWeights() const {
 }
 
 float SurfacePatch::Mattness() const {
-  std::array<float, ChosenViews::kMaxViews> brightness;
+  std::vector<float> brightness;
+  brightness.reserve(size_t(num_views_));
   for (int n = 0; n < num_views_; ++n) {
     Float4 color = {0, 0, 0, 0};
     for (int s = 0; s < num_samples_; ++s) {
       color += weights_[s] * projected_[n].colors[s];
     }
-    brightness[n] = (color[0] + color[1] + color[2]) / 3;
+    brightness.push_back((color[0] + color[1] + color[2]) / 3);
   }
-  return octacut::Mattness({brightness.data(), size_t(num_views_)});
+  return octacut::Mattness(std::move(brightness));
 }
 
 void SurfacePatch::SampleColors(const Projected& projected,

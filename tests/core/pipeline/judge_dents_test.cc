@@ -18,6 +18,7 @@ using testing::TestScene;
 constexpr int kDentLevel = 6;
 constexpr double kDentDepth = 4;  // voxels
 constexpr double kDentRadius = 9;
+constexpr float kFarBehind = 100;
 
 struct Finish {
   MaterialKind material = MaterialKind::kDiffuse;
@@ -151,20 +152,22 @@ TEST(JudgeDents, AcceptsWhatTheHullHasTooMuch) {
 }
 
 TEST(JudgeDents, NeedDetailWhereTheObjectIsNotMatt) {
-  const auto with_detail = [](const DentSetting& setting, float detail) {
-    return MeanOf(setting.Judge(
-        setting.Bulged(kDentDepth), setting.Sphere(), 2, 0, detail));
-  };
+  const auto with_detail =
+      [](const DentSetting& setting, float detail, float depth = 0) {
+        return MeanOf(setting.Judge(
+            setting.Bulged(kDentDepth), setting.Sphere(), 2, depth, detail));
+      };
   for (const Finish& finish : {kPlaster, kOnTurntable}) {
     const DentSetting setting(finish);
     const Judgement matt = with_detail(setting, 1);
     EXPECT_GT(matt.mean_confidence, 0.3);
-    EXPECT_EQ(with_detail(setting, 0.4f).mean_confidence, matt.mean_confidence);
+    EXPECT_EQ(with_detail(setting, 0).mean_confidence, matt.mean_confidence);
   }
   const DentSetting plastic(kPlastic);
   const Judgement glossy = with_detail(plastic, 1);
   EXPECT_GT(glossy.mean_confidence, 0.3);
-  const Judgement plain = with_detail(plastic, 0.4f);
+  // Depths far behind the cut have no detail either.
+  const Judgement plain = with_detail(plastic, 0.4f, kFarBehind);
   EXPECT_EQ(plain.num_samples, glossy.num_samples);
   EXPECT_NEAR(plain.mean_confidence, 0.4 * glossy.mean_confidence, 1e-3);
 }
@@ -172,7 +175,6 @@ TEST(JudgeDents, NeedDetailWhereTheObjectIsNotMatt) {
 // Depths far behind the cut: of a pit they are doubted, since the hull is
 // right; where hull and cut are both wrong, they may be right.
 TEST(JudgeDents, LeavesDepthsBehindTheCutUnlessTheHullIsRight) {
-  constexpr float kFarBehind = 100;
   const DentSetting setting(kPainted);
   const LabeledVoxels sphere = setting.Sphere();
   const LabeledVoxels pitted = setting.Pitted();

@@ -66,7 +66,6 @@ bool Patch::SampleView(const PreparedView& view,
   const PyramidLevel& level = view.pyramid.LevelForFootprint(
       view.projection.Footprint(surface.spacing, h.z()));
   const int radius = surface.radius;
-  int num_background = 0;
   int sample = 0;
   for (int j = -radius; j <= radius; ++j) {
     for (int i = -radius; i <= radius; ++i) {
@@ -74,12 +73,14 @@ bool Patch::SampleView(const PreparedView& view,
       Float4 color = level.Sample(
           u + float(i) * step_u.x() + float(j) * step_v.x() + falls * fall.x(),
           v + float(i) * step_u.y() + float(j) * step_v.y() + falls * fall.y());
-      num_background += color[3] < kObjectCoverage ? 1 : 0;
+      if (color[3] < kObjectCoverage) {
+        return false;
+      }
       color[3] = 0;
       colors->samples[sample++] = color;
     }
   }
-  return float(num_background) <= kMaxBackgroundShare * float(sample);
+  return true;
 }
 
 void Patch::Normalize(float pixel_noise, float chroma_weight) {

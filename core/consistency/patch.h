@@ -34,8 +34,8 @@ class Patch {
     float reliability = 0;  // contrast / (contrast + noise), after Normalize
   };
 
-  // Views in which more than a third of the samples is background are left
-  // out.
+  // Views in which a sample is background are left out
+  // (docs/experiments/photo_consistency.md).
   void Sample(const ViewSet& views,
               const Visibility::Selection& selection,
               const PatchSurface& surface);
@@ -59,6 +59,7 @@ class Patch {
     Eigen::Vector3f fall;
   };
 
+  // Returns false where background shows.
   bool SampleView(const PreparedView& view,
                   const PatchSurface& surface,
                   const Steps& steps,

@@ -45,8 +45,7 @@ std::optional<BorderExcess> MeasureExcess(
     const std::vector<ContourTarget>& contours,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,
-    double min_radius,
-    double curvature_bias) {
+    double min_radius) {
   std::vector<ContourExcess> excesses;
   for (const auto& [edge, pixels_per_unit] : contours) {
     const OffsetMeasurement& a = measurements[edge.points[0]];
@@ -57,8 +56,7 @@ std::optional<BorderExcess> MeasureExcess(
                              pixels_per_unit;
     if (a.weight > 0 && b.weight > 0 && min_radius * curvature <= 1) {
       const float measured = a.offset + edge.fraction * (b.offset - a.offset);
-      excesses.push_back({(edge.target - measured) * pixels_per_unit -
-                              float(curvature_bias * curvature),
+      excesses.push_back({(edge.target - measured) * pixels_per_unit,
                           std::pow(std::min(a.weight, b.weight), 4)});
     }
   }

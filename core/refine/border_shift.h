@@ -24,16 +24,14 @@ struct BorderExcess {
 // By how many pixels of their views `contours` lead farther outward than the
 // offsets measured at their points, where `surfaces` are; weighted by the
 // fourth power of the offsets' weights, since badly measured ones lie too far
-// inside. So do those of thin structures: only points whose radius of curvature
-// is at least `min_radius` pixels count, and `curvature_bias` over that radius
-// (pixels^2) is taken off. None where fewer than a hundred occluding contours,
-// or than a tenth of them, could tell.
+// inside. Only points whose radius of curvature is at least `min_radius` pixels
+// count. None where fewer than a hundred occluding contours, or than a tenth of
+// them, could tell.
 std::optional<BorderExcess> MeasureExcess(
     const std::vector<ContourTarget>& contours,
     const std::vector<LocalSurface>& surfaces,
     const std::vector<OffsetMeasurement>& measurements,
-    double min_radius,
-    double curvature_bias);
+    double min_radius);
 
 // What to make of a measured shift of the masks' borders that itself is only
 // known to `noise`: nearly nothing of one below, nearly all of one far above.

@@ -22,10 +22,8 @@ constexpr double kBorderNoise = 0.3;
 // contours that agree better determine a shift that much better than to the
 // border's noise.
 constexpr double kUsualDeviation = 0.15;
-// Where there is nothing else: by how much their offsets are measured too far
-// inside, pixels of the round times pixels of radius, and what that leaves
-// open, in units of the noise (docs/experiments/refinement_silhouettes.md).
-constexpr double kThinStructureBias = 1.5;
+// Where there is nothing else: how well they tell, in units of the noise
+// (docs/experiments/refinement_silhouettes.md).
 constexpr double kThinStructureNoise = 2;
 // Pixels by which vertices may leave a mask at least: about what is known of
 // the border of a mask of whole pixels.
@@ -70,17 +68,13 @@ BorderFindings FindBorders(const std::vector<ContourTarget>& contours,
            ShrinkShift(plan.border_shift + median - plan.edge_shift, noise);
   };
   if (const std::optional<BorderExcess> excess = MeasureExcess(
-          contours, surfaces, measurements, kMinBorderRadius * plan.scale, 0)) {
+          contours, surfaces, measurements, kMinBorderRadius * plan.scale)) {
     return {.shift = shift(excess->median, NoiseOf(*excess)),
             .bites = HasBites(*excess) ? excess->bites : 0};
   }
   // Only thin structures are there to tell.
   if (const std::optional<BorderExcess> excess =
-          MeasureExcess(contours,
-                        surfaces,
-                        measurements,
-                        0,
-                        kThinStructureBias * plan.scale)) {
+          MeasureExcess(contours, surfaces, measurements, 0)) {
     return {.shift = shift(excess->median,
                            kThinStructureNoise *
                                std::max(kBorderNoise, excess->deviation))};

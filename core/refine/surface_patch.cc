@@ -16,6 +16,9 @@ constexpr float kSigma = 0.7f;
 // of three measured scenes more than it gains the third
 // (docs/experiments/refinement_gloss.md).
 constexpr float kGradientShare = 0.5f;
+// Coverage (0 .. 255), interpolated, from which on a sample shows nothing but
+// the object.
+constexpr float kFullCoverage = 254.5f;
 
 // Over the first `count` samples and all colours.
 template <size_t N>
@@ -103,7 +106,7 @@ void SurfacePatch::MoveTo(const LocalSurface& surface,
     projected.level = &view.pyramid.LevelForFootprint(
         projection.Footprint(spacing, origin.z()));
     SampleColors(projected, 0, &projected.colors);
-    if (!IsBackground(projected)) {
+    if (ShowsOnlyObject(projected)) {
       projected.weight = chosen.weights[n];
       ++num_views_;
     }
@@ -146,12 +149,20 @@ void SurfacePatch::SampleColors(const Projected& projected,
   }
 }
 
-bool SurfacePatch::IsBackground(const Projected& projected) const {
-  int num_background = 0;
+bool SurfacePatch::ShowsOnlyObject(const Projected& projected) const {
+  const PreparedView& view = views_[projected.view];
+  // A mask that is too large counts background as object.
+  const float depth = view.border_shift + 1 / projected.level->scale;
   for (int s = 0; s < num_samples_; ++s) {
-    num_background += projected.colors[s][3] < kObjectCoverage ? 1 : 0;
+    if (projected.colors[s][3] < kFullCoverage ||
+        (view.border_shift > 0 &&
+         view.silhouette.SignedDistance(projected.x[s] / projected.z[s],
+                                        projected.y[s] / projected.z[s]) <
+             depth)) {
+      return false;
+    }
   }
-  return float(num_background) > kMaxBackgroundShare * float(num_samples_);
+  return true;
 }
 
 void SurfacePatch::Normalize(std::array<Float4, kMaxSamples>* image) const {

@@ -47,8 +47,9 @@ class SurfacePatch {
   SurfacePatch(const ViewSet& views, const PatchOptions& options);
 
   // Puts the patch onto `surface`, with samples `spacing` apart (unit
-  // coordinates). Views in which more than a third of it is background are left
-  // out.
+  // coordinates). Views in which background shows in it, even in part of a
+  // pixel, are left out: at the outline of the object it would draw the offset
+  // inside (docs/experiments/refinement_patches.md).
   void MoveTo(const LocalSurface& surface,
               const ChosenViews& chosen,
               float spacing);
@@ -81,7 +82,7 @@ class SurfacePatch {
   void SampleColors(const Projected& projected,
                     float offset,
                     std::array<Float4, kMaxSamples>* colors) const;
-  bool IsBackground(const Projected& projected) const;
+  bool ShowsOnlyObject(const Projected& projected) const;
   // Takes out the mean and part of the gradient, in which light and shade are
   // strong; weights chroma, and samples by the roots of their weights.
   void Normalize(std::array<Float4, kMaxSamples>* image) const;

@@ -49,8 +49,7 @@ struct LinesOfSight {
   double ring_clearance = 0;
   // The radius of patches, unit coordinates. Views to which not all of the
   // patch is turned as ViewChoiceOptions::max_angle says, because the surface
-  // curves away, only count where others are few: they draw convex surfaces
-  // inward, by 3 pixels^2 over the radius of curvature on plain objects
+  // curves away, only count where others are few
   // (docs/experiments/refinement_patches.md).
   double patch_radius = 0;
 };

@@ -13,9 +13,6 @@ namespace octacut {
 
 // Coverage (0 .. 255), interpolated, from which on a point counts as object.
 inline constexpr float kObjectCoverage = kObjectThreshold - 0.5f;
-// The largest share of background among the samples of a patch that is
-// compared; others show too little of the object.
-inline constexpr float kMaxBackgroundShare = 1.0f / 3;
 
 enum class Containment : uint8_t {
   kBackground,  // holds no pixel of the object, nor does what is near

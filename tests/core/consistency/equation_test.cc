@@ -17,7 +17,7 @@ using testing::SphereScene;
 struct Samples {
   std::vector<double> weights;
   std::vector<std::vector<Eigen::Vector3d>> colors;
-  // A view shows about as much background as leaves it out: rounding decides.
+  // A view shows hardly any background: rounding decides if it is left out.
   bool is_doubtful = false;
 };
 
@@ -47,6 +47,7 @@ Samples SamplePatch(const SphereScene& sphere,
             float((view.camera.fx + view.camera.fy) / 2 * spacing / depth));
     std::vector<Eigen::Vector3d> colors;
     int num_background = 0;
+    int num_mixed = 0;
     for (int j = -radius; j <= radius; ++j) {
       for (int i = -radius; i <= radius; ++i) {
         const Eigen::Vector3d point =
@@ -58,11 +59,11 @@ Samples SamplePatch(const SphereScene& sphere,
         const Float4 color = level.Sample(float(pixel.x()), float(pixel.y()));
         colors.emplace_back(color[0], color[1], color[2]);
         num_background += color[3] < 127.5f;
+        num_mixed += color[3] < 255;
       }
     }
-    const int excess = 3 * num_background - int(colors.size());
-    samples.is_doubtful |= std::abs(excess) <= 6 + int(colors.size()) / 8;
-    if (excess <= 0) {
+    samples.is_doubtful |= num_mixed > 0 && num_background <= 2;
+    if (num_background == 0) {
       samples.weights.push_back(selection.views[k].weight);
       samples.colors.push_back(colors);
     }

@@ -84,17 +84,18 @@ TEST_P(Measure, IsLowestOnACurvedSurfaceWhereItsCurvatureIsKnown) {
   SphereScene sphere = MakeSphereScene();
   ConsistencyOptions options = Options();
   options.patch_radius = 4;
-  EXPECT_NEAR(HeightOfLeastPhi(sphere, sphere.Estimate(options).phi), 0, 0.1);
+  EXPECT_NEAR(HeightOfLeastPhi(sphere, sphere.Estimate(options).phi), 0, 0.03);
   // Planar patches lie above the surface by r^2 / 2R, with the mean square
-  // distance r^2 = 2 (4^2 + 3^2 + 2^2 + 1^2) 2 / 9 of their samples.
+  // distance r^2 = 2 (4^2 + 3^2 + 2^2 + 1^2) 2 / 9 of their samples, and fit
+  // best below it: by as much if views from the side saw all of them.
   double mean_curvature = 0;
   for (SurfaceShape& shape : sphere.shapes) {
     mean_curvature += shape.curvature / double(sphere.shapes.size());
     shape.curvature = 0;
   }
-  EXPECT_NEAR(HeightOfLeastPhi(sphere, sphere.Estimate(options).phi),
-              -13.33 / 2 * mean_curvature,
-              0.1);
+  const double height = HeightOfLeastPhi(sphere, sphere.Estimate(options).phi);
+  EXPECT_LT(height, -0.05);
+  EXPECT_GT(height, -13.33 / 2 * mean_curvature);
 }
 
 TEST_P(Measure, IsNeutralWhereFewerThanTwoViewsSee) {

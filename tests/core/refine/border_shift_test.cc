@@ -30,7 +30,7 @@ std::optional<BorderExcess> Excess(
     const std::vector<ContourTarget>& contours,
     const std::vector<OffsetMeasurement>& measurements) {
   const std::vector<LocalSurface> surfaces(measurements.size());
-  return MeasureExcess(contours, surfaces, measurements, 4, 1);
+  return MeasureExcess(contours, surfaces, measurements, 4);
 }
 
 TEST(MeasureExcess, IsWhatContoursLeadFartherOutward) {
@@ -113,20 +113,8 @@ TEST(MeasureExcess, LeavesOutThinStructures) {
   surfaces[1].uu = -0.5f * kScale / 5;  // a cylinder of radius 5 pixels
   const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
                                                        Measured(0, 1)};
-  EXPECT_TRUE(MeasureExcess(Contours(100, 1), surfaces, measurements, 4.9, 0));
-  EXPECT_FALSE(MeasureExcess(Contours(100, 1), surfaces, measurements, 5.1, 0));
-}
-
-TEST(MeasureExcess, TakesOffWhatCurvaturePretends) {
-  std::vector<LocalSurface> surfaces(2);
-  surfaces[0].vv = 0.5f * kScale / 4;
-  const std::vector<OffsetMeasurement> measurements = {Measured(0, 1),
-                                                       Measured(0, 1)};
-  EXPECT_NEAR(MeasureExcess(Contours(100, 1), surfaces, measurements, 0, 2)
-                  .value()
-                  .median,
-              1 - 2.0 / 4,
-              1e-6);
+  EXPECT_TRUE(MeasureExcess(Contours(100, 1), surfaces, measurements, 4.9));
+  EXPECT_FALSE(MeasureExcess(Contours(100, 1), surfaces, measurements, 5.1));
 }
 
 TEST(MeasureExcess, NeedsContoursWithOffsets) {

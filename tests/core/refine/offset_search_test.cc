@@ -12,8 +12,8 @@ namespace {
 
 using testing::RefineScene;
 
-// Offsets of a sphere that is `pixels` too large, in pixels, searched with
-// these options.
+// Offsets of the vertices of a sphere that is `pixels` too large, in pixels,
+// searched with these options.
 std::vector<OffsetMeasurement> MeasureIn(
     const RefineScene& scene,
     double pixels,
@@ -37,8 +37,10 @@ std::vector<OffsetMeasurement> MeasureIn(
   Phase phase(context, "test");
   std::vector<OffsetMeasurement> measurements = SearchOffsets(
       scene.test.views, surfaces, choices, search, context, &phase);
-  for (OffsetMeasurement& measurement : measurements) {
-    measurement.offset *= float(scene.test.region.cube.edge / scene.Pixel());
+  for (size_t i = 0; i < measurements.size(); ++i) {
+    // Offsets are those of the fitted surface.
+    measurements[i].offset = (measurements[i].offset + surfaces[i].height) *
+                             float(scene.test.region.cube.edge / scene.Pixel());
   }
   return measurements;
 }
@@ -93,6 +95,43 @@ TEST_F(OffsetSearchTest, FindsTheSurfaceToAFractionOfAPixel) {
     EXPECT_NEAR(sum / weights, -pixels, 0.1);
     EXPECT_LT(error / weights, 0.15);
   }
+}
+
+// The mean offset that views find on a sphere which hardly differs from their
+// background and is some ten pixels large, where they see it: 0 is right.
+double MeanOffsetOnFaintSphere(int mask_offset, float border_shift) {
+  RefineScene scene = {
+      testing::MakeTestScene(testing::RenderOnce(mask_offset, [](int offset) {
+        SceneSpec spec = testing::RefineSceneSpec();
+        spec.rig.width = 48;
+        spec.rig.height = 36;
+        spec.texture.contrast = 0.3;
+        spec.degrade.mask_offset = offset;
+        return spec;
+      }))};
+  for (PreparedView& view : scene.test.views) {
+    view.border_shift = border_shift;
+  }
+  double weights = 0;
+  double sum = 0;
+  for (const OffsetMeasurement& measurement : MeasureIn(scene, 0)) {
+    weights += measurement.weight;
+    sum += measurement.weight * measurement.offset;
+  }
+  EXPECT_GT(weights, 0);
+  return sum / weights;
+}
+
+// Views from the side show the outline, where the background is mixed into the
+// colours. Compared as well, they draw offsets inside, here by a quarter of a
+// pixel.
+TEST_F(OffsetSearchTest, IsNotLedByTheBackgroundAtOutlines) {
+  EXPECT_NEAR(MeanOffsetOnFaintSphere(0, 0), 0, 0.05);
+}
+
+TEST_F(OffsetSearchTest, IsNotLedByTheBackgroundWithinLargeMasks) {
+  EXPECT_LT(MeanOffsetOnFaintSphere(2, 0), -0.2);
+  EXPECT_NEAR(MeanOffsetOnFaintSphere(2, 2), 0, 0.05);
 }
 
 TEST_F(OffsetSearchTest, HasNothingBeyondItsRange) {

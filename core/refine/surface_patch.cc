@@ -151,14 +151,16 @@ void SurfacePatch::SampleColors(const Projected& projected,
 
 bool SurfacePatch::ShowsOnlyObject(const Projected& projected) const {
   const PreparedView& view = views_[projected.view];
-  // A mask that is too large counts background as object.
-  const float depth = view.border_shift + 1 / projected.level->scale;
+  const float pixel = 1 / projected.level->scale;
   for (int s = 0; s < num_samples_; ++s) {
-    if (projected.colors[s][3] < kFullCoverage ||
-        (view.border_shift > 0 &&
-         view.silhouette.SignedDistance(projected.x[s] / projected.z[s],
-                                        projected.y[s] / projected.z[s]) <
-             depth)) {
+    if (projected.colors[s][3] < kFullCoverage) {
+      return false;
+    }
+    // A mask that is too large counts background as object.
+    const float z = projected.z[s];
+    if (view.border_shift > 0 &&
+        view.DistanceInside({projected.x[s] / z, projected.y[s] / z, z}) <
+            pixel) {
       return false;
     }
   }

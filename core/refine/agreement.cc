@@ -20,13 +20,21 @@ constexpr double kSpacing = 4;
 // Steps between neighbouring points within which a loss of agreement is
 // averaged (docs/experiments/refinement_folds.md).
 constexpr int kRings = 3;
-// Losses from which on a move is taken back in part and as a whole.
-constexpr float kSmallLoss = 0.02f;
-constexpr float kLargeLoss = 0.05f;
 
-// The share by which the moves around each point are taken back.
-std::vector<float> SharesOfHarm(const SurfaceAgreement& before,
+// Changes of the agreement from which on something is done in part and as a
+// whole.
+struct Limits {
+  float small;
+  float large;
+};
+constexpr Limits kLosses = {0.02f, 0.05f};
+constexpr Limits kGains = {0, 0.02f};
+
+// For each point, how clearly the views agree less around it at `after` than at
+// `before`, 0 .. 1.
+std::vector<float> SharesOfLoss(const SurfaceAgreement& before,
                                 const SurfaceAgreement& after,
+                                const Limits& limits,
                                 const AgreementInputs& inputs,
                                 const Context& context) {
   // Patches overlap, so that the losses of so many points are one observation.
@@ -55,11 +63,32 @@ std::vector<float> SharesOfHarm(const SurfaceAgreement& before,
             const double variance =
                 std::max(squares / count - mean * mean, 0.0);
             const double error = std::sqrt(variance * overlap / count);
-            shares[i] = Ramp(float(mean - error), kSmallLoss, kLargeLoss);
+            shares[i] = Ramp(float(mean - error), limits.small, limits.large);
           }
         }
       });
   return shares;
+}
+
+// Moves vertices back to `positions` by the shares of the points; returns their
+// mean over the vertices.
+double MoveBack(const std::vector<Eigen::Vector3d>& positions,
+                const SurfacePoints& points,
+                const std::vector<float>& shares,
+                IndexedMesh* mesh) {
+  double sum = 0;
+  for (size_t v = 0; v < positions.size(); ++v) {
+    // The mean of the points around keeps the moves smooth.
+    const uint32_t own = points.point_of[v];
+    float share = shares[own];
+    for (const uint32_t next : points.neighbors.Of(own)) {
+      share += shares[next];
+    }
+    share /= float(points.neighbors.Of(own).size() + 1);
+    mesh->positions[v] += double(share) * (positions[v] - mesh->positions[v]);
+    sum += share;
+  }
+  return sum / double(std::max<size_t>(positions.size(), 1));
 }
 
 SurfaceAgreement MeasureAt(SurfacePoints points,
@@ -154,22 +183,25 @@ double TakeBackHarm(const AgreementInputs& inputs,
                     IndexedMesh* mesh) {
   const SurfaceAgreement after =
       MeasureAt(before.points, inputs, context, mesh);
-  const std::vector<float> shares =
-      SharesOfHarm(before, after, inputs, context);
-  const SurfacePoints& points = after.points;
-  double sum = 0;
-  for (size_t v = 0; v < positions.size(); ++v) {
-    // The mean of the points around keeps the moves smooth.
-    const uint32_t own = points.point_of[v];
-    float share = shares[own];
-    for (const uint32_t next : points.neighbors.Of(own)) {
-      share += shares[next];
-    }
-    share /= float(points.neighbors.Of(own).size() + 1);
-    mesh->positions[v] += double(share) * (positions[v] - mesh->positions[v]);
-    sum += share;
+  return MoveBack(positions,
+                  after.points,
+                  SharesOfLoss(before, after, kLosses, inputs, context),
+                  mesh);
+}
+
+double KeepGains(const AgreementInputs& inputs,
+                 const std::vector<Eigen::Vector3d>& positions,
+                 const SurfaceAgreement& before,
+                 const Context& context,
+                 IndexedMesh* mesh) {
+  const SurfaceAgreement after =
+      MeasureAt(before.points, inputs, context, mesh);
+  std::vector<float> shares =
+      SharesOfLoss(after, before, kGains, inputs, context);
+  for (float& share : shares) {
+    share = 1 - share;
   }
-  return sum / double(std::max<size_t>(positions.size(), 1));
+  return MoveBack(positions, after.points, shares, mesh);
 }
 
 }  // namespace octacut

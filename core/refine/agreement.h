@@ -62,4 +62,12 @@ double TakeBackHarm(const AgreementInputs& inputs,
                     const Context& context,
                     IndexedMesh* mesh);
 
+// The same where the views do not agree significantly better than they did at
+// `positions`.
+double KeepGains(const AgreementInputs& inputs,
+                 const std::vector<Eigen::Vector3d>& positions,
+                 const SurfaceAgreement& before,
+                 const Context& context,
+                 IndexedMesh* mesh);
+
 }  // namespace octacut

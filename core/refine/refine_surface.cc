@@ -13,6 +13,7 @@
 #include "core/raycast/unit_mesh.h"
 #include "core/refine/agreement.h"
 #include "core/refine/keep_valid.h"
+#include "core/refine/narrow_rounds.h"
 #include "core/refine/seen_surface.h"
 
 namespace octacut {
@@ -118,7 +119,7 @@ void RefineInRounds(const RoundInputs& inputs,
                     IndexedMesh* mesh,
                     RefineSummary* summary) {
   std::vector<RoundPlan> rounds = PlanRounds(inputs.options);
-  Phase phase(context, "refinement", rounds.size());
+  Phase phase(context, "refinement", rounds.size() + 1);
   const AgreementInputs agreeing{
       *views, inputs.neighbors, inputs.pixel, inputs.options};
   SurfaceAgreement agreement = MeasureAgreement(agreeing, context, mesh);
@@ -140,12 +141,18 @@ void RefineInRounds(const RoundInputs& inputs,
     if (plan.CanHarm() && !summary->rounds.empty()) {
       agreement = MeasureAgreement(agreeing, context, mesh);
     }
-    const RoundSummary round =
-        RefineOnce(inputs, plan, agreement, context, views, mesh);
-    summary->num_withdrawn += round.num_withdrawn;
-    summary->border_shift = round.border_shift;
-    summary->rounds.push_back(round);
+    summary->rounds.push_back(
+        RefineOnce(inputs, plan, agreement, context, views, mesh));
+    summary->border_shift = summary->rounds.back().border_shift;
     phase.Advance();
+  }
+  RoundPlan narrow = rounds.back();
+  narrow.aligns = false;
+  narrow.border_shift = summary->border_shift;
+  RefineNarrowParts(inputs, narrow, context, views, mesh, &summary->rounds);
+  phase.Advance();
+  for (const RoundSummary& round : summary->rounds) {
+    summary->num_withdrawn += round.num_withdrawn;
   }
   summary->agreement_after = MeasureAgreement(agreeing, context, mesh).Mean();
 }

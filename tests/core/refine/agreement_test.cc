@@ -21,11 +21,12 @@ IndexedMesh UnevenSphere(const RefineScene& scene, double left, double right) {
       }));
 }
 
-// The shares of the moves from `before` to `after` that are taken back on the
-// two halves, far from the step.
+// The shares of the moves from `before` to `after` that `rule` (TakeBackHarm or
+// KeepGains) takes back on the two halves, far from the step.
 std::array<double, 2> TakeBack(const RefineScene& scene,
                                IndexedMesh before,
-                               const IndexedMesh& after) {
+                               const IndexedMesh& after,
+                               const decltype(TakeBackHarm)& rule) {
   const Context context(2);
   const VertexCorners neighbors = RefineScene::Neighbors(before);
   const RefineOptions options;
@@ -34,7 +35,7 @@ std::array<double, 2> TakeBack(const RefineScene& scene,
   const AgreementInputs inputs{scene.test.views, neighbors, pixel, options};
   const SurfaceAgreement agreement = MeasureAgreement(inputs, context, &before);
   IndexedMesh mesh = after;
-  TakeBackHarm(inputs, before.positions, agreement, context, &mesh);
+  rule(inputs, before.positions, agreement, context, &mesh);
   std::array<double, 2> way = {0, 0};
   std::array<double, 2> taken = {0, 0};
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -50,18 +51,38 @@ std::array<double, 2> TakeBack(const RefineScene& scene,
 
 TEST(TakeBackHarm, TakesBackWhatLeavesTheSurfaceAndNothingElse) {
   const RefineScene scene = testing::MakeRefineScene();
-  const auto [left, right] =
-      TakeBack(scene, UnevenSphere(scene, -2, 0), UnevenSphere(scene, 0, 2));
+  const auto [left, right] = TakeBack(scene,
+                                      UnevenSphere(scene, -2, 0),
+                                      UnevenSphere(scene, 0, 2),
+                                      TakeBackHarm);
   EXPECT_LT(left, 0.02);
   EXPECT_GT(right, 0.9);
 }
 
 TEST(TakeBackHarm, KeepsMovesWherePhotographsAreNoise) {
   const RefineScene scene = testing::MakeRefineScene(-60, 200);
-  const auto [left, right] =
-      TakeBack(scene, UnevenSphere(scene, 0, 0), UnevenSphere(scene, 2, 2));
+  const auto [left, right] = TakeBack(scene,
+                                      UnevenSphere(scene, 0, 0),
+                                      UnevenSphere(scene, 2, 2),
+                                      TakeBackHarm);
   EXPECT_LT(left, 0.15);
   EXPECT_LT(right, 0.15);
+}
+
+TEST(KeepGains, KeepsWhatReachesTheSurfaceAndNothingElse) {
+  const RefineScene scene = testing::MakeRefineScene();
+  const auto [left, right] = TakeBack(
+      scene, UnevenSphere(scene, -2, 0), UnevenSphere(scene, 0, 2), KeepGains);
+  EXPECT_LT(left, 0.1);
+  EXPECT_GT(right, 0.98);
+}
+
+TEST(KeepGains, TakesBackWherePhotographsAreNoise) {
+  const RefineScene scene = testing::MakeRefineScene(-60, 200);
+  const auto [left, right] = TakeBack(
+      scene, UnevenSphere(scene, 0, 0), UnevenSphere(scene, 2, 2), KeepGains);
+  EXPECT_GT(left, 0.85);
+  EXPECT_GT(right, 0.85);
 }
 
 }  // namespace

@@ -68,7 +68,8 @@ TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
   EXPECT_GT(summary.agreement_after, summary.agreement_before);
   EXPECT_GT(summary.mean_displacement, 0.3);
   EXPECT_GE(summary.max_displacement, summary.mean_displacement);
-  ASSERT_EQ(summary.rounds.size(), 4u);
+  // Smaller pieces gain nothing on a sphere, so that one pass is all.
+  ASSERT_EQ(summary.rounds.size(), 5u);
   EXPECT_EQ(summary.rounds[0].scale, 2);
   EXPECT_EQ(summary.rounds[1].scale, 2);
   EXPECT_EQ(summary.rounds[2].scale, 1);
@@ -81,12 +82,13 @@ TEST(RefineSurface, AlignsPosesThatAreOff) {
   const RefinedSurface refined = Refine(scene);
   EXPECT_LT(RefineScene::MeanError(refined.mesh),
             0.6 * RefineScene::MeanError(Refine(scene, Context(2), 0).mesh));
-  // Only when the first round has taken the steps of the voxels.
+  // Only when the first round has taken the steps of the voxels, and not where
+  // smaller pieces follow noise.
   std::vector<size_t> num_aligned;
   for (const RoundSummary& round : refined.summary.rounds) {
     num_aligned.push_back(round.num_aligned);
   }
-  EXPECT_THAT(num_aligned, ElementsAre(0, 28, 28, 28));
+  EXPECT_THAT(num_aligned, ElementsAre(0, 28, 28, 28, 0));
 }
 
 TEST(RefineSurface, LeavesPosesAloneWherePhotographsAgreeByChance) {

@@ -1,0 +1,79 @@
+#include "core/refine/narrow_rounds.h"
+
+#include <algorithm>
+
+#include "core/refine/agreement.h"
+#include "core/refine/keep_valid.h"
+
+namespace octacut {
+namespace {
+
+// In place of those of RefineOptions: pieces of 6 pixels radius hold a patch of
+// 7 x 7 samples; smaller ones, and more smoothness, gain less.
+constexpr double kNarrowFitRadius = 6;
+constexpr double kNarrowSmoothness = 4;
+// The first pass tells whether there is much to gain. Later ones search
+// farther: the bottoms of folds lie far behind what closes them.
+constexpr int kMaxPasses = 4;
+constexpr int kLaterRounds = 2;
+constexpr double kLaterRange = 2;  // times that of the first pass
+// Passes end where less of the surface gains.
+constexpr double kMuch = 0.1;
+
+struct Pass {
+  RoundPlan plan;  // of each of its rounds
+  int num_rounds;
+};
+
+// Runs the rounds, and takes back what gains nothing. Returns the share of the
+// surface that gains.
+double RunPass(const RoundInputs& inputs,
+               const Pass& pass,
+               const Context& context,
+               ViewSet* views,
+               IndexedMesh* mesh,
+               std::vector<RoundSummary>* rounds) {
+  const AgreementInputs agreeing{
+      *views, inputs.neighbors, inputs.pixel, inputs.options};
+  const std::vector<Eigen::Vector3d> before = mesh->positions;
+  const SurfaceAgreement agreement = MeasureAgreement(agreeing, context, mesh);
+  for (int i = 0; i < pass.num_rounds; ++i) {
+    rounds->push_back(
+        RefineOnce(inputs, pass.plan, agreement, context, views, mesh));
+  }
+  RoundSummary& last = rounds->back();
+  last.taken_back = KeepGains(agreeing, before, agreement, context, mesh);
+  const double tolerance =
+      last.hull_tolerance + std::max(0.0, -last.border_shift);
+  last.num_withdrawn +=
+      KeepValid(*views,
+                inputs.neighbors,
+                {inputs.start, before, tolerance, inputs.pixel},
+                context,
+                mesh);
+  return 1 - last.taken_back;
+}
+
+}  // namespace
+
+void RefineNarrowParts(const RoundInputs& inputs,
+                       RoundPlan plan,
+                       const Context& context,
+                       ViewSet* views,
+                       IndexedMesh* mesh,
+                       std::vector<RoundSummary>* rounds) {
+  RefineOptions options = inputs.options;
+  options.fit_radius = kNarrowFitRadius;
+  options.smoothness = kNarrowSmoothness;
+  const RoundInputs narrow{
+      inputs.start, inputs.neighbors, inputs.pixel, options};
+  plan.range = options.range;
+  double gaining = RunPass(narrow, {plan, 1}, context, views, mesh, rounds);
+  plan.range *= kLaterRange;
+  for (int pass = 1; pass < kMaxPasses && gaining >= kMuch; ++pass) {
+    gaining =
+        RunPass(narrow, {plan, kLaterRounds}, context, views, mesh, rounds);
+  }
+}
+
+}  // namespace octacut

@@ -1,0 +1,68 @@
+#include "core/refine/narrow_rounds.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/refine/refine_scene.h"
+
+namespace octacut {
+namespace {
+
+using testing::RefineScene;
+
+// Runs the rounds on the scene's sphere with `height` (world units), which they
+// start from. Returns the summaries of the rounds.
+template <typename Height>
+std::vector<RoundSummary> RunOn(RefineScene* scene,
+                                const Height& height,
+                                IndexedMesh* mesh) {
+  *mesh = scene->ToUnitMesh(RefineScene::Mesh(40, height));
+  const std::vector<Eigen::Vector3d> start = mesh->positions;
+  const VertexCorners neighbors = RefineScene::Neighbors(*mesh);
+  const RefineOptions options;
+  const double pixel = scene->Pixel() / scene->test.region.cube.edge;
+  std::vector<RoundSummary> rounds;
+  RefineNarrowParts({start, neighbors, pixel, options},
+                    {.range = options.range},
+                    Context(2),
+                    &scene->test.views,
+                    mesh,
+                    &rounds);
+  return rounds;
+}
+
+// Of a mesh in unit coordinates, pixels.
+double MeanErrorInPixels(const RefineScene& scene, IndexedMesh mesh) {
+  const BoundingCube& cube = scene.test.region.cube;
+  for (Eigen::Vector3d& position : mesh.positions) {
+    position = cube.min_corner + cube.edge * position;
+  }
+  return RefineScene::MeanError(mesh) / scene.Pixel();
+}
+
+TEST(RefineNarrowParts, GoesOnWhileMuchOfTheSurfaceGains) {
+  RefineScene scene = testing::MakeRefineScene();
+  const auto wrong = testing::Bumps(4 * scene.Pixel());
+  const double before =
+      MeanErrorInPixels(scene, scene.ToUnitMesh(RefineScene::Mesh(40, wrong)));
+  IndexedMesh mesh;
+  const std::vector<RoundSummary> rounds = RunOn(&scene, wrong, &mesh);
+  EXPECT_GT(before, 0.5);
+  EXPECT_LT(MeanErrorInPixels(scene, mesh), 0.3 * before);
+  ASSERT_GE(rounds.size(), 3u);
+  EXPECT_LT(rounds[0].taken_back, 0.5);
+  EXPECT_EQ(rounds[0].range, 3);
+  EXPECT_EQ(rounds[1].range, 6);
+}
+
+TEST(RefineNarrowParts, StopsWhereNothingIsGained) {
+  RefineScene scene = testing::MakeRefineScene(-60, 200);
+  const auto right = [](const auto&) { return 0.0; };
+  IndexedMesh mesh;
+  const std::vector<RoundSummary> rounds = RunOn(&scene, right, &mesh);
+  EXPECT_EQ(rounds.size(), 1u);
+  EXPECT_GT(rounds[0].taken_back, 0.9);
+  EXPECT_LT(MeanErrorInPixels(scene, mesh), 0.1);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -29,7 +29,8 @@ struct RefineOptions {
   // for F 0.949 instead of 0.948 ("Patches of 7 x 7").
   double measure_spacing = 2;
   // The radius of the pieces of the surface that are assumed smooth; 5 and 6
-  // are worse ("Patches lie on fitted quadrics", "Patches of 7 x 7").
+  // are worse ("Patches lie on fitted quadrics", "Patches of 7 x 7"). The last
+  // rounds (narrow_rounds.h) have smaller ones.
   double fit_radius = 9;
   // The least score of an accepted offset; 0.3 is worse ("What made refinement
   // good").

@@ -28,7 +28,8 @@ struct RoundSummary {
   double hull_tolerance = 0;
   double mean_displacement = 0;  // of the vertices that may move, pixels
   size_t num_aligned = 0;        // views, in the last step
-  // The share of the moves that was taken back because the views agreed less.
+  // The share of the moves that was taken back because the views agreed less,
+  // or on smaller pieces (narrow_rounds.h) no better.
   double taken_back = 0;
   // Vertices that were moved back: into the hull, or for the sake of
   // triangles that were too thin or intersected others.

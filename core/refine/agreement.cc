@@ -21,8 +21,8 @@ constexpr double kSpacing = 4;
 // averaged (docs/experiments/refinement_folds.md).
 constexpr int kRings = 3;
 
-// Changes of the agreement from which on something is done in part and as a
-// whole.
+// Losses of agreement from which on a move is taken back in part and as a
+// whole, and gains from which on it is kept in part and as a whole.
 struct Limits {
   float small;
   float large;

@@ -62,8 +62,8 @@ double TakeBackHarm(const AgreementInputs& inputs,
                     const Context& context,
                     IndexedMesh* mesh);
 
-// The same where the views do not agree significantly better than they did at
-// `positions`.
+// Moves vertices back in the same way, and returns the same, but wherever the
+// views do not agree significantly better than at `positions`.
 double KeepGains(const AgreementInputs& inputs,
                  const std::vector<Eigen::Vector3d>& positions,
                  const SurfaceAgreement& before,

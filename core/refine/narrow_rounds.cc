@@ -1,7 +1,5 @@
 #include "core/refine/narrow_rounds.h"
 
-#include <algorithm>
-
 #include "core/refine/agreement.h"
 #include "core/refine/keep_valid.h"
 
@@ -43,12 +41,10 @@ double RunPass(const RoundInputs& inputs,
   }
   RoundSummary& last = rounds->back();
   last.taken_back = KeepGains(agreeing, before, agreement, context, mesh);
-  const double tolerance =
-      last.hull_tolerance + std::max(0.0, -last.border_shift);
   last.num_withdrawn +=
       KeepValid(*views,
                 inputs.neighbors,
-                {inputs.start, before, tolerance, inputs.pixel},
+                {inputs.start, before, last.MaskTolerance(), inputs.pixel},
                 context,
                 mesh);
   return 1 - last.taken_back;

@@ -226,14 +226,13 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   }
   // In each round: what is moved back would stay a pit, and the next round
   // makes it smooth.
-  const double tolerance =
-      borders.hull_tolerance + std::max(0.0, -borders.shift);
   summary.num_withdrawn = Timed(&summary.validity_seconds, [&] {
-    return KeepValid(*views,
-                     inputs.neighbors,
-                     {inputs.start, before, tolerance, inputs.pixel},
-                     context,
-                     mesh);
+    return KeepValid(
+        *views,
+        inputs.neighbors,
+        {inputs.start, before, summary.MaskTolerance(), inputs.pixel},
+        context,
+        mesh);
   });
   return summary;
 }

@@ -1,6 +1,7 @@
 // One round of refinement: fit, measure, solve, move.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -42,6 +43,11 @@ struct RoundSummary {
   double solve_seconds = 0;
   double validity_seconds = 0;
 
+  // Pixels by which vertices may leave a mask as it is given, which may be too
+  // small.
+  double MaskTolerance() const {
+    return hull_tolerance + std::max(0.0, -border_shift);
+  }
   // Where most points have no offset, those of the others may be chance, and
   // neither poses nor the masks' borders are judged by them.
   bool KnowsMost() const { return 2 * num_measured > num_seen; }

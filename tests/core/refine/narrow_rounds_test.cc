@@ -32,9 +32,8 @@ std::vector<RoundSummary> RunOn(RefineScene* scene,
 
 // Of a mesh in unit coordinates, pixels.
 double MeanErrorInPixels(const RefineScene& scene, IndexedMesh mesh) {
-  const BoundingCube& cube = scene.test.region.cube;
   for (Eigen::Vector3d& position : mesh.positions) {
-    position = cube.min_corner + cube.edge * position;
+    position = testing::ToWorld(scene.test.region.cube, position);
   }
   return RefineScene::MeanError(mesh) / scene.Pixel();
 }

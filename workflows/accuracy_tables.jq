@@ -216,6 +216,8 @@ def hard_section:
   "",
   (if any(.[]; is_default) then "![Hard scenes](accuracy_hard.jpg)", ""
    else empty end),
+  "Options of `octacut example_creator` for octacut's own scenes, besides `--width 640 --height 480 --num_views 36`:",
+  "",
   ($hard_scenes | bullets);
 
 map(select(.part == "hard")) as $hard
@@ -245,7 +247,7 @@ map(select(.part == "hard")) as $hard
   ($failed | select(length > 0) | "",
    (.[] | "- **\([.] | names) failed**: \(.message)")),
   ($left_out | select(length > 0) | "",
-   "Left out: \(length) of \($all | length) runs"
+   "\($all | length - ($left_out | length)) of \($all | length) runs are shown; the others were not asked for"
      + (map(.scene) | unique | map(select(. as $name
           | all($default[], ($hard[] | select(.evaluation)); .scene != $name)))
         | if . == [] then "" else "; scenes: \(join(", "))" end) + "."),
@@ -279,7 +281,7 @@ map(select(.part == "hard")) as $hard
    then "![octacut's own scenes](accuracy_own.jpg)", "" else empty end),
   (if any($default[]; .scene | test("^(igea|rocker|temple|dino|bunny)"))
    then "![Data sets](accuracy_data.jpg)", "" else empty end),
-  "octacut's own scenes, options of `octacut example_creator`:",
+  "Options of `octacut example_creator` for octacut's own scenes, besides `--width 640 --height 480 --num_views 36`:",
   "",
   ($own_scenes | bullets) end),
   ($hard | map(select(.evaluation)) | select(length > 0) | "", hard_section),

@@ -42,7 +42,7 @@ VoxelGrid FoundSurface(const ViewProjection& projection,
                        std::span<const float> offsets,
                        int level) {
   const float resolution = float(1 << level);
-  const Eigen::Matrix3f rays = projection.linear.inverse();
+  const Eigen::Matrix3f rays = projection.RaysOfPixels();
   std::vector<MortonCode> codes;
   ForEachDepth(map, projection, [&](int x, int y, float depth, const auto&) {
     for (const float v : offsets) {

@@ -1,7 +1,6 @@
 #include "core/evidence/covering_voxels.h"
 
 #include <algorithm>
-#include <Eigen/LU>
 #include <unordered_set>
 #include <utility>
 
@@ -73,7 +72,7 @@ class SampleRays {
       : map_(map),
         crust_(crust),
         center_(view.projection.center),
-        unproject_(view.projection.linear.inverse()) {}
+        unproject_(view.projection.RaysOfPixels()) {}
 
   // Calls body(index, voxel) for the voxels on the ray through the middle of a
   // sample, from the camera on; some more than once.

@@ -64,7 +64,7 @@ template <typename Visit>
 void ForEachDepth(const SweptDepthMap& map,
                   const ViewProjection& projection,
                   Visit&& visit) {
-  const Eigen::Matrix3f rays = projection.linear.inverse();
+  const Eigen::Matrix3f rays = projection.RaysOfPixels();
   for (int y = 0; y < map.height; ++y) {
     for (int x = 0; x < map.width; ++x) {
       const float depth = map.depths[size_t(y) * map.width + x];

@@ -63,7 +63,7 @@ class PlaneWarp {
   PlaneWarp(const SweepView& reference, const SweepView& neighbor, float depth)
       : neighbor_(neighbor), step_(1 / reference.scale) {
     homography_ = depth * (neighbor.projection->linear *
-                           reference.projection->linear.inverse());
+                           reference.projection->RaysOfPixels());
     epipole_ = neighbor.projection->Homogeneous(reference.projection->center);
   }
 

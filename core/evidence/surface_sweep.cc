@@ -97,7 +97,7 @@ void SurfaceSweep::AddDepths(int view,
 bool SurfaceSweep::IsWanted(const SweepView& view,
                             const Square& square,
                             bool of_sample) const {
-  const Eigen::Matrix3f rays = view.projection->linear.inverse();
+  const Eigen::Matrix3f rays = view.projection->RaysOfPixels();
   int balance = 0;
   int sample_balance = 0;
   for (int y = square.y0; y < square.y1; y += kStep) {

@@ -1,7 +1,6 @@
 #include "core/hull/false_gaps.h"
 
 #include <algorithm>
-#include <Eigen/LU>
 #include <set>
 #include <utility>
 
@@ -45,7 +44,7 @@ bool IsLeftByOthers(const ViewSet& views,
 int CountLeft(const ViewSet& views, size_t view, const Eigen::Vector2f& pixel) {
   const ViewProjection& projection = views[view].projection;
   const Eigen::Vector3f direction =
-      (projection.linear.inverse() * pixel.homogeneous()).normalized();
+      (projection.RaysOfPixels() * pixel.homogeneous()).normalized();
   int num_left = 0;
   for (const Eigen::Vector3f& point :
        PointsOnLine(projection.center, direction, kPointsPerEdge)) {

@@ -44,21 +44,15 @@ std::vector<FaceLabels> CutByFinerDepths(const LevelInputs& inputs,
 }
 
 // The second cut: photo-consistency, and the free space of finer depths.
-SolvedLevel CutByPhotographs(const LevelInputs& inputs,
-                             Crust crust,
+SolvedLevel CutByPhotographs(Crust crust,
                              const std::vector<FaceLabels>& first,
                              const std::vector<float>& finer,
                              const SilhouetteTerms& silhouettes,
                              LevelSteps* steps) {
   const VoxelTerms terms = steps->EstimateTerms(
       steps->EstimateVisibility(crust.voxels, first), crust, silhouettes);
-  Decision decision = DecideByPhotographs(
-      crust, terms.phi, inputs.evidence.decision_confidence, inputs.context);
-  CutTerms energy{DecidedWeights(decision, terms.phi, inputs.options),
-                  terms.evidence};
-  FavorHullBorder(decision, terms.hull_depth, &energy.weights);
-  HoldUndecidedSurface(
-      crust, decision, terms.hull_depth, inputs.context, &energy.evidence);
+  Decision decision;
+  CutTerms energy = steps->EnergyOf(crust, terms, &decision);
   for (size_t i = 0; i < energy.evidence.size(); ++i) {
     energy.evidence[i] += kFreeSpaceShare * std::min(finer[i], 0.0f);
   }
@@ -101,7 +95,7 @@ SolvedLevel DeepenLevel(const LevelInputs& inputs,
   steps.OnCrust(
       [&] { AdoptCut(first, kMinMedialDepth, inputs.context, &crust); });
   return CutByPhotographs(
-      inputs, std::move(crust), first, finer.values, silhouettes, &steps);
+      std::move(crust), first, finer.values, silhouettes, &steps);
 }
 
 }  // namespace octacut

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <Eigen/Core>
 #include <optional>
@@ -156,7 +155,6 @@ size_t MoveToHullBorder(const SilhouetteHull& hull,
         }
       });
   const BorderChance chance(vertices);
-  std::atomic<size_t> num_moved = 0;
   ParallelFor(
       context, before.size(), kBorderGrain, [&](size_t begin, size_t end) {
         for (size_t v = begin; v < end; ++v) {
@@ -176,7 +174,6 @@ size_t MoveToHullBorder(const SilhouetteHull& hull,
             mesh->positions[v] = RoundedToFloats(
                 before[v] +
                 cube.edge * (move * mesh->normals[v]).cast<double>());
-            ++num_moved;
           }
         }
       });
@@ -185,6 +182,10 @@ size_t MoveToHullBorder(const SilhouetteHull& hull,
                  context,
                  mesh);
   mesh->normals = ComputeVertexNormals(*mesh, context);
+  size_t num_moved = 0;
+  for (size_t v = 0; v < before.size(); ++v) {
+    num_moved += mesh->positions[v] != before[v];
+  }
   return num_moved;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <Eigen/LU>
 #include <optional>
 #include <utility>
 
@@ -63,16 +62,17 @@ class JudgedSurface {
   // None where it is not seen.
   std::optional<float> AgreementAt(const RayScene::Hit& hit) const {
     const float mean = means_[PointOf(hit)];
-    return mean == SurfaceAgreement::kUnseen ? std::nullopt
-                                             : std::optional(mean);
+    return mean == SurfaceAgreement::kUnmeasured ? std::nullopt
+                                                 : std::optional(mean);
   }
 
   // None where it is not seen.
   std::optional<float> MattnessAt(const RayScene::Hit& hit) const {
     const SurfaceAgreement& agreement = measured_.agreement;
     const uint32_t point = PointOf(hit);
-    return agreement.is_seen[point] ? std::optional(agreement.mattness[point])
-                                    : std::nullopt;
+    return agreement.is_measured[point]
+               ? std::optional(agreement.mattness[point])
+               : std::nullopt;
   }
 
  private:
@@ -92,7 +92,7 @@ void AppendMattness(const PreparedView& view,
                     const JudgedSurface& hull,
                     std::vector<float>* mattness) {
   const ViewProjection& projection = view.projection;
-  const Eigen::Matrix3f rays = projection.linear.inverse();
+  const Eigen::Matrix3f rays = projection.RaysOfPixels();
   for (int y = 0; y < map.height; y += kMattnessStep) {
     for (int x = 0; x < map.width; x += kMattnessStep) {
       const Eigen::Vector3f pixel = map.Pixel(x, y);
@@ -141,7 +141,7 @@ void JudgeView(const PreparedView& view,
                SweptDepthMap* map,
                std::vector<float>* confidence) {
   const ViewProjection& projection = view.projection;
-  const Eigen::Matrix3f rays = projection.linear.inverse();
+  const Eigen::Matrix3f rays = projection.RaysOfPixels();
   const std::vector<float> depths =
       std::exchange(map->depths, std::vector<float>(map->depths.size(), 0.0f));
   confidence->assign(depths.size(), 1);

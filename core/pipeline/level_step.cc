@@ -9,8 +9,9 @@
 namespace octacut {
 namespace {
 
-// Share of the silhouettes' samples up to which no round asks them back: that
-// much is not a part of the object, and CoverSilhouettes has it at once.
+// Rounds end when at most this share of the silhouettes' samples is uncovered:
+// that much is not a part of the object, and CoverSilhouettes restores it in
+// one cut.
 constexpr double kToleratedMiss = 1e-3;
 // Medial voxels of l0 at least this deep are tied: plain objects lose less of
 // their thick parts. What is thinner may be a bridge that the first cut has
@@ -83,11 +84,10 @@ SolvedLevel SolveFinerLevel(const LevelInputs& inputs,
                             const LabelHierarchy& hierarchy,
                             LevelSummary* summary) {
   const ReconstructionOptions& options = inputs.options;
-  const Context& context = inputs.context;
   const LabeledVoxels& coarse = hierarchy.Finest();
   LevelSteps steps(inputs, coarse.voxels.Level() + 1, summary);
   Crust crust = steps.OnCrust(
-      [&] { return RefineCrust(hierarchy, options.crust, context); });
+      [&] { return RefineCrust(hierarchy, options.crust, inputs.context); });
   const Visibility visibility =
       steps.EstimateVisibility(coarse.voxels, coarse.labels);
   VoxelTerms terms;
@@ -95,13 +95,8 @@ SolvedLevel SolveFinerLevel(const LevelInputs& inputs,
   OctahedralCutState* kept = options.max_grow_rounds > 0 ? &state : nullptr;
   for (int round = 0;; ++round) {
     steps.ExtendTerms(visibility, crust, &terms);
-    Decision decision = DecideByPhotographs(
-        crust, terms.phi, inputs.evidence.decision_confidence, context);
-    CutTerms energy{DecidedWeights(decision, terms.phi, options),
-                    terms.evidence};
-    FavorHullBorder(decision, terms.hull_depth, &energy.weights);
-    HoldUndecidedSurface(
-        crust, decision, terms.hull_depth, context, &energy.evidence);
+    Decision decision;
+    CutTerms energy = steps.EnergyOf(crust, terms, &decision);
     OctahedralCut cut = steps.Cut(crust, energy, kept);
     if (!steps.GrowCrust(hierarchy, cut, round, &crust)) {
       steps.CoverSilhouettes(

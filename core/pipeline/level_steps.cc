@@ -41,6 +41,7 @@ SilhouetteTerms LevelSteps::EstimateSilhouettes(const VoxelGrid& voxels) {
 VoxelTerms LevelSteps::EstimateTerms(const Visibility& visibility,
                                      const Crust& crust,
                                      const SilhouetteTerms& silhouettes) {
+  summary_.consistency = {};  // a level that is deepened has those of before
   const AddedVoxels all = OnCrust([&] { return FindAddedVoxels(crust, {}); });
   return AddTerms(visibility, crust, all, silhouettes, {});
 }
@@ -89,6 +90,20 @@ VoxelTerms LevelSteps::AddTerms(const Visibility& visibility,
                       silhouettes,
                       UnseenEvidence(crust.voxels.Level(), options));
   });
+}
+
+CutTerms LevelSteps::EnergyOf(const Crust& crust,
+                              const VoxelTerms& terms,
+                              Decision* decision) const {
+  const Context& context = inputs_.context;
+  *decision = DecideByPhotographs(
+      crust, terms.phi, inputs_.evidence.decision_confidence, context);
+  CutTerms energy{DecidedWeights(*decision, terms.phi, inputs_.options),
+                  terms.evidence};
+  FavorHullBorder(*decision, terms.hull_depth, &energy.weights);
+  HoldUndecidedSurface(
+      crust, *decision, terms.hull_depth, context, &energy.evidence);
+  return energy;
 }
 
 OctahedralCut LevelSteps::Cut(const Crust& crust,

@@ -69,6 +69,12 @@ class LevelSteps {
                    const Crust& crust,
                    VoxelTerms* terms);
 
+  // The energy of a level after l0 by its terms, and how far photographs decide
+  // there.
+  CutTerms EnergyOf(const Crust& crust,
+                    const VoxelTerms& terms,
+                    Decision* decision) const;
+
   // `state`, if any, as SolveOctahedralCut has it.
   OctahedralCut Cut(const Crust& crust,
                     const CutTerms& terms,

@@ -114,8 +114,8 @@ class BoundingViews {
       const ViewProjection& projection = views_[i].projection;
       const std::optional<ProjectedPoint> p =
           projection.ProjectIntoFrame(center);
-      if (!p) {
-        continue;  // some of its voxels may be in the frame
+      if (!p || !views_[i].silhouette.KnowsAll(p->u, p->v, p->u, p->v)) {
+        continue;  // the view may know some of its voxels
       }
       const float footprint = projection.Footprint(voxel_, p->depth);
       const float depth = views_[i].DistanceInside(*p) / footprint;
@@ -126,8 +126,8 @@ class BoundingViews {
       least_[i] = depth - reach;
       const float margin = reach * footprint;
       if (mask_confidence_[i] > kReliableMask &&
-          projection.InFrame(p->u - margin, p->v - margin) &&
-          projection.InFrame(p->u + margin, p->v + margin)) {
+          views_[i].silhouette.KnowsAll(
+              p->u - margin, p->v - margin, p->u + margin, p->v + margin)) {
         bound = std::min(bound, depth + reach);
       }
     }

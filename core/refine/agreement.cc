@@ -30,34 +30,34 @@ struct Limits {
 constexpr Limits kLosses = {0.02f, 0.05f};
 constexpr Limits kGains = {0, 0.02f};
 
-// For each point, how clearly the views agree less around it at `after` than at
-// `before`, 0 .. 1.
-std::vector<float> SharesOfLoss(const SurfaceAgreement& before,
-                                const SurfaceAgreement& after,
+// For each point, how clearly the views agree more around it in `more` than in
+// `less`, 0 .. 1.
+std::vector<float> SharesOfRise(const SurfaceAgreement& less,
+                                const SurfaceAgreement& more,
                                 const Limits& limits,
                                 const AgreementInputs& inputs,
                                 const Context& context) {
-  // Patches overlap, so that the losses of so many points are one observation.
+  // Patches overlap, so that the rises of so many points are one observation.
   const double width = 2 * inputs.options.patch.radius + 1;
   const double overlap = width * width / (kSpacing * kSpacing);
-  std::vector<float> shares(before.scores.size(), 0);
+  std::vector<float> shares(less.scores.size(), 0);
   ParallelFor(
       context, shares.size(), kAgreementGrain, [&](size_t begin, size_t end) {
-        PointRings rings(before.points.neighbors, shares.size());
+        PointRings rings(less.points.neighbors, shares.size());
         for (size_t i = begin; i < end; ++i) {
           double sum = 0;
           double squares = 0;
           double count = 0;
           rings.ForEach(uint32_t(i), 0, kRings, [&](uint32_t other) {
-            if (before.is_seen[other] && after.is_seen[other]) {
-              const double loss = before.scores[other] - after.scores[other];
-              sum += loss;
-              squares += loss * loss;
+            if (less.is_measured[other] && more.is_measured[other]) {
+              const double rise = more.scores[other] - less.scores[other];
+              sum += rise;
+              squares += rise * rise;
               ++count;
             }
           });
           if (count > 0) {
-            // What scatters about no loss is chance: what the mean surely
+            // What scatters about no change is chance: what the mean surely
             // exceeds counts.
             const double mean = sum / count;
             const double variance =
@@ -113,7 +113,7 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
                                                             context,
                                                             &phase)) {
     agreement.scores.push_back(measurement.score_before);
-    agreement.is_seen.push_back(measurement.is_measured);
+    agreement.is_measured.push_back(measurement.is_measured);
     agreement.mattness.push_back(measurement.mattness);
   }
   agreement.points = std::move(seen.points);
@@ -126,21 +126,21 @@ double SurfaceAgreement::Mean() const {
   double sum = 0;
   double count = 0;
   for (size_t i = 0; i < scores.size(); ++i) {
-    sum += is_seen[i] ? scores[i] : 0;
-    count += is_seen[i];
+    sum += is_measured[i] ? scores[i] : 0;
+    count += is_measured[i];
   }
   return sum / std::max(count, 1.0);
 }
 
 std::vector<float> SurfaceAgreement::MeansAround() const {
   PointRings rings(points.neighbors, scores.size());
-  std::vector<float> means(scores.size(), kUnseen);
+  std::vector<float> means(scores.size(), kUnmeasured);
   for (size_t i = 0; i < scores.size(); ++i) {
     double sum = 0;
     double count = 0;
     rings.ForEach(uint32_t(i), 0, kRings, [&](uint32_t other) {
-      sum += is_seen[other] ? scores[other] : 0;
-      count += is_seen[other];
+      sum += is_measured[other] ? scores[other] : 0;
+      count += is_measured[other];
     });
     if (count > 0) {
       means[i] = float(sum / count);
@@ -153,7 +153,7 @@ double SurfaceAgreement::UpperDecile() const {
   const std::vector<float> all = MeansAround();
   std::vector<float> means;
   for (size_t i = 0; i < all.size(); ++i) {
-    if (is_seen[i]) {
+    if (is_measured[i]) {
       means.push_back(all[i]);
     }
   }
@@ -185,7 +185,7 @@ double TakeBackHarm(const AgreementInputs& inputs,
       MeasureAt(before.points, inputs, context, mesh);
   return MoveBack(positions,
                   after.points,
-                  SharesOfLoss(before, after, kLosses, inputs, context),
+                  SharesOfRise(after, before, kLosses, inputs, context),
                   mesh);
 }
 
@@ -197,7 +197,7 @@ double KeepGains(const AgreementInputs& inputs,
   const SurfaceAgreement after =
       MeasureAt(before.points, inputs, context, mesh);
   std::vector<float> shares =
-      SharesOfLoss(after, before, kGains, inputs, context);
+      SharesOfRise(before, after, kGains, inputs, context);
   for (float& share : shares) {
     share = 1 - share;
   }

@@ -28,20 +28,21 @@ struct AgreementInputs {
 // At that scale; one element per point.
 struct SurfaceAgreement {
   SurfacePoints points;
-  std::vector<uint8_t> is_seen;  // at least two views show what is around
-  std::vector<float> scores;     // -1 .. 1, where they see it
-  std::vector<float> mattness;   // 0 .. 1, where they see it
+  // At least two views show the whole patch around the point.
+  std::vector<uint8_t> is_measured;
+  std::vector<float> scores;    // -1 .. 1, where it is measured
+  std::vector<float> mattness;  // 0 .. 1, where it is measured
 
-  // The mean around a point where nothing is seen.
-  static constexpr float kUnseen = -2;
+  // The mean around a point where nothing is measured.
+  static constexpr float kUnmeasured = -2;
 
-  // 0 where nothing is seen.
+  // 0 where nothing is measured.
   double Mean() const;
-  // For each point, the mean score of the seen points at most three steps away,
-  // itself included; kUnseen if there are none.
+  // For each point, the mean score of the measured points at most three steps
+  // away, itself included; kUnmeasured if there are none.
   std::vector<float> MeansAround() const;
-  // The value that a tenth of the means around seen points exceed.
-  // 0 where nothing is seen.
+  // The value that a tenth of the means around measured points exceed.
+  // 0 where nothing is measured.
   double UpperDecile() const;
 };
 

@@ -1,5 +1,6 @@
 #include "core/refine/narrow_rounds.h"
 
+#include "core/base/stopwatch.h"
 #include "core/refine/agreement.h"
 #include "core/refine/keep_valid.h"
 
@@ -15,8 +16,8 @@ constexpr double kNarrowSmoothness = 4;
 constexpr int kMaxPasses = 4;
 constexpr int kLaterRounds = 2;
 constexpr double kLaterRange = 2;  // times that of the first pass
-// Passes end where less of the surface gains.
-constexpr double kMuch = 0.1;
+// No pass follows one after which less than this share of the moves was kept.
+constexpr double kMinGainingShare = 0.1;
 
 struct Pass {
   RoundPlan plan;  // of each of its rounds
@@ -24,7 +25,7 @@ struct Pass {
 };
 
 // Runs the rounds, and takes back what gains nothing. Returns the share of the
-// surface that gains.
+// moves that is kept.
 double RunPass(const RoundInputs& inputs,
                const Pass& pass,
                const Context& context,
@@ -34,19 +35,25 @@ double RunPass(const RoundInputs& inputs,
   const AgreementInputs agreeing{
       *views, inputs.neighbors, inputs.pixel, inputs.options};
   const std::vector<Eigen::Vector3d> before = mesh->positions;
-  const SurfaceAgreement agreement = MeasureAgreement(agreeing, context, mesh);
+  double seconds = 0;
+  const SurfaceAgreement agreement = Timed(
+      &seconds, [&] { return MeasureAgreement(agreeing, context, mesh); });
   for (int i = 0; i < pass.num_rounds; ++i) {
     rounds->push_back(
-        RefineOnce(inputs, pass.plan, agreement, context, views, mesh));
+        RefineOnce(inputs, pass.plan, nullptr, context, views, mesh));
   }
   RoundSummary& last = rounds->back();
-  last.taken_back = KeepGains(agreeing, before, agreement, context, mesh);
-  last.num_withdrawn +=
-      KeepValid(*views,
-                inputs.neighbors,
-                {inputs.start, before, last.MaskTolerance(), inputs.pixel},
-                context,
-                mesh);
+  last.agreement_seconds = seconds;
+  last.taken_back = Timed(&last.agreement_seconds, [&] {
+    return KeepGains(agreeing, before, agreement, context, mesh);
+  });
+  last.num_withdrawn += Timed(&last.validity_seconds, [&] {
+    return KeepValid(*views,
+                     inputs.neighbors,
+                     {inputs.start, before, last.MaskTolerance(), inputs.pixel},
+                     context,
+                     mesh);
+  });
   return 1 - last.taken_back;
 }
 
@@ -66,7 +73,7 @@ void RefineNarrowParts(const RoundInputs& inputs,
   plan.range = options.range;
   double gaining = RunPass(narrow, {plan, 1}, context, views, mesh, rounds);
   plan.range *= kLaterRange;
-  for (int pass = 1; pass < kMaxPasses && gaining >= kMuch; ++pass) {
+  for (int pass = 1; pass < kMaxPasses && gaining >= kMinGainingShare; ++pass) {
     gaining =
         RunPass(narrow, {plan, kLaterRounds}, context, views, mesh, rounds);
   }

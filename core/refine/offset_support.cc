@@ -21,7 +21,7 @@ constexpr int kLastRing = 5;
 constexpr float kChance = 0.3f;
 constexpr float kSupported = 0.6f;
 
-// One per point; 1 for points without neighbours that far.
+// One per point; 1 for points without an offset or without neighbours that far.
 std::vector<float> EstimateSupport(
     const VertexCorners& neighbors,
     const std::vector<uint8_t>& is_seen,
@@ -36,6 +36,9 @@ std::vector<float> EstimateSupport(
       [&](size_t begin, size_t end) {
         PointRings rings(neighbors, measurements.size());
         for (size_t i = begin; i < end; ++i) {
+          if (!(measurements[i].weight > 0)) {
+            continue;
+          }
           int num_seen = 0;
           int num_alike = 0;
           rings.ForEach(

@@ -19,7 +19,8 @@ class PointRings {
       : neighbors_(neighbors), reached_from_(num_points, kNowhere) {}
 
   // Calls `visit` with each point that is `first` to `last` steps away from
-  // `point`, which itself is 0 steps away.
+  // `point`, which itself is 0 steps away. `point` is another one in every
+  // call.
   template <typename Visit>
   void ForEach(uint32_t point, int first, int last, const Visit& visit) {
     front_.assign(1, point);

@@ -52,10 +52,10 @@ void RefineOptions::Check() const {
               "refinement.outlier_scale",
               outlier_scale,
               "must be positive");
-  CheckOption(silhouette_weight >= 0,
+  CheckOption(silhouette_weight > 0,
               "refinement.silhouette_weight",
               silhouette_weight,
-              "must be at least 0");
+              "must be positive");
 }
 
 }  // namespace octacut

@@ -36,17 +36,17 @@ struct RefineOptions {
   // good").
   double min_score = 0.2;
   // Steps of photometric alignment in each round that aligns: the last one of
-  // every coarse pass but the first, and all rounds at the views' own scale.
-  // 0: the poses are exact.
+  // every coarse pass but the first, and the fine rounds. 0: the poses are
+  // exact.
   int alignment_steps = 4;
   // Weight of the bending energy relative to an offset that is known to a
-  // pixel. 20 and 45 are worse ("Patches of 7 x 7").
+  // pixel. 20 and 45 are worse ("Patches of 7 x 7"). The last rounds have less.
   double smoothness = 30;
   // Offsets that are wrong by more than this many standard deviations weigh
   // like outliers.
   double outlier_scale = 2;
-  // Weight of the masks' borders, like that of an offset; 0: none. Twice as
-  // much makes no difference ("What made refinement good").
+  // Weight of the masks' borders, like that of an offset. Twice as much makes
+  // no difference ("What made refinement good").
   double silhouette_weight = 1;
   void Check() const;
 };

@@ -93,15 +93,10 @@ SeenSurface LookAt(const ViewSet& views,
                        mesh);
 }
 
-// None where silhouettes have no weight.
 std::vector<ContourTarget> FindContours(const ViewSet& views,
                                         const SeenSurface& seen,
                                         const RoundPlan& plan,
-                                        const RefineOptions& options,
                                         const Context& context) {
-  if (options.silhouette_weight == 0) {
-    return {};
-  }
   return FindContourTargets(
       views,
       seen.rays,
@@ -173,7 +168,7 @@ double MovePoints(SeenSurface seen,
 
 RoundSummary RefineOnce(const RoundInputs& inputs,
                         const RoundPlan& plan,
-                        const SurfaceAgreement& agreement,
+                        const SurfaceAgreement* agreement,
                         const Context& context,
                         ViewSet* views,
                         IndexedMesh* mesh) {
@@ -196,9 +191,8 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
       [&] { return MeasureOffsets(*views, seen, plan, inputs, context); });
   summary.num_measured = NumMeasured(measurements);
   const std::vector<ContourTarget> contours =
-      Timed(&summary.silhouette_seconds, [&] {
-        return FindContours(*views, seen, plan, inputs.options, context);
-      });
+      Timed(&summary.silhouette_seconds,
+            [&] { return FindContours(*views, seen, plan, context); });
   summary.num_contour_targets = contours.size();
   const BorderVerdict borders = JudgeBorders(
       contours, seen.surfaces, measurements, plan, summary.KnowsMost());
@@ -219,7 +213,7 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
       return TakeBackHarm(
           {*views, inputs.neighbors, inputs.pixel, inputs.options},
           before,
-          agreement,
+          *agreement,
           context,
           mesh);
     });

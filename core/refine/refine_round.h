@@ -35,7 +35,7 @@ struct RoundSummary {
   // Vertices that were moved back: into the hull, or for the sake of
   // triangles that were too thin or intersected others.
   size_t num_withdrawn = 0;
-  double agreement_seconds = 0;  // after it
+  double agreement_seconds = 0;  // of the views, before and after
   double look_seconds = 0;
   double alignment_seconds = 0;
   double search_seconds = 0;
@@ -60,7 +60,7 @@ struct RoundPlan {
   // distances from it.
   bool smooths = true;
   bool aligns = false;  // the views, first
-  // The shift of the masks' borders as found by the round before, pixels of the
+  // The shift of the masks' borders as found by an earlier round, pixels of the
   // views.
   double border_shift = 0;
   // The shift of the borders by the edges of the photographs, pixels, and how
@@ -84,10 +84,10 @@ struct RoundInputs {
 // Aligns `views` if it is to, moves the vertices of `mesh` (unit
 // coordinates) as far as it stays valid, and leaves normals that belong to no
 // positions in particular. `agreement` is that of the views about the mesh as
-// it is, if the plan can harm.
+// it is; null is allowed unless the plan can harm.
 RoundSummary RefineOnce(const RoundInputs& inputs,
                         const RoundPlan& plan,
-                        const SurfaceAgreement& agreement,
+                        const SurfaceAgreement* agreement,
                         const Context& context,
                         ViewSet* views,
                         IndexedMesh* mesh);

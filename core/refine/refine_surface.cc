@@ -122,7 +122,10 @@ void RefineInRounds(const RoundInputs& inputs,
   Phase phase(context, "refinement", rounds.size() + 1);
   const AgreementInputs agreeing{
       *views, inputs.neighbors, inputs.pixel, inputs.options};
-  SurfaceAgreement agreement = MeasureAgreement(agreeing, context, mesh);
+  double agreement_seconds = 0;
+  SurfaceAgreement agreement = Timed(&agreement_seconds, [&] {
+    return MeasureAgreement(agreeing, context, mesh);
+  });
   summary->agreement_before = agreement.Mean();
   const double edge_shift = views->front().border_shift;
   const double edge_shift_slack = views->front().border_shift_slack;
@@ -139,11 +142,15 @@ void RefineInRounds(const RoundInputs& inputs,
     plan.edge_shift_slack = edge_shift_slack;
     plan.border_shift = summary->border_shift;
     if (plan.CanHarm() && !summary->rounds.empty()) {
-      agreement = MeasureAgreement(agreeing, context, mesh);
+      agreement = Timed(&agreement_seconds, [&] {
+        return MeasureAgreement(agreeing, context, mesh);
+      });
     }
-    summary->rounds.push_back(
-        RefineOnce(inputs, plan, agreement, context, views, mesh));
-    summary->border_shift = summary->rounds.back().border_shift;
+    RoundSummary round =
+        RefineOnce(inputs, plan, &agreement, context, views, mesh);
+    round.agreement_seconds += std::exchange(agreement_seconds, 0);
+    summary->border_shift = round.border_shift;
+    summary->rounds.push_back(round);
     phase.Advance();
   }
   RoundPlan narrow = rounds.back();
@@ -191,9 +198,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   SummarizeMoves(start, unit, pixel, &summary);
   summary.num_withdrawn +=
       MoveMesh(start, unit.positions, cube, summary.pixel_size, context, &mesh);
-  if (options.silhouette_weight > 0) {
-    ReportBorders(summary, context);
-  }
+  ReportBorders(summary, context);
   mesh.normals = ComputeVertexNormals(mesh, context);
   result.mesh = std::move(mesh);
   summary.seconds = whole.Lap();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <Eigen/LU>
 #include <opencv2/core.hpp>
 #include <optional>
 #include <utility>
@@ -75,7 +74,7 @@ DeniedPixels FindDeniedPixels(const ViewSet& views,
   const int count = cv::countNonZero(pixels);
   const size_t stride =
       std::max<size_t>(1, size_t(std::lround(count / kMaxPixels)));
-  const Eigen::Matrix3f unproject = views[view].projection.linear.inverse();
+  const Eigen::Matrix3f unproject = views[view].projection.RaysOfPixels();
   const RayOfPixel ray(views, margins, view);
   size_t seen = 0;
   for (int y = 0; y < pixels.rows; ++y) {

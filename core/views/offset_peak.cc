@@ -124,7 +124,7 @@ std::optional<float> FindLonePeak(const std::vector<float>& offsets,
   const Frequencies frequencies = CountOffsets(offsets, range);
   const auto& [means, heights] = frequencies;
   const size_t best = HighestPeak(frequencies);
-  if (!(heights[best] >= kMinRise * means[best])) {
+  if (!(heights[best] > 0 && heights[best] >= kMinRise * means[best])) {
     return std::nullopt;
   }
   for (size_t i = 0; i < heights.size(); ++i) {

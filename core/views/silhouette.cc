@@ -1,6 +1,7 @@
 #include "core/views/silhouette.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
@@ -44,6 +45,44 @@ std::vector<int16_t> SignedDistances(const cv::Mat& mask,
   return distances;
 }
 
+// The frame without the lines at its sides that hold unknown pixels: always
+// the line with the largest share of them goes first. On a side that has lost
+// lines, one pixel more goes, from which bilinear values reach beyond.
+cv::Rect2f KnownRectangle(const cv::Size& frame, const cv::Mat& unknown) {
+  cv::Rect known(cv::Point(), frame);
+  if (!unknown.empty()) {
+    while (!known.empty()) {
+      const auto [x, y, width, height] = known;
+      const std::array<cv::Rect, 4> sides = {
+          cv::Rect(x, y, 1, height),
+          cv::Rect(x + width - 1, y, 1, height),
+          cv::Rect(x, y, width, 1),
+          cv::Rect(x, y + height - 1, width, 1)};
+      std::array<double, 4> shares;
+      std::transform(
+          sides.begin(), sides.end(), shares.begin(), [&](const auto& side) {
+            return cv::countNonZero(unknown(side)) / double(side.area());
+          });
+      const auto worst = std::max_element(shares.begin(), shares.end());
+      if (*worst == 0) {
+        if (cv::countNonZero(unknown(known)) == 0) {
+          break;
+        }
+        return {};  // unknown pixels amid known ones
+      }
+      const auto side = worst - shares.begin();
+      known.x += side == 0;
+      known.y += side == 2;
+      known.width -= side < 2;
+      known.height -= side >= 2;
+    }
+  }
+  const cv::Point begin(known.x + (known.x > 0), known.y + (known.y > 0));
+  const cv::Point end(known.br().x - (known.br().x < frame.width),
+                      known.br().y - (known.br().y < frame.height));
+  return cv::Rect2f(cv::Rect(begin, end));
+}
+
 }  // namespace
 
 Silhouette::Silhouette(const cv::Mat& mask, const cv::Mat& unknown)
@@ -51,6 +90,7 @@ Silhouette::Silhouette(const cv::Mat& mask, const cv::Mat& unknown)
       height_(mask.rows),
       sums_(size_t(width_ + 1) * (height_ + 1), 0),
       mask_(mask),
+      known_(KnownRectangle(mask.size(), unknown)),
       distances_(SignedDistances(mask, unknown)) {
   const size_t stride = size_t(width_) + 1;
   for (int y = 0; y < height_; ++y) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <opencv2/core/mat.hpp>
+#include <opencv2/core/types.hpp>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -31,6 +32,13 @@ class Silhouette {
   bool IsKnown(float u, float v) const {
     return u >= 0 && v >= 0 && u < float(width_) && v < float(height_) &&
            distances_[size_t(v) * width_ + size_t(u)] != kUnknown;
+  }
+
+  // Whether SignedDistance depends on known pixels alone at all coordinates in
+  // [u0, u1] x [v0, v1]; false where in doubt.
+  bool KnowsAll(float u0, float v0, float u1, float v1) const {
+    return u0 >= known_.x && v0 >= known_.y && u1 <= known_.x + known_.width &&
+           v1 <= known_.y + known_.height;
   }
 
   // Pixels with coordinates in [u0, u1] x [v0, v1]. Background only when the
@@ -69,6 +77,7 @@ class Silhouette {
   int height_ = 0;
   std::vector<uint32_t> sums_;  // summed-area table, (width + 1) x (height + 1)
   cv::Mat mask_;
+  cv::Rect2f known_;  // see KnowsAll
   // Signed distances of pixel centres, in units of 1 / kDistanceScale pixels,
   // or kUnknown, which is beyond them.
   static constexpr int16_t kUnknown = std::numeric_limits<int16_t>::max();

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <optional>
 
 #include "core/scene/scene.h"
@@ -34,6 +35,9 @@ struct ViewProjection {
   Eigen::Vector3f Homogeneous(const Eigen::Vector3f& x) const {
     return linear * x + offset;
   }
+  // Times (u, v, 1): from the camera to the point that the view shows there at
+  // depth 1.
+  Eigen::Matrix3f RaysOfPixels() const { return linear.inverse(); }
   // None for a point that is not before the camera.
   std::optional<ProjectedPoint> Project(const Eigen::Vector3f& x) const {
     const Eigen::Vector3f h = Homogeneous(x);

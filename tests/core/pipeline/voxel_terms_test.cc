@@ -79,6 +79,34 @@ TEST(SilhouetteTerms, SpeakFromTheBorderOfTheSmallestSilhouette) {
   EXPECT_LT(num_outside, voxels.Size());
 }
 
+TEST(SilhouetteTerms, AreThoseOfViewsThatKnow) {
+  TestScene test = MakeTestScene("torus", 120, 90, 3);
+  for (View& view : test.scene.views) {
+    view.unknown = cv::Mat(view.mask.size(), CV_8UC1, cv::Scalar::all(0));
+    view.unknown.colRange(52, 120).setTo(255);
+    view.mask.colRange(52, 120).setTo(255);
+  }
+  test.views = PrepareViews(test.scene, test.region.cube, Context(2));
+  constexpr int kLevel = 5;
+  const VoxelGrid voxels = SomeVoxels(kLevel);
+  ReconstructionOptions options;
+  options.hull.hull_level = kLevel;
+  const SilhouetteTerms terms = EstimateSilhouetteTerms(
+      test.views, std::vector<float>(3, 1), voxels, options, Context(2));
+  size_t num_outside = 0;
+  voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
+    float depth = Silhouette::kFarInside;
+    for (const PreparedView& view : test.views) {
+      depth = std::min(depth, DepthIn(view, code, kLevel));
+    }
+    num_outside += depth <= -0.5f;
+    ASSERT_NEAR(
+        std::min(terms.hull_depth[index], 20.0f), std::min(depth, 20.0f), 1e-3f)
+        << index;
+  });
+  EXPECT_GT(num_outside, voxels.Size() / 20);
+}
+
 TEST(SilhouetteTerms, MoveWithTheShiftOfTheBorders) {
   TestScene test = MakeTestScene("torus", 120, 90, 2);
   constexpr int kLevel = 6;

@@ -123,7 +123,7 @@ RoundSummary RunRound(const RefineScene& scene,
       MeasureAgreement({views, neighbors, pixel, options}, Context(2), mesh);
   return RefineOnce({start, neighbors, pixel, options},
                     plan,
-                    agreement,
+                    &agreement,
                     Context(2),
                     &views,
                     mesh);
@@ -333,7 +333,7 @@ TEST(RefineOptions, AreChecked) {
   refused([](RefineOptions& o) { o.patch.chroma_weight = -1; });
   refused([](RefineOptions& o) { o.smoothness = 0; });
   refused([](RefineOptions& o) { o.outlier_scale = 0; });
-  refused([](RefineOptions& o) { o.silhouette_weight = -1; });
+  refused([](RefineOptions& o) { o.silhouette_weight = 0; });
 }
 
 }  // namespace

@@ -83,7 +83,8 @@ TEST(MoveBorderInside, GrowsAndShrinksADisc) {
 }
 
 TEST(FindCoarseShift, IsDoubtedWhereFaintEdgesAreAtTheBorder) {
-  EdgePositions edges{.num_lines = 400};
+  EdgePositions edges;
+  edges.num_lines = 400;
   for (int i = 0; i < 400; ++i) {
     const float noise = 0.4f * std::sin(float(i));
     edges.comparable.push_back(8 + noise);
@@ -102,7 +103,8 @@ TEST(FindCoarseShift, IsDoubtedWhereFaintEdgesAreAtTheBorder) {
 
 // As in photographs that are burnt out in part.
 TEST(FindCoarseShift, IsNoneWhereFewLinesHaveAnEdge) {
-  EdgePositions edges{.num_lines = 3000};
+  EdgePositions edges;
+  edges.num_lines = 3000;
   for (int i = 0; i < 400; ++i) {
     edges.comparable.push_back(8 + 0.4f * std::sin(float(i)));
   }

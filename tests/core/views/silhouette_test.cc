@@ -185,6 +185,26 @@ TEST(Silhouette, SaysNothingOfUnknownPixels) {
   EXPECT_NEAR(Silhouette(mask, unknown).SignedDistance(5.5f, 5.5f), -0.5, 0.1);
 }
 
+TEST(Silhouette, KnowsRectanglesWithoutUnknownPixels) {
+  const cv::Mat mask(12, 16, CV_8UC1, cv::Scalar::all(0));
+  EXPECT_TRUE(Silhouette(mask).KnowsAll(0, 0, 16, 12));
+  EXPECT_FALSE(Silhouette(mask).KnowsAll(-0.1f, 0, 16, 12));
+  // The corners of an undistorted photograph.
+  cv::Mat unknown(12, 16, CV_8UC1, cv::Scalar::all(0));
+  unknown.colRange(12, 16).setTo(255);
+  unknown(cv::Rect(0, 0, 2, 6)).setTo(255);
+  const Silhouette silhouette(mask, unknown);
+  EXPECT_TRUE(silhouette.KnowsAll(3, 0, 11, 12));
+  EXPECT_FALSE(silhouette.KnowsAll(2, 0, 11, 12));  // interpolates beyond
+  EXPECT_FALSE(silhouette.KnowsAll(3, 0, 11.5f, 12));
+  // Amid known pixels.
+  unknown.setTo(0);
+  unknown.at<uint8_t>(6, 8) = 255;
+  EXPECT_FALSE(Silhouette(mask, unknown).KnowsAll(1, 1, 2, 2));
+  unknown.setTo(255);
+  EXPECT_FALSE(Silhouette(mask, unknown).KnowsAll(8, 6, 8, 6));
+}
+
 struct PreparedRandomView {
   cv::Mat mask;
   Silhouette silhouette;

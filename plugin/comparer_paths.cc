@@ -1,5 +1,6 @@
 #include "plugin/comparer_paths.h"
 
+#include "colmap_io/images/workspace.h"
 #include "core/base/check_option.h"
 #include "plugin/file_roles.h"
 #include "plugin/page/comparison_page.h"
@@ -51,13 +52,22 @@ void DeclareComparerPaths(OptionManager& options, ComparerPaths* paths) {
 
 void CheckComparerPaths(const ComparerPaths& paths,
                         const std::vector<std::filesystem::path>& crops,
-                        bool aligns) {
-  FileRoles files;
+                        const std::vector<std::filesystem::path>& models,
+                        bool aligns,
+                        const OptionManager& options) {
+  FileRoles files(options);
   for (const std::filesystem::path& path : paths.inputs) {
     files.Read(path, "a mesh to compare");
   }
   for (const std::filesystem::path& path : crops) {
     files.Read(path, "the crop");
+  }
+  for (const std::filesystem::path& path : models) {
+    for (const std::filesystem::path& model : FindModels(path)) {
+      for (const auto& file : std::filesystem::directory_iterator(model)) {
+        files.Read(file.path(), "a file of a sparse model");
+      }
+    }
   }
   files.Read(paths.reference, "the reference");
   files.Read(paths.transform, "the transform to read");

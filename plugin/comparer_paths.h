@@ -25,10 +25,12 @@ struct ComparerPaths {
 void DeclareComparerPaths(OptionManager& options, ComparerPaths* paths);
 
 // Throws OptionError where a file would replace another, and InputError where
-// one cannot be written. `crops` are read, too. `aligns`: a transform will be
-// found.
+// one cannot be written. `crops` and `models` (folders of sparse models, or
+// empty paths) are read, too. `aligns`: a transform will be found.
 void CheckComparerPaths(const ComparerPaths& paths,
                         const std::vector<std::filesystem::path>& crops,
-                        bool aligns);
+                        const std::vector<std::filesystem::path>& models,
+                        bool aligns,
+                        const OptionManager& options);
 
 }  // namespace octacut

@@ -85,6 +85,9 @@ class OptionManager {
   // In the order of declaration.
   const std::vector<Option>& Options() const { return options_; }
 
+  // The project file that was read; empty if none was.
+  const std::filesystem::path& ProjectPath() const { return project_path_; }
+
   // Whether the command line or a project file has set an option.
   bool IsSet(std::string_view name) const;
 

@@ -173,6 +173,7 @@ void WorkspaceArguments::Complete(const std::vector<FileBeside>& beside,
     files.Write("output_path", path, what);
   }
   files.Write("report_path", report_path, "the report");
+  files.Guard(&loading.workspace);
 }
 
 fs::path WorkspaceArguments::Beside(const std::string& ending) const {

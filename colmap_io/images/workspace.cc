@@ -179,6 +179,7 @@ Workspace OpenWorkspace(const fs::path& path,
   }
   workspace.model =
       ReadLargestModel(models, models.string(), context, &workspace.model_path);
+  workspace.image_list_path = options.image_list_path;
   if (!options.image_list_path.empty()) {
     const size_t num_images = workspace.model.images.size();
     KeepListedImages(options.image_list_path, &workspace.model);
@@ -193,6 +194,9 @@ Workspace OpenWorkspace(const fs::path& path,
                                           IsPinhole);
   if (options.needs_masks) {
     workspace.mask_path = FindMasks(workspace, options, context);
+  }
+  if (options.check) {
+    options.check(workspace);
   }
   return workspace;
 }

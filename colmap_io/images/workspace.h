@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "core/base/context.h"
 
 namespace octacut {
+
+struct Workspace;
 
 // Empty: the default place in the workspace.
 struct WorkspaceOptions {
@@ -25,6 +28,8 @@ struct WorkspaceOptions {
   bool needs_images = true;     // false: there may be no folder of images
   bool needs_masks = true;      // false: the folder of masks is not looked for
   bool may_lack_masks = false;  // true: there need not be a folder of masks
+  // Called by OpenWorkspace with its result, if any, before more is read.
+  std::function<void(const Workspace&)> check;
 };
 
 struct Workspace {
@@ -32,6 +37,7 @@ struct Workspace {
   std::filesystem::path image_path;
   std::filesystem::path model_path;
   std::filesystem::path mask_path;
+  std::filesystem::path image_list_path;  // empty: all images are used
   // The model lies in `sparse` itself, as image_undistorter leaves it.
   bool is_dense_folder = false;
   SparseModel model;

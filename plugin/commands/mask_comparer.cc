@@ -136,7 +136,7 @@ Json ToJson(const ComparedMask& mask) {
 void MaskComparer::Run(const CommandEnvironment& environment) {
   const std::vector<std::string> names =
       NamesIn("reference_path", reference_path_);
-  FileRoles files;
+  FileRoles files(environment.options);
   for (const std::string& name : names) {
     files.Read(reference_path_ / name, "a reference mask");
   }

@@ -157,7 +157,7 @@ void MeshAuditor::Warn(const MeshAudit& audit,
 void MeshAuditor::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   Check();
-  FileRoles files;
+  FileRoles files(environment.options);
   files.Read(input_path_, "the mesh to measure");
   files.Write("output_path", output_path_, "the report");
   MeasuredMesh measured =

@@ -323,8 +323,11 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
               "input_views_path",
               judged_.input_views_path.string(),
               "cannot be used together with transform_path");
-  CheckComparerPaths(
-      paths_, protocol_.crop_paths, compare_.align || protocol_run_->Aligns());
+  CheckComparerPaths(paths_,
+                     protocol_.crop_paths,
+                     {judged_.views_path, judged_.input_views_path},
+                     compare_.align || protocol_run_->Aligns(),
+                     environment.options);
   RefuseUnusedOptions(environment.options);
   SparseModel views;
   if (!judged_.views_path.empty()) {

@@ -293,12 +293,13 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
               image_level_,
               "must be in 1 .. 20");
   mesh_paths_ = SplitPaths("mesh_path", mesh_paths_);
-  FileRoles files;
+  FileRoles files(environment.options);
   for (const std::filesystem::path& path : mesh_paths_) {
     files.Read(path, "a mesh to evaluate");
   }
   files.Write("output_path", output_path_, "the report");
   CheckPagePath(html_path_, &files);
+  files.Guard(&loading_.workspace);
   loading_.load_images = evaluate_.photometric;
   // A mesh is judged by what it is given.
   loading_.keep_all_views = true;

@@ -272,10 +272,11 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
               "output_path",
               output_path_.string(),
               "must not be a .glb file, whose units are metres");
-  FileRoles files;
+  FileRoles files(environment.options);
   files.Read(input_path_, "the mesh to export");
   files.Write("output_path", output_path_, "the file to print");
   files.Write("report_path", report_path_, "the report");
+  files.Guard(&workspace_);
   const IndexedMesh mesh = ReadClosedMesh(input_path_, context);
   const std::optional<Workspace> workspace = OpenIfNeeded(context);
   const ExportScale scale = scale_.Find(workspace, context);

@@ -70,7 +70,7 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
   if (mesh_path_.empty()) {
     mesh_path_ = workspace_.workspace_path / "meshed-octahedral.ply";
   }
-  FileRoles files;
+  FileRoles files(environment.options);
   files.Read(mesh_path_, "the mesh to refine");
   workspace_.Complete({}, files);
   IndexedMesh mesh = ReadClosedMesh(mesh_path_, context);

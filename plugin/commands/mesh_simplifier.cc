@@ -217,7 +217,7 @@ void MeshSimplifier::Run(const CommandEnvironment& environment) {
   if (report_path_.empty()) {
     report_path_ = output_path_.string() + ".json";
   }
-  FileRoles files;
+  FileRoles files(environment.options);
   files.Read(input_path_, "the mesh to simplify");
   for (int level = 0; level < levels_; ++level) {
     CheckMeshPath(PathOf(level));

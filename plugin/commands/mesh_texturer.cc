@@ -21,7 +21,7 @@ class MeshTexturer : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
-  void Complete();
+  void Complete(const OptionManager& options);
 
   fs::path workspace_path_;
   LoadSceneOptions loading_;
@@ -46,7 +46,7 @@ void MeshTexturer::DeclareOptions(OptionManager& options) {
   arguments_.Declare(options);
 }
 
-void MeshTexturer::Complete() {
+void MeshTexturer::Complete(const OptionManager& options) {
   if (mesh_path_.empty()) {
     mesh_path_ = workspace_path_ / "meshed-octahedral.ply";
   }
@@ -54,14 +54,15 @@ void MeshTexturer::Complete() {
     arguments_.output_path = mesh_path_;
     arguments_.output_path.replace_extension(".glb");
   }
-  FileRoles files;
+  FileRoles files(options);
   files.Read(mesh_path_, "the mesh to texture");
   arguments_.Check(&files);
   files.Write("report_path", report_path_, "the report");
+  files.Guard(&loading_.workspace);
 }
 
 void MeshTexturer::Run(const CommandEnvironment& environment) {
-  Complete();
+  Complete(environment.options);
   const IndexedMesh mesh = ReadMeshAndLog(mesh_path_, environment.context).mesh;
   PhotographOptions photographs;
   photographs.workspace = loading_.workspace;

@@ -28,7 +28,7 @@ class OctahedralMesher : public Command {
   void Run(const CommandEnvironment& environment) override;
 
  private:
-  void CheckFiles();
+  void CheckFiles(const OptionManager& options);
   LevelObserver LevelWriter() const;
   void MakeMasks(const Context& context);
   Json TextureMeshOf(const Scene& scene,
@@ -137,7 +137,7 @@ LevelObserver OctahedralMesher::LevelWriter() const {
   };
 }
 
-void OctahedralMesher::CheckFiles() {
+void OctahedralMesher::CheckFiles(const OptionManager& options) {
   std::vector<WorkspaceArguments::FileBeside> beside;
   if (picture_) {
     beside.push_back({".png", "the picture"});
@@ -145,7 +145,7 @@ void OctahedralMesher::CheckFiles() {
   if (texture_) {
     beside.push_back({".glb", "the textured mesh"});
   }
-  FileRoles files;
+  FileRoles files(options);
   if (!levels_path_.empty()) {
     for (int level = -1; level <= meshing_.target_level; ++level) {
       files.Read(levels_path_ / NameOfLevel(level), "a mesh of save_levels");
@@ -160,7 +160,7 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   meshing_.refinement.patch.chroma_weight = meshing_.consistency.chroma_weight;
   meshing_.confidence = workspace_.confidence;
   meshing_.Check();
-  CheckFiles();
+  CheckFiles(environment.options);
   workspace_.loading.region.mask_tolerance = meshing_.masks.mask_tolerance;
   workspace_.loading.fill_bites = meshing_.masks.fill_false_gaps;
   const LevelObserver observer = LevelWriter();

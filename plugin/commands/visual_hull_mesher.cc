@@ -33,7 +33,7 @@ void VisualHullMesher::DeclareOptions(OptionManager& options) {
 void VisualHullMesher::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   options_.Check();
-  workspace_.Complete({}, {});
+  workspace_.Complete({}, FileRoles(environment.options));
   workspace_.loading.load_images = false;
   workspace_.loading.fill_bites = options_.fill_false_gaps;
   const LoadedScene loaded = LoadScene(workspace_.workspace_path,

@@ -117,7 +117,8 @@ TEST(Base64, TheExamplesOfTheRfc) {
 
 TEST(CheckPagePath, SaysWhichPackageIsMissing) {
   const TemporaryFolder folder;
-  FileRoles files;
+  const OptionManager options;
+  FileRoles files(options);
   EXPECT_THAT(
       [&] {
         CheckPagePath(folder / "p.html", &files, folder / "three.min.js");

@@ -1,6 +1,6 @@
 # One library per folder, so that a wrong arrow between layers or steps does
 # not link. DEPENDS are public; a module sees only what it names here.
-#   octacut_module(core_grid SOURCES morton.cc ... DEPENDS core_base ...)
+#   octacut_module(core_grid SOURCES voxel_grid.cc ... DEPENDS core_base ...)
 # SOURCES may be empty: the module is then header-only. Up to sixteen of them are
 # compiled at once (a unity build): most of the compiler's time goes into headers
 # and templates that they share. Names in their anonymous namespaces must differ
@@ -53,7 +53,7 @@ function(octacut_compile_alone)
 endfunction()
 
 # A test executable that mirrors one folder; every suite of it is a test of ctest.
-#   octacut_test(core_grid SOURCES morton_test.cc ... DEPENDS core_grid ...)
+#   octacut_test(core_grid SOURCES voxel_grid_test.cc ... DEPENDS core_grid ...)
 # COST 1 has its tests started before those of other folders: long ones would
 # leave a core idle at the end.
 function(octacut_test name)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <opencv2/core.hpp>
 #include <vector>
 
 #include "core/base/error.h"
@@ -30,6 +31,12 @@ std::string OneLine(std::string text) {
   return text;
 }
 
+Failure OutOfMemory() {
+  return {
+      "out of memory; fewer images, a coarser mesh, or in meshers a lower "
+      "--OctahedralMeshing.target_level need less"};
+}
+
 // To be called in a catch block.
 Failure DescribeCurrentException(const OptionManager& options) {
   try {
@@ -43,9 +50,10 @@ Failure DescribeCurrentException(const OptionManager& options) {
         fmt::format("an internal check failed, please report this as a bug: {}",
                     error.what()))};
   } catch (const std::bad_alloc&) {
-    return {
-        "out of memory; fewer images, a coarser mesh, or in meshers a lower "
-        "--OctahedralMeshing.target_level need less"};
+    return OutOfMemory();
+  } catch (const cv::Exception& error) {
+    return error.code == cv::Error::StsNoMem ? OutOfMemory()
+                                             : Failure{OneLine(error.what())};
   } catch (const std::exception& error) {
     return {options.NameOptionsIn(OneLine(error.what()))};
   } catch (...) {

@@ -1,6 +1,6 @@
 #include "plugin/common_options.h"
 
-#include "core/base/check_option.h"
+#include "core/base/context.h"
 
 namespace octacut {
 
@@ -51,10 +51,7 @@ void CommonOptions::Declare(OptionManager& options, bool uses_random_seed) {
 }
 
 void CommonOptions::Check() const {
-  CheckOption(num_threads == -1 || num_threads > 0,
-              "num_threads",
-              num_threads,
-              "must be positive, or -1 for all cores");
+  Context{num_threads};  // checks it
   log.Check();
 }
 

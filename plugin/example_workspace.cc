@@ -89,8 +89,8 @@ SparseModel ToSparseModel(const SyntheticScene& scene) {
   return model;
 }
 
-void PrepareExampleFolder(const fs::path& folder,
-                          const ExampleWorkspaceOptions& options) {
+void CheckExampleFolder(const fs::path& folder,
+                        const ExampleWorkspaceOptions& options) {
   options.Check();
   std::error_code ignored;
   if (fs::exists(folder) &&
@@ -106,10 +106,14 @@ void PrepareExampleFolder(const fs::path& folder,
           "{}: the folder already holds an example; --overwrite 1 replaces it",
           folder.string()));
     }
-    for (const char* part :
-         {"images", "masks", "background", "sparse/0", "gt"}) {
-      fs::remove_all(folder / part);
-    }
+  }
+}
+
+void PrepareExampleFolder(const fs::path& folder,
+                          const ExampleWorkspaceOptions& options) {
+  CheckExampleFolder(folder, options);
+  for (const char* part : {"images", "masks", "background", "sparse/0", "gt"}) {
+    fs::remove_all(folder / part);
   }
   MakeFolder(folder);
 }

@@ -26,9 +26,13 @@ struct ExampleWorkspaceOptions {
 // sparse points with their observations.
 SparseModel ToSparseModel(const SyntheticScene& scene);
 
-// Makes `folder`, or empties an earlier example's of what an example is made
-// of. Throws InputError for a folder that holds anything else, or an example
-// without options.overwrite.
+// Throws InputError for a folder that exists and is neither empty nor that of
+// an example, or that holds an example, without options.overwrite.
+void CheckExampleFolder(const std::filesystem::path& folder,
+                        const ExampleWorkspaceOptions& options);
+
+// Makes `folder`, or removes the folders that an earlier example consists of.
+// Throws as CheckExampleFolder does.
 void PrepareExampleFolder(const std::filesystem::path& folder,
                           const ExampleWorkspaceOptions& options);
 

@@ -77,8 +77,10 @@ void ExportScaleOptions::Declare(OptionManager& options) {
 
 void ExportScaleOptions::Check() const {
   const auto check_length = [](double value, const char* name) {
-    CheckOption(
-        value >= 0 && std::isfinite(value), name, value, "must be positive");
+    CheckOption(value >= 0 && std::isfinite(value),
+                name,
+                value,
+                "must not be negative");
   };
   check_length(scale_factor_, "scale_factor");
   check_length(known_length_, "known_length");

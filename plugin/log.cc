@@ -9,6 +9,7 @@
 
 #include <ctime>
 
+#include "colmap_io/files/lower_extension.h"
 #include "core/base/check_option.h"
 
 namespace octacut {
@@ -17,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path MakeLogFilePath(const fs::path& log_path, std::string_view run_name) {
-  if (log_path.extension() == ".log") {
+  if (LowerExtension(log_path) == ".log") {
     return log_path;
   }
   const fs::path folder =

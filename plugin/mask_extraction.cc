@@ -257,14 +257,14 @@ void DeclareMaskExtractionOptions(OptionManager& options,
               &extraction->on_stand,
               "Whether to leave out the plane on which the object stands, as "
               "estimated from the sparse points, and everything below it: 1 "
-              "always, 0 never, -1 if the photographs show something that "
-              "stands on such a plane.");
+              "always, 0 never, -1 if the photographs show an object that "
+              "stands on it.");
 }
 
 MaskList ExtractMasks(const Workspace& workspace,
                       const MaskExtractionOptions& options,
                       const Context& context) {
-  RequireWritableFolder(options.output_path);
+  RequireFolderForMasks(options.output_path, workspace.image_path);
   return Extractor(workspace, options, context).Run();
 }
 

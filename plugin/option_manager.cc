@@ -296,8 +296,9 @@ std::string FullName(const Option& option) {
 
 std::string OptionManager::NameOption(const std::string& message) const {
   const size_t field_size = message.find(" = ");
-  // A field is a name; what has a file and a line before it says enough.
-  if (field_size == std::string::npos ||
+  // A field is a name; what has a file and a line before it says enough, and so
+  // does an option.
+  if (field_size == std::string::npos || message.starts_with("--") ||
       message.find_first_of(" :`") < field_size) {
     return message;
   }

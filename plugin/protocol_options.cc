@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "colmap_io/files/lower_extension.h"
 #include "core/base/error.h"
 
 namespace octacut {
@@ -238,7 +239,7 @@ void CheckProtocolOptions(const ProtocolOptions& protocol,
     CheckExcludedOptions(traits, options);
   }
   if (protocol.protocol == BenchmarkProtocol::kEth3d &&
-      reference_path.extension() != ".mlp") {
+      LowerExtension(reference_path) != ".mlp") {
     throw OptionError(fmt::format(
         "reference_path = {}: the protocol eth3d needs the MeshLab project "
         "(.mlp) with the laser scans and their poses",

@@ -9,7 +9,7 @@
 
 namespace octacut {
 
-// "0.1.0".
+// Such as "0.2.0".
 std::string OctacutVersion();
 
 // The most memory that this process ever held (VmHWM of /proc/self/status),

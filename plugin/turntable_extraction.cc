@@ -101,13 +101,6 @@ cv::Mat Reduced(const cv::Mat& image) {
   return small;
 }
 
-// A mask file, as large as the photographs are compared.
-cv::Mat MaskOfSize(const fs::path& path, const cv::Size& size) {
-  cv::Mat mask;
-  cv::resize(ReadMask(path), mask, size, 0, 0, cv::INTER_AREA);
-  return mask >= kObjectThreshold;
-}
-
 // The photographs of one camera.
 class TurntableFolder {
  public:
@@ -142,6 +135,8 @@ class TurntableFolder {
 
  private:
   std::vector<cv::Mat> Read(const std::vector<fs::path>& paths);
+  // A mask file, as large as the photographs are compared.
+  cv::Mat ReadGivenMask(const fs::path& path, const cv::Size& compared) const;
 
   const TurntableExtractionOptions& options_;
   const Context& context_;
@@ -175,6 +170,22 @@ std::vector<cv::Mat> TurntableFolder::Read(const std::vector<fs::path>& paths) {
         images[i] = Reduced(image);
       });
   return images;
+}
+
+cv::Mat TurntableFolder::ReadGivenMask(const fs::path& path,
+                                       const cv::Size& compared) const {
+  cv::Mat mask = ReadMask(path);
+  if (mask.size() != size_) {
+    throw InputError(
+        fmt::format("{}: the mask has {}x{} pixels, but its photograph {}x{}",
+                    path.string(),
+                    mask.cols,
+                    mask.rows,
+                    size_.width,
+                    size_.height));
+  }
+  cv::resize(mask, mask, compared, 0, 0, cv::INTER_AREA);
+  return mask >= kObjectThreshold;
 }
 
 void TurntableFolder::Extract(MaskList* list,
@@ -231,7 +242,7 @@ void TurntableFolder::Extract(MaskList* list,
     UnsegmentedView& view = views->emplace_back();
     view.image = input.images[i];
     masks->push_back(listed.status == MaskStatus::kGiven
-                         ? MaskOfSize(*there, view.image.size())
+                         ? ReadGivenMask(*there, view.image.size())
                          : found[i].mask);
     pngs->push_back(std::move(encoded[i]));
   }
@@ -245,7 +256,7 @@ MaskList ExtractTurntableMasks(const TurntableExtractionOptions& options,
   if (!options.background_path.empty()) {
     RequireFolder(options.background_path, "background_path");
   }
-  RequireWritableFolder(options.output_path);
+  RequireFolderForMasks(options.output_path, options.image_path);
   MaskList list;
   list.is_of_turntable = true;
   std::vector<std::vector<uchar>> pngs;

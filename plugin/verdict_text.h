@@ -10,7 +10,7 @@
 
 namespace octacut {
 
-// Sentences without a full stop at their end.
+// Sentences.
 struct VerdictText {
   std::vector<std::string> findings;
   // Where the mesh is poor, each with what would help.

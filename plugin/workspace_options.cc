@@ -1,9 +1,8 @@
 #include "plugin/workspace_options.h"
 
-#include "colmap_io/files/atomic_files.h"
+#include "colmap_io/files/require_folder.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "core/base/check_option.h"
-#include "core/base/error.h"
 #include "plugin/vector_json.h"
 
 namespace octacut {
@@ -146,10 +145,7 @@ void WorkspaceArguments::Complete(const std::vector<FileBeside>& beside,
                                   FileRoles files) {
   loading.Check();
   loading.region.bounding_box = OptionalBoundingBox(bounding_box);
-  if (!fs::is_directory(workspace_path)) {
-    throw InputError(workspace_path.string() +
-                     ": there is no such workspace folder");
-  }
+  RequireFolder(workspace_path, "workspace_path");
   if (output_path.empty()) {
     output_path = workspace_path / default_output_;
   }

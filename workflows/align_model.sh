@@ -46,13 +46,17 @@ awk '/^#/ { next }
     -(2*(x*z + w*y)*$6 + 2*(y*z - w*x)*$7 + (1 - 2*(x*x + y*y))*$8)
 }' "$work/images.txt" >"$work/centers.txt"
 
-diameter=$(awk '{ r = sqrt($2*$2 + $3*$3 + $4*$4); if (r > m) m = r }
-                END { print 2 * m }' "$work/centers.txt")
+# Diagonal of their bounding box.
+extent=$(awk '{ for (i = 2; i < 5; ++i) {
+                  if (NR == 1 || $i < low[i]) low[i] = $i
+                  if (NR == 1 || $i > high[i]) high[i] = $i } }
+              END { for (i = 2; i < 5; ++i) s += (high[i] - low[i]) ^ 2
+                    print sqrt(s) }' "$work/centers.txt")
 mkdir -p "$output"
 run model_aligner --input_path "$model" \
   --output_path "$output" --ref_images_path "$work/centers.txt" \
   --ref_is_gps 0 --alignment_type custom --robust_alignment 1 \
-  --robust_alignment_max_error "$(awk -v d="$diameter" 'BEGIN { print d / 100 }')"
+  --robust_alignment_max_error "$(awk -v d="$extent" 'BEGIN { print d / 100 }')"
 if [[ ! -f $output/images.bin ]]; then
   echo "align_model: the model could not be aligned; see $log" >&2
   exit 1

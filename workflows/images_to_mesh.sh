@@ -6,7 +6,8 @@
 #
 # IMAGES                 folder of the photographs, which stays as it is
 # WORKSPACE              folder for all results; created where missing. Its
-#                        folder images becomes a link to IMAGES unless it exists
+#                        folder images becomes a link to IMAGES unless it exists.
+#                        A database or sparse model of your own in it is refused
 # --turntable 1          the camera stood still and the object turned: what does
 #                        not turn is masked before COLMAP sees it
 # --background_path F    photographs of the empty set, for --turntable 1
@@ -72,6 +73,13 @@ octacut=$("$workflows/find_octacut.sh")
 
 export QT_QPA_PLATFORM=offscreen
 done_marks=$workspace/steps
+# These are replaced below.
+for result in database.db sparse mapped; do
+  [[ -d $done_marks || ! -e $workspace/$result ]] ||
+    fail "$workspace/$result: was not made by this script; choose another WORKSPACE"
+  [[ -z $reference || $(realpath -m "$reference")/ != "$(realpath -m "$workspace/$result")/"* ]] ||
+    fail "--reference_path $reference: must not lie in $workspace/$result, which is replaced"
+done
 mkdir -p "$done_marks"
 log=$workspace/images_to_mesh.log
 

@@ -137,6 +137,10 @@ cv::Mat ReadPhotograph(const std::filesystem::path& path) {
   return Decode(path, ReadFile(path), cv::IMREAD_COLOR);
 }
 
+cv::Mat ReadGrey(const std::filesystem::path& path) {
+  return Decode(path, ReadFile(path), cv::IMREAD_GRAYSCALE);
+}
+
 cv::Mat ReadMask(const std::filesystem::path& path) {
   const std::string bytes = ReadFile(path);
   const cv::Mat pixels = Decode(path, bytes, cv::IMREAD_UNCHANGED);

@@ -14,6 +14,9 @@ namespace octacut {
 // dropped.
 cv::Mat ReadPhotograph(const std::filesystem::path& path);
 
+// CV_8UC1, as it is stored.
+cv::Mat ReadGrey(const std::filesystem::path& path);
+
 // CV_8UC1 as View::mask: 255 = object, 0 = background, coverage between.
 //
 // A mask may be grey, of colours (a pixel is its largest channel), with an
@@ -27,7 +30,7 @@ cv::Mat ReadPhotograph(const std::filesystem::path& path);
 cv::Mat ReadMask(const std::filesystem::path& path);
 
 // The mask that a decoded picture stands for, as above. `pixels` of 8 or 16
-// bits and 1, 3 or 4 channels.
+// bits and 1 to 4 channels, of 2 and 4 the last one alpha.
 cv::Mat MaskFromPixels(const cv::Mat& pixels, bool from_jpeg);
 
 }  // namespace octacut

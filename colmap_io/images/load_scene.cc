@@ -331,8 +331,7 @@ void Loader::ReadView(const Candidate& candidate, View* view) const {
   const fs::path path = workspace_.image_path / candidate.files.image->name;
   const cv::Mat photograph = ReadPhotograph(path);
   const SparseCamera& camera = *candidate.files.camera;
-  RequireSizeOfCamera(
-      path, {uint64_t(photograph.cols), uint64_t(photograph.rows)}, camera);
+  RequireSizeOfCamera(path, photograph, camera);
   view->image = Undistort(photograph, camera, view->camera, 0, alone);
 }
 

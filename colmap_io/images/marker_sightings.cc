@@ -18,8 +18,7 @@ std::vector<MarkerSighting> SightingsIn(const Workspace& workspace,
   const auto path = workspace.image_path / image.name;
   const SparseCamera& camera = *workspace.model.FindCamera(image.camera_id);
   const cv::Mat photograph = ReadPhotograph(path);
-  RequireSizeOfCamera(
-      path, {uint64_t(photograph.cols), uint64_t(photograph.rows)}, camera);
+  RequireSizeOfCamera(path, photograph, camera);
   const CameraProjector projector(camera);
   std::vector<MarkerSighting> sightings;
   for (const DetectedMarker& marker : DetectMarkers(photograph, dictionary)) {

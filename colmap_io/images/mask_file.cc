@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <opencv2/core.hpp>
 #include <system_error>
 #include <vector>
@@ -22,7 +23,9 @@ std::vector<fs::path> MaskNames(const std::string& image_name) {
   const fs::path prefixed =
       stem.parent_path() / ("mask_" + stem.filename().string());
   std::vector<fs::path> names;
-  for (const char* extension : {".png", ".jpg", ".jpeg"}) {
+  const std::array<const char*, 6> extensions = {
+      ".png", ".PNG", ".jpg", ".jpeg", ".JPG", ".JPEG"};
+  for (const char* extension : extensions) {
     for (const std::string& name : {image_name,
                                     stem.string(),
                                     stem.string() + ".mask",

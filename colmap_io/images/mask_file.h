@@ -21,7 +21,8 @@ void RequireSameMask(const std::filesystem::path& a,
 //   abc/012_mask.png
 //   abc/mask_012.png
 //   abc/012.jpg       the very same name
-// and of the others with .jpg or .jpeg. Never `image_path`/`image_name` itself.
+// and of the others with .jpg or .jpeg; extensions may be in capitals. Never
+// `image_path`/`image_name` itself.
 //
 // Throws InputError that names both when another one of them says something
 // else.

@@ -77,8 +77,13 @@ std::string HashOfPng(const std::vector<uchar>& png) {
   return HashOfBytes({reinterpret_cast<const char*>(png.data()), png.size()});
 }
 
-void RequireWritableFolder(const fs::path& folder) {
+void RequireFolderForMasks(const fs::path& folder, const fs::path& image_path) {
   std::error_code error;
+  if (fs::equivalent(folder, image_path, error)) {
+    throw InputError(
+        fmt::format("output_path {}: must not be the folder of the photographs",
+                    folder.string()));
+  }
   fs::path existing = fs::absolute(folder, error);
   while (!fs::exists(existing, error) && existing.has_relative_path()) {
     existing = existing.parent_path();
@@ -93,14 +98,15 @@ void RequireWritableFolder(const fs::path& folder) {
   }
 }
 
-void RequireOnlyOwnMasks(const fs::path& folder) {
-  RequireWritableFolder(folder);
+void RequireOnlyOwnMasks(const fs::path& folder, const fs::path& image_path) {
+  RequireFolderForMasks(folder, image_path);
   std::error_code error;
   if (!fs::exists(folder, error)) {
     return;
   }
   const std::optional<MaskList> list = ReadMaskList(folder);
-  fs::recursive_directory_iterator entries(folder, error);
+  fs::recursive_directory_iterator entries(
+      folder, fs::directory_options::follow_directory_symlink, error);
   if (error) {
     throw InputError(fmt::format("output_path {}: the folder cannot be read",
                                  folder.string()));

@@ -22,14 +22,17 @@ std::vector<uchar> EncodeMask(const cv::Mat& mask);
 std::string HashOfPng(const std::vector<uchar>& png);
 
 // Throws InputError unless masks can be written to the folder, which need not
-// exist yet: to be asked before the work.
-void RequireWritableFolder(const std::filesystem::path& folder);
+// exist yet, and must not be that of the photographs: to be asked before the
+// work.
+void RequireFolderForMasks(const std::filesystem::path& folder,
+                           const std::filesystem::path& image_path);
 
 // Throws InputError that names the first picture in the folder or below it that
 // is not a mask as octacut left it: for commands that replace all masks of
 // their folder. No folder is fine, and so is the contact sheet. Throws as
-// RequireWritableFolder does, too.
-void RequireOnlyOwnMasks(const std::filesystem::path& folder);
+// RequireFolderForMasks does, too.
+void RequireOnlyOwnMasks(const std::filesystem::path& folder,
+                         const std::filesystem::path& image_path);
 
 // Writes, all together: the PNG file of every view in the list that has one in
 // `pngs` (in the same order; the others are left as they are), the list, and

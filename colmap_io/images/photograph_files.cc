@@ -70,8 +70,7 @@ class Reader {
     const Context alone(1);
     const fs::path path = workspace_.image_path / file.image->name;
     const cv::Mat pixels = ReadPhotograph(path);
-    RequireSizeOfCamera(
-        path, {uint64_t(pixels.cols), uint64_t(pixels.rows)}, *file.camera);
+    RequireSizeOfCamera(path, pixels, *file.camera);
     Photograph photograph;
     photograph.image = Undistort(pixels, *file.camera, file.window, 0, alone);
     // Where the photograph does not reach, there is nothing to see.

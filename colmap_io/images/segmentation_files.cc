@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <string>
 #include <system_error>
@@ -103,13 +102,6 @@ std::vector<SegmentationFile> FindFiles(const Workspace& workspace,
   return files;
 }
 
-void RequireSize(const fs::path& path,
-                 const cv::Mat& pixels,
-                 const SparseCamera& camera) {
-  RequireSizeOfCamera(
-      path, {uint64_t(pixels.cols), uint64_t(pixels.rows)}, camera);
-}
-
 // What is clearly outside of a mask of all that turns is background.
 cv::Mat OutsideOf(const cv::Mat& turning,
                   const SparseCamera& camera,
@@ -125,14 +117,8 @@ cv::Mat OutsideOf(const cv::Mat& turning,
 
 // CV_8UC1, as the file has it.
 cv::Mat ReadStrokesFile(const SegmentationFile& file) {
-  cv::Mat strokes =
-      cv::imread(file.strokes.string(),
-                 cv::IMREAD_GRAYSCALE | cv::IMREAD_IGNORE_ORIENTATION);
-  if (strokes.empty()) {
-    throw InputError(
-        fmt::format("{}: the strokes cannot be read", file.strokes.string()));
-  }
-  RequireSize(file.strokes, strokes, *file.camera);
+  cv::Mat strokes = ReadGrey(file.strokes);
+  RequireSizeOfCamera(file.strokes, strokes, *file.camera);
   return strokes;
 }
 
@@ -156,11 +142,11 @@ UnsegmentedView ReadView(const SegmentationFile& file, int longest_side) {
   view.pose = {ReducedCamera(*file.camera, longest_side),
                file.image->CamFromWorld()};
   const cv::Mat photograph = ReadPhotograph(file.photograph);
-  RequireSize(file.photograph, photograph, *file.camera);
+  RequireSizeOfCamera(file.photograph, photograph, *file.camera);
   view.image = ReduceView(photograph, *file.camera, view.pose.camera);
   if (!file.given_mask.empty()) {
     const cv::Mat mask = ReadMask(file.given_mask);
-    RequireSize(file.given_mask, mask, *file.camera);
+    RequireSizeOfCamera(file.given_mask, mask, *file.camera);
     const cv::Mat reduced = ReduceView(mask, *file.camera, view.pose.camera);
     view.labels.create(reduced.size(), CV_8U);
     view.labels.setTo(kSurroundingsLabel);

@@ -53,6 +53,13 @@ void RequireSizeOfCamera(const fs::path& path,
   }
 }
 
+void RequireSizeOfCamera(const fs::path& path,
+                         const cv::Mat& pixels,
+                         const SparseCamera& camera) {
+  RequireSizeOfCamera(
+      path, ImageSize{uint64_t(pixels.cols), uint64_t(pixels.rows)}, camera);
+}
+
 FoundViewFiles FindViewFiles(const Workspace& workspace,
                              const ViewFilesOptions& options,
                              const Context& context) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <opencv2/core/mat.hpp>
 #include <vector>
 
 #include "colmap_io/images/image_header.h"
@@ -45,6 +46,9 @@ void RequireEnoughViews(const Workspace& workspace, size_t count);
 // Throws InputError unless the image at `path`, of that size, fits the camera.
 void RequireSizeOfCamera(const std::filesystem::path& path,
                          const ImageSize& size,
+                         const SparseCamera& camera);
+void RequireSizeOfCamera(const std::filesystem::path& path,
+                         const cv::Mat& pixels,
                          const SparseCamera& camera);
 
 }  // namespace octacut

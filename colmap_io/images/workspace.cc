@@ -6,6 +6,7 @@
 #include <system_error>
 #include <tuple>
 
+#include "colmap_io/files/require_folder.h"
 #include "colmap_io/images/image_list.h"
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/read_sparse_model.h"
@@ -86,10 +87,7 @@ fs::path FindMasks(const Workspace& workspace,
                    const Context& context) {
   const fs::path& given = options.mask_path;
   if (!given.empty()) {
-    if (!IsFolder(given)) {
-      throw InputError(
-          fmt::format("mask_path {}: no such folder", given.string()));
-    }
+    RequireFolder(given, "mask_path");
     return given;
   }
   fs::path here = workspace.path / "masks";
@@ -156,10 +154,7 @@ SparseModel ReadLargestModel(const fs::path& folder,
 Workspace OpenWorkspace(const fs::path& path,
                         const WorkspaceOptions& options,
                         const Context& context) {
-  if (!IsFolder(path)) {
-    throw InputError(
-        fmt::format("workspace_path {}: no such folder", path.string()));
-  }
+  RequireFolder(path, "workspace_path");
   Workspace workspace;
   workspace.path = path;
   workspace.image_path =

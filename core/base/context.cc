@@ -15,10 +15,13 @@ Context::Context(int num_threads,
       sink_(sink),
       cancelled_(cancelled),
       seed_(seed) {
-  CheckOption(num_threads == -1 || num_threads > 0,
-              "num_threads",
-              num_threads,
-              "must be -1 (all cores) or positive");
+  // A system does not make any number of threads.
+  constexpr int kMaxThreads = 1024;
+  CheckOption(
+      num_threads == -1 || (num_threads >= 1 && num_threads <= kMaxThreads),
+      "num_threads",
+      num_threads,
+      "must be -1 (all cores), or in 1 .. 1024");
   if (num_threads_ == -1) {
     num_threads_ = std::max(1u, std::thread::hardware_concurrency());
   }

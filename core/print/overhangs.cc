@@ -18,7 +18,7 @@ constexpr double kBaseThickness = 1e-3;
 Overhangs MeasureOverhangs(const IndexedMesh& mesh,
                            const Eigen::Vector3d& up,
                            double max_angle) {
-  const Eigen::Vector3d axis = up.normalized();
+  const Eigen::Vector3d axis = up.stableNormalized();
   double lowest = std::numeric_limits<double>::infinity();
   double highest = -lowest;
   for (const auto& triangle : mesh.triangles) {

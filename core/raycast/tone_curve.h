@@ -23,8 +23,11 @@ class ToneCurve {
 
   uint8_t operator()(float linear) const {
     const float scaled = linear * static_cast<float>(table_.size());
+    if (!(scaled > 0)) {  // nor a number
+      return table_.front();
+    }
     return table_[static_cast<size_t>(
-        std::clamp(scaled, 0.0f, static_cast<float>(table_.size() - 1)))];
+        std::min(scaled, static_cast<float>(table_.size() - 1)))];
   }
 
  private:

@@ -157,9 +157,10 @@ SimplifiedMesh SimplifyWithin(
   // So far only vertices were measured, and no vertex had to stay.
   while (true) {
     SimplifiedMesh result = SimplifyTo(size_t(enough), replay, context);
+    const double distance = distance_to_full(result.mesh);
     // Rounding may keep even the full mesh from a distance of 0.
-    if (enough >= double(replay.Full().triangles.size()) ||
-        distance_to_full(result.mesh) <= max_distance) {
+    if (distance <= max_distance ||
+        enough >= double(replay.Full().triangles.size())) {
       return result;
     }
     enough = std::ceil(kBisectionRatio * enough);

@@ -80,7 +80,7 @@ void DepthMapRenderer::DeclareOptions(OptionManager& options) {
   options.Add("mesh_path",
               &mesh_path_,
               "Mesh to render (.ply, .obj, .off or .stl), in the frame of the "
-              "sparse model.");
+              "sparse model. Required for source mesh.");
   options.Add("overwrite",
               &overwrite_,
               "If 1, replace maps that exist. They are kept otherwise.");
@@ -296,7 +296,7 @@ void DepthMapRenderer::Run(const CommandEnvironment& environment) {
   CheckUndistorted(workspace);
   const std::vector<const SparseImage*> images = WantedImages(workspace.model);
   const size_t num_kept = workspace.model.images.size() - images.size();
-  if (!images.empty() && is_mesh) {
+  if (is_mesh) {
     RenderMesh(workspace, images, context);
   } else if (!images.empty()) {
     Sweep(workspace, images, context);

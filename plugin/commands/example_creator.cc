@@ -202,7 +202,8 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
                       "Folder in which the workspace is created.");
   options.Add("overwrite",
               &workspace_.overwrite,
-              "If 1, replace an earlier example in that folder.");
+              "If 1, replace an earlier example in output_path: its folders "
+              "images, masks, background, sparse/0 and gt are deleted.");
   options.Add("scene",
               &scene_.object,
               fmt::format("Object to create. One of: {}.",
@@ -244,6 +245,15 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
   DeclareDegradation(options, &scene_.degrade);
 }
 
+bool IsInFolder(const std::filesystem::path& path,
+                const std::filesystem::path& folder) {
+  const auto resolved = [](const std::filesystem::path& any) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(any));
+  };
+  const auto relative = resolved(path).lexically_relative(resolved(folder));
+  return !relative.empty() && *relative.begin() != "..";
+}
+
 void ExampleCreator::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   scene_.seed = context.Seed();
@@ -259,19 +269,23 @@ void ExampleCreator::Run(const CommandEnvironment& environment) {
       scene_.object,
       fmt::format("must be one of {}", fmt::join(objects, ", ")));
   scene_.Check();
+  CheckExampleFolder(output_path_, workspace_);
   if (!mesh_path_.empty()) {
+    CheckOption(!IsInFolder(mesh_path_, output_path_),
+                "mesh_path",
+                mesh_path_.string(),
+                "must not lie in output_path");
     scene_.mesh = ReadClosedMesh(mesh_path_, context);
   }
+  const SyntheticScene scene = [&] {
+    const Phase phase(context, "Creating the scene");
+    return MakeScene(scene_, context);
+  }();
   PrepareExampleFolder(output_path_, workspace_);
   const std::filesystem::path report_path = output_path_ / kExampleReportName;
   Json report = MakeReport(environment);
   report["complete"] = false;  // of an interrupted run
   WriteReport(report_path, report);
-
-  const SyntheticScene scene = [&] {
-    const Phase phase(context, "Creating the scene");
-    return MakeScene(scene_, context);
-  }();
   WriteExampleWorkspace(scene, output_path_, workspace_, context);
 
   report = MakeReport(environment);

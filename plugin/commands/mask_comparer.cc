@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "colmap_io/files/lower_extension.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
 #include "core/base/error.h"
@@ -56,7 +57,7 @@ std::vector<std::string> NamesIn(const char* option, const fs::path& folder) {
   std::error_code error;
   std::vector<std::string> names;
   for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-    if (entry.is_regular_file() && entry.path().extension() == ".png") {
+    if (entry.is_regular_file() && LowerExtension(entry.path()) == ".png") {
       names.push_back(entry.path().lexically_relative(folder).string());
     }
   }

@@ -45,7 +45,7 @@ void MaskExtractor::DeclareOptions(OptionManager& options) {
        {"turntable", MaskMode::kTurntable}},
       "sparse_model: segment the object with the cameras of a sparse "
       "model. turntable: segment what moves in front of a fixed "
-      "camera; needs no model, but image_path and output_path.");
+      "camera; needs image_path and output_path, but no sparse model.");
   options.Add("image_path",
               &workspace_.image_path,
               "Folder of the photographs. Default: images in the workspace.");
@@ -124,12 +124,6 @@ MaskList MaskExtractor::RunTurntable(const Context& context) const {
           name));
     }
   }
-  std::error_code ignored;
-  CheckOption(!std::filesystem::equivalent(
-                  workspace_.image_path, extraction_.output_path, ignored),
-              "output_path",
-              extraction_.output_path.string(),
-              "must not be the folder of the photographs");
   return ExtractTurntableMasks({.image_path = workspace_.image_path,
                                 .output_path = extraction_.output_path,
                                 .background_path = background_path_},

@@ -58,7 +58,7 @@ void MaskRenderer::Run(const CommandEnvironment& environment) {
   workspace_.needs_masks = false;
   const Workspace workspace =
       OpenWorkspace(workspace_path_, workspace_, context);
-  RequireOnlyOwnMasks(output_path_);
+  RequireOnlyOwnMasks(output_path_, workspace.image_path);
   const RayScene rays(ReadMeshAndLog(mesh_path_, context).mesh);
   MaskList list;
   std::vector<std::vector<uchar>> pngs;

@@ -112,7 +112,7 @@ void MaskUndistorter::Run(const CommandEnvironment& environment) {
         fmt::format("output_path {}: this is the folder of the original masks",
                     output_path_.string()));
   }
-  RequireOnlyOwnMasks(output_path_);
+  RequireOnlyOwnMasks(output_path_, workspace.image_path);
   const std::vector<ViewFiles> views =
       FindViewFiles(
           workspace,
@@ -134,9 +134,7 @@ void MaskUndistorter::Run(const CommandEnvironment& environment) {
       [&](size_t i) {
         const ViewFiles& view = views[i];
         const cv::Mat mask = ReadMask(view.mask_file);
-        RequireSizeOfCamera(view.mask_file,
-                            {uint64_t(mask.cols), uint64_t(mask.rows)},
-                            *view.camera);
+        RequireSizeOfCamera(view.mask_file, mask, *view.camera);
         pngs[i] = EncodeMask(Undistort(
             mask, *view.camera, targets.at(view.image->name), 0, Context(1)));
         ListedMask& listed = list.views[i];

@@ -64,7 +64,7 @@ void MeshAuditor::DeclareOptions(OptionManager& options) {
 }
 
 void MeshAuditor::Check() const {
-  CheckOption(Eigen::Vector3d(up_.data()).norm() > 0 &&
+  CheckOption(Eigen::Vector3d(up_.data()).stableNorm() > 0 &&
                   Eigen::Vector3d(up_.data()).allFinite(),
               "up",
               fmt::format("{},{},{}", up_[0], up_[1], up_[2]),

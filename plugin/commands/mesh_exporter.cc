@@ -133,7 +133,7 @@ Eigen::Vector3d ParseUp(const std::string& text) {
     numbers = {0, 0, 0};
   }
   Eigen::Vector3d up = Eigen::Vector3d(numbers.data());
-  CheckOption(up.allFinite() && up.norm() > 0,
+  CheckOption(up.allFinite() && up.stableNorm() > 0,
               "up",
               text,
               "must be a direction x,y,z that is not zero, or stand");
@@ -146,7 +146,7 @@ void MeshExporter::Check(const OptionManager& options) const {
   CheckOption(base_depth_ >= 0 && std::isfinite(base_depth_),
               "base_depth",
               base_depth_,
-              "must be positive");
+              "must not be negative");
   CheckOption(base_depth_ == 0 || flat_base_,
               "base_depth",
               base_depth_,
@@ -221,7 +221,7 @@ Eigen::Vector3d MeshExporter::FindUp(const IndexedMesh& mesh,
                         {"gap", stand.gap},
                         {"offset", stand.offset}};
   }
-  up.normalize();
+  up.stableNormalize();
   (*json)["up"] = VectorToJson(up);
   return up;
 }

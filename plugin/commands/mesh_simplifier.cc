@@ -106,7 +106,7 @@ void MeshSimplifier::Check() const {
   CheckOption(max_error_ >= 0 && std::isfinite(max_error_),
               "max_error",
               max_error_,
-              "must be positive");
+              "must not be negative");
   CheckOption(
       levels_ >= 1 && levels_ <= 16, "levels", levels_, "must be in 1 .. 16");
   const int num_given =

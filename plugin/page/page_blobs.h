@@ -10,7 +10,7 @@
 
 namespace octacut {
 
-// What page.json refers to by number; `texts` in base64.
+// What the page's JSON refers to by number; `texts` in base64.
 class PageBlobs {
  public:
   // Returns the number of the blob.

@@ -64,7 +64,7 @@ std::optional<size_t> IndexOf(const Range& range, std::string_view name) {
 }
 
 // The top folder and the module below it: "core" and "grid" of
-// "core/grid/morton.h". The modules of core/benchmark have a folder each.
+// "core/base/morton.h". The modules of core/benchmark have a folder each.
 struct Module {
   std::string_view top;
   std::string_view folder;

@@ -132,6 +132,9 @@ TEST_F(DepthMapRendererTest, MistakesAreNamed) {
               HasSubstr("--mesh_path = "));
   EXPECT_THAT(Render({"--mesh_path", Truth(), "--sweep_level", "6"}).err,
               HasSubstr("--sweep_level has no effect without --source sweep"));
+  EXPECT_EQ(Render({"--mesh_path", Truth()}).exit_code, 0);
+  EXPECT_THAT(Render({"--mesh_path", "/gone.ply"}).err,
+              HasSubstr("/gone.ply: cannot be opened"));
   const std::string points = folder_.Write("points.obj", "v 0 0 0\nv 1 1 1\n");
   EXPECT_THAT(Render({"--mesh_path", points}).err,
               HasSubstr("points.obj: the mesh has no faces"));

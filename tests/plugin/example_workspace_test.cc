@@ -164,6 +164,26 @@ TEST(ExampleCreator, ReplacesAnEarlierExampleOnlyWhenTold) {
   EXPECT_THROW(PrepareExampleFolder(folder / "file", replace), InputError);
 }
 
+TEST(ExampleCreator, KeepsAnEarlierExampleIfItFails) {
+  const TemporaryFolder folder;
+  const fs::path workspace = folder / "w";
+  ASSERT_EQ(RunOctacut(QuickExample(workspace)).exit_code, 0);
+  const fs::path mesh = workspace / "gt" / "reference.ply";
+  std::vector<std::string> arguments = QuickExample(workspace);
+  // A camera below the stand.
+  arguments.insert(
+      arguments.end(),
+      {"--overwrite", "1", "--Scene.stand", "1", "--Rig.min_elevation", "-80"});
+  EXPECT_EQ(RunOctacut(arguments).exit_code, 1);
+  EXPECT_TRUE(fs::exists(mesh));
+  arguments = QuickExample(workspace);
+  arguments.insert(arguments.end(),
+                   {"--overwrite", "1", "--mesh_path", mesh.string()});
+  EXPECT_THAT(RunOctacut(arguments).err,
+              HasSubstr("must not lie in output_path"));
+  EXPECT_TRUE(fs::exists(mesh));
+}
+
 TEST(ExampleCreator, RefusesBadValuesBeforeItTouchesTheFolder) {
   const TemporaryFolder folder;
   const fs::path workspace = folder / "w";
@@ -175,6 +195,9 @@ TEST(ExampleCreator, RefusesBadValuesBeforeItTouchesTheFolder) {
            {"image_extension", ".gif"},
            {"jpeg_quality", "101"},
            {"Rig.kind", "random"},
+           {"Scene.specular", "1001"},
+           {"Degrade.mask_defect_radius", "2000"},
+           {"num_threads", "100000"},
            {"Degrade.pixel_noise", "-1"}}) {
     const ProgramResult result = RunOctacut({"example_creator",
                                              "--output_path",

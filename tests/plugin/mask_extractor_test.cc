@@ -188,6 +188,13 @@ TEST_F(MaskExtractorTest, MistakesAreNamedAndLeaveNothing) {
     EXPECT_EQ(result.exit_code, 1);
     return result.err;
   };
+  EXPECT_THAT(RunOctacut({"mask_extractor",
+                          "--workspace_path",
+                          Workspace().string(),
+                          "--output_path",
+                          Image(0).parent_path().string()})
+                  .err,
+              HasSubstr("must not be the folder of the photographs"));
   EXPECT_THAT(error({"--given_masks_path", folder_ / "nowhere"}),
               HasSubstr("given_masks_path"));
   fs::create_directories(folder_ / "empty");

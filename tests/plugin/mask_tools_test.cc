@@ -65,6 +65,11 @@ TEST_F(MaskToolsTest, RendererGivesTheSilhouettes) {
   cv::imwrite((output / "view_003.jpg.png").string(),
               cv::Mat(20, 30, CV_8U, cv::Scalar(0)));
   EXPECT_THAT(Render(output).err, HasSubstr("view_003.jpg.png was not made"));
+  // Nor do those in a folder that a link leads to.
+  fs::create_directories(folder_ / "linking");
+  fs::create_directory_symlink(Workspace() / "masks",
+                               folder_ / "linking" / "cam1");
+  EXPECT_THAT(Render(folder_ / "linking").err, HasSubstr("was not made by"));
 }
 
 TEST_F(MaskToolsTest, UndistorterGivesMasksOfUndistortedImages) {
@@ -224,6 +229,13 @@ TEST_F(TurntableModeTest, MistakesAreNamedAndLeaveNothing) {
               HasSubstr("on_stand = 2: must be -1, 0 or 1"));
   EXPECT_THAT(ExtractTurning({"--background_path", folder_ / "none"}).err,
               HasSubstr("no such folder"));
+  fs::create_directories(Turning());
+  cv::imwrite((Turning() / "view_004.jpg.png").string(),
+              cv::Mat(7, 10, CV_8U, cv::Scalar::all(255)));
+  EXPECT_THAT(ExtractTurning().err,
+              HasSubstr("view_004.jpg.png: the mask has 10x7 pixels, but its "
+                        "photograph 240x180"));
+  fs::remove_all(Turning());
   // All photographs show the same view.
   for (int i = 1; i < kSmallViews; ++i) {
     fs::copy_file(Image(0), Image(i), fs::copy_options::overwrite_existing);

@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class MeshSimplifierTest : public ::testing::Test {
  protected:
@@ -131,6 +132,16 @@ TEST_F(MeshSimplifierTest, WarnsWhatWasReached) {
   EXPECT_THAT(result.err,
               HasSubstr("4 triangles could not be reached, " +
                         std::to_string(reached) + " are left"));
+}
+
+TEST_F(MeshSimplifierTest, AnErrorThatPermitsNothingKeepsTheMesh) {
+  const ProgramResult result =
+      Simplify({"--output_path", Path("s.ply"), "--max_error", "1e-9"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, Not(HasSubstr("nan")));
+  const nlohmann::json comparison =
+      Report("s.ply.json")["levels"][0]["comparison"];
+  EXPECT_GT(comparison["reference_diagonal"].get<double>(), 1);
 }
 
 TEST_F(MeshSimplifierTest, MistakesAreNamed) {

@@ -234,7 +234,8 @@ TEST(OptionManager, CompletesMessagesOfChecks) {
   bound.manager.Add("box_size", &bound.level, "Size");
   EXPECT_EQ(bound.manager.NameOption("box.size = 0: must be positive"),
             "--box_size = 0: must be positive");
-  for (const char* message : {"other = 1: no", "no field at all", ""}) {
+  for (const char* message :
+       {"other = 1: no", "no field at all", "--Other.level = 1: no", ""}) {
     EXPECT_EQ(bound.manager.NameOption(message), message);
   }
 }

@@ -138,6 +138,19 @@ TEST(Workflows, ImagesToMeshNamesMistakes) {
   }
 }
 
+TEST(Workflows, ImagesToMeshKeepsWorkOfOthers) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "w" / "images");
+  const std::string database = folder.Write("w/database.db", "precious");
+  const ProgramResult result =
+      RunWorkflow("images_to_mesh.sh",
+                  Quoted(folder / "w/images") + " " + Quoted(folder / "w"));
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err,
+              HasSubstr("w/database.db: was not made by this script"));
+  EXPECT_EQ(ReadFile(database), "precious");
+}
+
 // A stand-in for COLMAP: its feature extractor and matcher note that they ran,
 // its mapper copies the example's model.
 TEST(Workflows, ImagesToMeshSkipsWhatIsFinished) {

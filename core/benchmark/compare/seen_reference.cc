@@ -63,7 +63,7 @@ struct SeenReference {
 void SeenReferenceOptions::Check() const {
   CheckOption(min_views >= 1, "min_views", min_views, "must be positive");
   CheckOption(max_angle >= 1 && max_angle <= 90,
-              "max_angle",
+              "max_view_angle",
               max_angle,
               "must be in 1 .. 90");
 }

@@ -85,6 +85,10 @@ SurfaceIcp::SurfaceIcp(const MeshWithScene& mesh,
   }
   center_ = box.center();
   size_ = box.diagonal().norm() / 2;
+  if (!(size_ > 0)) {
+    throw InputError(
+        "alignment: what is selected of the reference is a single point");
+  }
 }
 
 AlignPair SurfaceIcp::PairOfMesh(const SurfaceSample& sample,

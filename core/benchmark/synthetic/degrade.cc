@@ -24,22 +24,22 @@ void DegradeOptions::Check() const {
               "degrade.mask_offset",
               mask_offset,
               "must be in [-100, 100]");
-  CheckOption(num_mask_holes >= 0,
+  CheckOption(num_mask_holes >= 0 && num_mask_holes <= 1000,
               "degrade.num_mask_holes",
               num_mask_holes,
-              "must not be negative");
-  CheckOption(num_mask_specks >= 0,
+              "must be in 0 .. 1000");
+  CheckOption(num_mask_specks >= 0 && num_mask_specks <= 1000,
               "degrade.num_mask_specks",
               num_mask_specks,
-              "must not be negative");
-  CheckOption(mask_defect_radius > 0,
+              "must be in 0 .. 1000");
+  CheckOption(mask_defect_radius > 0 && mask_defect_radius <= 1000,
               "degrade.mask_defect_radius",
               mask_defect_radius,
-              "must be positive");
-  CheckOption(pose_noise >= 0,
+              "must be positive and at most 1000");
+  CheckOption(pose_noise >= 0 && pose_noise <= 1000,
               "degrade.pose_noise",
               pose_noise,
-              "must not be negative");
+              "must be in 0 .. 1000");
 }
 
 void DegradeImage(const DegradeOptions& options,

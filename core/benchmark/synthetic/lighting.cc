@@ -24,10 +24,14 @@ void LightingOptions::Check() const {
                 light.angular_radius,
                 "must be in [0, 80)");
   }
-  CheckOption(
-      specular >= 0, "lighting.specular", specular, "must not be negative");
-  CheckOption(
-      shininess > 0, "lighting.shininess", shininess, "must be positive");
+  CheckOption(specular >= 0 && specular <= 1000,
+              "lighting.specular",
+              specular,
+              "must be in 0 .. 1000");
+  CheckOption(shininess > 0 && shininess <= 1e6,
+              "lighting.shininess",
+              shininess,
+              "must be positive and at most 1000000");
   CheckOption(num_samples >= 1,
               "lighting.num_samples",
               num_samples,

@@ -149,6 +149,9 @@ TEST_F(ImageFileTest, RefusesWhatIsNoWholePicture) {
     EXPECT_THAT(InputErrorOf([&] { ReadPhotograph(folder_ / "part.jpg"); }),
                 HasSubstr("part.jpg"))
         << part;
+    EXPECT_THAT(InputErrorOf([&] { ReadGrey(folder_ / "part.jpg"); }),
+                HasSubstr("part.jpg"))
+        << part;
     WriteText(folder_ / "part.png", png.substr(0, size_t(part * png.size())));
     EXPECT_THAT(InputErrorOf([&] { ReadMask(folder_ / "part.png"); }),
                 HasSubstr("part.png"))

@@ -127,9 +127,11 @@ TEST_F(WorkspaceTest, FindsMasksInEveryNamingInOrder) {
   const auto find = [&] { return FindMaskFile(masks, "abc/012.jpg", images); };
   EXPECT_FALSE(find().has_value());
   // From the last choice to the first.
-  for (const char* name : {"abc/012.jpeg",
+  for (const char* name : {"abc/012_mask.JPG",
+                           "abc/012.jpeg",
                            "abc/012.jpg.jpg",
                            "abc/012.jpg",
+                           "abc/012.PNG",
                            "abc/mask_012.png",
                            "abc/012_mask.png",
                            "abc/012.mask.png",

@@ -34,6 +34,14 @@ TEST(MeasureOverhangs, WhatRestsOnThePlateIsNone) {
   EXPECT_EQ(MeasureOverhangs(Cube(4), edge_up, 46).share, 0);
 }
 
+TEST(MeasureOverhangs, TheLengthOfUpDoesNotMatter) {
+  const Eigen::Vector3d up(0, 1, 1);
+  const double share = MeasureOverhangs(Cube(4), up, 44).share;
+  for (const double length : {1e-200, 1e200}) {
+    EXPECT_NEAR(MeasureOverhangs(Cube(4), length * up, 44).share, share, 1e-9);
+  }
+}
+
 // The ceiling of a cavity hangs over; its floor does not.
 TEST(MeasureOverhangs, CeilingsHangOver) {
   const Overhangs result =

@@ -81,6 +81,17 @@ TEST(AlignMeshes, ScaleAndPositionOfTheWorldDoNotMatter) {
   EXPECT_LT(Misplacement(reference, moved, result.reference_from_mesh), 1e-8);
 }
 
+TEST(AlignMeshes, RefusesAReferenceOfOnePoint) {
+  IndexedMesh point;
+  point.positions.assign(3, Eigen::Vector3d(1, 2, 3));
+  AlignMeshesOptions options = FewSamples();
+  for (const bool global_search : {false, true}) {
+    options.global_search = global_search;
+    EXPECT_THROW(AlignMeshes(Potato(15), point, options, Context(1)),
+                 InputError);
+  }
+}
+
 TEST(AlignMeshes, MissingPartsAreRejected) {
   const IndexedMesh whole = Potato(24);
   const IndexedMesh partial = KeepTriangles(

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kAgreementGrain = 256;
 // Averagings of phi over the six neighbours, and steps to them within which
-// the least mean counts: the thickness of a crust.
+// the least mean counts: somewhat more than half of a crust of six voxels.
 // (docs/experiments/undecided_surface.md)
 constexpr int kMeanSteps = 2;
 constexpr int kReach = 4;

@@ -34,7 +34,8 @@ struct Crust {
 Crust InitialCrust(const VoxelGrid& hull, const Context& context);
 
 // The crust of the level after hierarchy.Finest(): the children of its cut
-// voxels, dilated. Voxels outside the crust are inside or outside by the
+// voxels, two layers, dilated `crust_dilation` times on both sides: about six
+// voxels. Voxels outside the crust are inside or outside by the
 // coarser cuts. Where a structure (or a gap) is so thin that the crust spans
 // it, its medial voxels are tied, so that a minimal cut can neither amputate
 // the structure nor fill the gap.

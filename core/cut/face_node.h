@@ -2,7 +2,6 @@
 // voxel, shared with the voxel below it.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 

@@ -17,8 +17,8 @@
 
 namespace octacut {
 
-// Searches regions and joins them pairwise, bottom up: who has the second half
-// of a join ready goes on with it.
+// Searches regions and joins them pairwise, bottom up: the thread that finishes
+// the second half of a join goes on with the join.
 template <typename Flow>
 class RegionSearch {
  public:

@@ -34,7 +34,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 
 #include "core/base/context.h"

@@ -1,8 +1,5 @@
 #include "core/evidence/depth_sweep.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/evidence/neighbor_views.h"
@@ -89,8 +86,8 @@ size_t EstimateSweepBytes(size_t num_views,
   const double resolution = double(1u << hull_level);
   const double side = resolution * options.samples_per_voxel;
   const double num_planes = resolution * options.planes_per_voxel;
-  // A reduced view and its depths, 24 bytes per sample, the depths of a second
-  // sweep with their confidence, and the scores of all planes for each thread.
+  // A reduced view and its depths, and those of a second sweep with their
+  // confidence: 41 bytes per sample. The scores of all planes for each thread.
   return size_t(side * side *
                 (41 * double(num_views) +
                  num_planes * sizeof(float) * context.NumThreads()));

@@ -40,8 +40,8 @@ struct InsideEvidenceOptions {
   // A view that sees through the voxel, as far as its depth can be relied upon;
   // the first one counts half.
   double free_space_weight = 0.5;
-  // Where a labelling leaves the ray of an object's pixel empty: what that
-  // pixel's word is worth to all hull voxels of its ray together. It doubles
+  // Evidence for inside that a pixel of the object adds where a labelling
+  // leaves its ray empty, spread over the hull voxels on that ray. It doubles
   // with every round until nearly all are covered, `cover_rounds` times at
   // most. Since it doubles, where it begins only changes the number of rounds.
   double cover_weight = 1;

@@ -12,8 +12,11 @@ namespace {
 float PickDepth(const std::vector<float>& scores,
                 const ScoreVolume& volume,
                 float min_score) {
+  // A second peak that is less than this below the best one makes the depth
+  // ambiguous; planes on both sides of the best one belong to its own peak. Not
+  // varied alone.
   constexpr float kPeakMargin = 0.03f;
-  constexpr int kPeakWidth = 3;  // planes
+  constexpr int kPeakWidth = 3;
   const int n = volume.num_planes;
   const int best =
       int(std::max_element(scores.begin(), scores.end()) - scores.begin());

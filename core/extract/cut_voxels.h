@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "core/base/context.h"
 #include "core/grid/count_bits.h"
 #include "core/grid/face.h"
 #include "core/grid/voxel_grid.h"

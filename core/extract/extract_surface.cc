@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/extract/cube_topology.h"
 #include "core/extract/loop_choices.h"
 #include "core/extract/shared_edges.h"
 

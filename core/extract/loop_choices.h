@@ -2,7 +2,6 @@
 // alone.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 

@@ -1,7 +1,6 @@
 // Where an umbrella's vertex belongs. For core/extract alone.
 #pragma once
 
-#include <array>
 #include <Eigen/Core>
 
 #include "core/extract/corner_umbrellas.h"

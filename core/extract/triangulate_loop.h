@@ -23,9 +23,9 @@ inline std::span<const LoopTriangle> LoopTriangulation(int size, int choice) {
 }
 
 // The triangulation of the corners' best shape: the least sum over the
-// triangles of (sum of squared edges) / area, which is scale-invariant, least
-// for equilateral triangles and unbounded for degenerate ones. The first of
-// equals.
+// triangles of (sum of squared edges) / (twice the area), in voxels, which is
+// least for equilateral triangles, and large but finite for degenerate ones.
+// The first of equals.
 int ChooseTriangulation(std::span<const Eigen::Vector3f> corners);
 
 }  // namespace octacut

@@ -4,7 +4,6 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/extract/cube_topology.h"
 
 namespace octacut {
 namespace {

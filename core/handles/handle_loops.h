@@ -17,9 +17,10 @@ struct HandleLoop {
 };
 
 // Loops of edges of at most `max_length` (world units) that do not cut the
-// surface in two, the shortest first: for each vertex in the way of such loops
-// the shortest through it or, where that meets itself on the way, the shorter
-// one that it ends in. Many go around the same handle, and some are the same.
+// surface in two, the shortest first: for each vertex that such a loop may run
+// through, the shortest one through it. Where its two halves share their first
+// edges, those are left out. Many go around the same handle, and some are the
+// same.
 std::vector<HandleLoop> FindHandleLoops(const IndexedMesh& mesh,
                                         const HalfEdges& half_edges,
                                         const SurfaceHomology& homology,

@@ -21,9 +21,9 @@ struct RemoveHandlesOptions {
   double max_length = 0;
   // New triangles are no thinner (thin_triangles.h).
   double min_height = 0;
-  // Loops of both kinds may also be as long as the least of this over their
-  // vertices, and `max_length_anywhere` at most, which is more than 0 only
-  // with it.
+  // Loops of both kinds are also cut if they are at most `max_length_anywhere`
+  // long and no longer than `max_length_at` at any of their vertices. Without
+  // `max_length_at`, `max_length_anywhere` must be 0.
   std::function<double(const Eigen::Vector3d&)> max_length_at = nullptr;
   double max_length_anywhere = 0;
 };

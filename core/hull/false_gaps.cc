@@ -1,6 +1,5 @@
 #include "core/hull/false_gaps.h"
 
-#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -17,6 +16,8 @@ namespace {
 // What others leave of the gap, over what they leave of what is around it.
 constexpr double kMinLeftOfEnclosed = 0.5;
 constexpr double kMinLeftOfBay = 0.7;
+// A gap that is filled may show that one of another view is false, too: rounds
+// end when no more are, or after so many.
 constexpr int kMaxRounds = 5;
 // Lines of sight that are tried a gap, and points of each an edge of the root
 // cube.

@@ -1,7 +1,6 @@
 #include "core/hull/hull_surface.h"
 
 #include "core/base/parallel.h"
-#include "core/grid/morphology.h"
 #include "core/grid/voxel_walk.h"
 
 namespace octacut {

@@ -3,8 +3,6 @@
 // view, so the surface is not inflated by the voxels' footprints.
 #pragma once
 
-#include <vector>
-
 #include "core/base/context.h"
 #include "core/grid/labeled_voxels.h"
 #include "core/hull/visual_hull.h"

@@ -8,7 +8,6 @@
 #include "core/base/context.h"
 #include "core/grid/voxel_grid.h"
 #include "core/hull/hull_octree.h"
-#include "core/scene/scene.h"
 #include "core/views/view_set.h"
 
 namespace octacut {

@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <limits>
 #include <unordered_map>
-#include <utility>
 
 #include "core/base/error.h"
 #include "core/mesh/bounding_box.h"
@@ -264,11 +263,14 @@ ClusteredMesh ClusterVertices(const IndexedMesh& mesh,
   }
   RequireFinite(mesh);
   const Eigen::AlignedBox3d box = BoxOfTriangles(mesh);
-  if (mesh.triangles.size() <= max_triangles || !(box.sizes().maxCoeff() > 0)) {
+  if (mesh.triangles.size() <= max_triangles) {
     ClusteredMesh whole = WithoutUnusedVertices(mesh);
     if (whole.mesh.positions.size() <= max_triangles) {
       return whole;
     }
+  }
+  if (!(box.sizes().maxCoeff() > 0)) {
+    throw InputError("simplification: all triangles are at one point");
   }
   ClusteredMesh result = Cluster(mesh, box, max_triangles, context);
   if (result.mesh.positions.size() > max_triangles) {

@@ -24,8 +24,8 @@ struct KeptComponents {
 // the largest alone, 0 everything.
 //
 // A component of negative volume bounds a cavity of another one. It is judged
-// by its absolute volume, so small cavities are filled; removing a component
-// removes no cavity in it, but such a cavity is smaller still. The order of
+// by its absolute volume, so small cavities are filled. The cavities of a
+// removed component are removed as well, because they are smaller. The order of
 // vertices and triangles stays.
 KeptComponents KeepLargestComponents(IndexedMesh mesh, double min_fraction);
 

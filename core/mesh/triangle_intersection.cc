@@ -1,6 +1,5 @@
 #include "core/mesh/triangle_intersection.h"
 
-#include <cmath>
 #include <Eigen/Geometry>
 #include <utility>
 

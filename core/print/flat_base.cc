@@ -188,9 +188,8 @@ class Cutter {
 };
 
 // Triangles of the base and those that have moved or been cut: all that come
-// near the plane.
-std::vector<uint8_t> TrianglesAtTheCut(const IndexedMesh& mesh) {
-  const double reach = 2 * kClearance * MeanEdge(mesh);
+// within `reach` of the plane.
+std::vector<uint8_t> TrianglesAtTheCut(const IndexedMesh& mesh, double reach) {
   std::vector<uint8_t> marks(mesh.triangles.size());
   for (size_t t = 0; t < marks.size(); ++t) {
     const auto& corners = mesh.triangles[t];
@@ -213,9 +212,11 @@ FlatBase CutFlatBase(const IndexedMesh& mesh, const Context& context) {
         "height",
         failure));
   }
-  const size_t num_pairs = FindIntersectionsOfMarked(
-                               base.mesh, TrianglesAtTheCut(base.mesh), context)
-                               .size();
+  const double reach = 2 * kClearance * MeanEdge(mesh);
+  const size_t num_pairs =
+      FindIntersectionsOfMarked(
+          base.mesh, TrianglesAtTheCut(base.mesh, reach), context)
+          .size();
   if (num_pairs > 0) {
     throw InputError(
         fmt::format("flat base: {} pairs of triangles intersect "

@@ -90,8 +90,8 @@ class PolygonFiller {
 
   // Nothing where it cannot be done.
   std::optional<Triangles> Run() {
-    // A hole that reaches farther to the right is not between one that does not
-    // and what that sees on its right.
+    // Holes are joined from right to left: what the rightmost corner of a hole
+    // sees on its right is then a part of the ring already.
     for (PolygonLoop& hole : holes_) {
       std::rotate(hole.begin(),
                   std::max_element(hole.begin(),

@@ -1,9 +1,7 @@
 #include "core/print/wall_thickness.h"
 
 #include <algorithm>
-#include <cmath>
 #include <Eigen/Geometry>
-#include <numeric>
 #include <optional>
 
 #include "core/base/parallel.h"

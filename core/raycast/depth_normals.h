@@ -26,8 +26,8 @@ DepthAndNormals RenderDepthAndNormals(const IndexedMesh& mesh,
                                       const Rigid3d& cam_from_world,
                                       const Context& context);
 
-// Planes fitted to the points of (2 * radius + 1)^2 pixels, of those within
-// `radius` + 1 pixels' sizes times three of the middle's depth. Depths whose
+// Fits a plane to the points of (2 * radius + 1)^2 pixels whose depth differs
+// from the middle's by at most 3 * (`radius` + 1) pixel sizes. Depths whose
 // plane is not determined (fewer than six points) are dropped.
 DepthAndNormals FitNormals(const cv::Mat& depth,
                            const PinholeCamera& camera,

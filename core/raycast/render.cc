@@ -1,7 +1,6 @@
 #include "core/raycast/render.h"
 
 #include <algorithm>
-#include <cmath>
 #include <Eigen/Geometry>
 #include <limits>
 #include <opencv2/core.hpp>

@@ -15,8 +15,11 @@ constexpr size_t kValidityGrain = 4096;
 constexpr double kMinHeight = 0.01;
 // Averagings with the neighbours.
 constexpr int kRelaxations = 5;
-// Pixels out of a mask at which one point is as bad as another.
+// Pixels out of a mask at which one point is as bad as another, and the steps
+// to there: a twentieth of a pixel, and five per cent.
 constexpr float kMaxReach = 200;
+constexpr float kReachStep = 0.05f;
+constexpr float kReachGrowth = 1.05f;
 
 bool IsBackground(const PreparedView& view,
                   const Eigen::Vector3d& point,
@@ -40,7 +43,7 @@ bool LeavesHull(const ViewSet& views,
   return std::any_of(views.begin(), views.end(), [&](const PreparedView& view) {
     for (float reach = tolerance;
          reach < kMaxReach && IsBackground(view, point, reach);
-         reach = 1.05f * reach + 0.05f) {
+         reach = kReachGrowth * reach + kReachStep) {
       if (!IsBackground(view, start, reach) &&
           !IsBackground(view, before, reach)) {
         return true;

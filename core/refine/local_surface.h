@@ -34,8 +34,8 @@ struct LocalSurface {
   float Curvature() const {
     return std::abs(uu + vv) + std::hypot(uu - vv, uv);
   }
-  // Largest one at the center with which the surface turns away from whom it
-  // faces, at least 0, 1 / unit.
+  // Largest convex normal curvature at the center, 0 if there is none, 1 /
+  // unit.
   float ConvexCurvature() const {
     return std::max(0.0f, std::hypot(uu - vv, uv) - (uu + vv));
   }

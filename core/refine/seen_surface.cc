@@ -5,7 +5,6 @@
 
 #include "core/mesh/mean_edge.h"
 #include "core/mesh/normals.h"
-#include "core/refine/thinned_surface.h"
 
 namespace octacut {
 namespace {

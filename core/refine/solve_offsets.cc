@@ -55,7 +55,8 @@ class LinearCost final : public ceres::CostFunction {
   double constant_;
 };
 
-// The weight of an offset of which nothing is known.
+// The weight of an offset of 0 where nothing is known, 1 / pixels: next to
+// none, but the problem stays regular.
 constexpr double kAnchor = 0.02;
 
 class StopWhenCancelled final : public ceres::IterationCallback {

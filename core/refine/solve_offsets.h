@@ -12,8 +12,8 @@
 
 namespace octacut {
 
-// weight * (fraction of the way from one point's offset to the other's -
-// target) shall vanish.
+// Residual: weight * (offset interpolated at `fraction` between the two points
+// - target).
 struct EdgeTarget {
   std::array<uint32_t, 2> points;
   float fraction;  // 0: of the first point, 1: of the second
@@ -26,7 +26,7 @@ struct OffsetProblem {
   std::vector<Eigen::Vector3f> normals;
   // 0: the point stays.
   std::vector<uint8_t> is_free;
-  // weights[v] * (offset - targets[v]) shall vanish, robustly; weight 0: none.
+  // Robust residuals weights[v] * (offset - targets[v]); weight 0: none.
   std::vector<float> targets;
   std::vector<float> weights;
   std::vector<EdgeTarget> edge_targets;

@@ -20,8 +20,9 @@ struct SurfacePoints {
   VertexCorners neighbors;
 };
 
-// No two points are within `distance` of each other along the edges of the
-// mesh, and every vertex is within `distance` of one. `neighbors` are those of
+// Every vertex is within `distance` (in a straight line) of a point, and no two
+// points are within `distance` of each other that are connected by vertices
+// within it. `neighbors` are those of
 // FindVertexNeighbors.
 SurfacePoints SpreadPoints(const IndexedMesh& mesh,
                            const VertexCorners& neighbors,

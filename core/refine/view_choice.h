@@ -28,9 +28,9 @@ struct ViewChoiceOptions {
 struct ChosenViews {
   static constexpr int kMaxViews = 24;
   std::array<uint16_t, kMaxViews> views;  // of most weight first
-  // Cosines to the normal: what is foreshortened tells less. Of views whose
-  // pixels are too large, over the square of that: they tell depths so much
-  // less precisely.
+  // Cosines to the normal: what is foreshortened tells less. Where a view's
+  // pixel is larger than LinesOfSight::pixel, times the square of the ratio of
+  // both, because its depths are that much less precise.
   std::array<float, kMaxViews> weights;
   uint8_t count = 0;
   float pixel = 0;  // weighted mean size of their pixels at the point

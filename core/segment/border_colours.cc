@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "core/segment/pixel_features.h"
 #include "core/segment/shadows.h"

@@ -1,7 +1,5 @@
 #include "core/segment/segment_object.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -55,8 +55,9 @@ struct SegmentedView {
   // CV_32F of the view's size: log odds of object against background from
   // colours and from the other views.
   cv::Mat log_odds;
-  // CV_32F: log odds from the view's colours alone, within +-kOneViewsWord but
-  // where labels say more.
+  // CV_32F: log odds from colours (of this view's model and of that of all
+  // views) and from the stand, without the other silhouettes; within
+  // +-kOneViewsWord but where labels say more.
   cv::Mat colours;
   // CV_32F: what the other views alone say, in [-1, 1]; 1 is object.
   cv::Mat others;

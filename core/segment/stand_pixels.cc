@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/LU>
 #include <numbers>
 #include <opencv2/imgproc.hpp>
 #include <utility>

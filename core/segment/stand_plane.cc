@@ -64,8 +64,12 @@ class PlaneFinder {
     size_t most = 0;
     for (int i = 0; i < kTries; ++i) {
       if (const std::optional<Plane> plane = PlaneOfThree(uint64_t(i))) {
+        // The cheap test first.
+        if (!IsBelowCameras(*plane)) {
+          continue;
+        }
         const size_t count = CountOn(*plane);
-        if (count > most && IsBelowAll(*plane)) {
+        if (count > most && IsBelowPoints(*plane)) {
           most = count;
           best = plane;
         }
@@ -108,17 +112,19 @@ class PlaneFinder {
           return std::abs(plane.signedDistance(point)) < tolerance_;
         }));
   }
-  bool IsBelowAll(const Plane& plane) const {
+  bool IsBelowCameras(const Plane& plane) const {
     const auto num_above = double(std::count_if(
         cameras_.begin(), cameras_.end(), [&](const auto& camera) {
           return plane.signedDistance(camera) > 0;
         }));
+    return num_above >= kMostCameras * double(cameras_.size());
+  }
+  bool IsBelowPoints(const Plane& plane) const {
     const auto num_below = double(
         std::count_if(points_.begin(), points_.end(), [&](const auto& point) {
           return plane.signedDistance(point) < -kClearlyBelow * tolerance_;
         }));
-    return num_above >= kMostCameras * double(cameras_.size()) &&
-           num_below <= kMostBelow * double(points_.size());
+    return num_below <= kMostBelow * double(points_.size());
   }
   // Least squares over the points on it.
   Plane Refined(const Plane& plane) const {

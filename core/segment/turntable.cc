@@ -39,7 +39,7 @@ constexpr size_t kColourSamples = 6000;
 // Part of what turns that is in one piece, since the plate holds it together.
 constexpr double kLeastOfPlate = 0.5;
 
-// Windows around points beside it show it as well, up to a third of their size
+// Windows around points beside it show it as well, up to 0.3 of their size
 // away.
 cv::Mat CoreOf(const cv::Mat& windows, int window) {
   cv::Mat core;

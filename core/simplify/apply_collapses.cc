@@ -22,8 +22,8 @@ SurfaceMesh BareSurface(const IndexedMesh& full) {
   return surface;
 }
 
-// Returns whether it was allowed, which those are that are made in the order in
-// which they were found, without leaving out any.
+// Returns whether the collapse was made. `is_known_good`: all that were found
+// before were made, so that it is allowed, too.
 bool Apply(const Collapse& collapse, bool is_known_good, SurfaceMesh* surface) {
   const auto from = SurfaceMesh::VertexHandle{int(collapse.from)};
   const auto to = SurfaceMesh::VertexHandle{int(collapse.to)};

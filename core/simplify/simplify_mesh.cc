@@ -115,8 +115,8 @@ SimplifiedMesh SimplifyTo(size_t num_triangles,
   const Phase phase(context, "simplification: intersections");
   SimplifiedMesh result;
   std::vector<uint8_t> held;
-  // Each time at least one more vertex stays; those of the full mesh that has
-  // none left to move do not intersect anew.
+  // Each pass holds at least one more vertex, so it ends: a triangle whose
+  // vertices are all held is one of the full mesh.
   while (true) {
     CollapsedMesh collapsed = replay.Run(num_triangles, held);
     const auto num_held = std::count(held.begin(), held.end(), 1);

@@ -1,8 +1,6 @@
 #include "core/texture/atlas_layout.h"
 
-#include <limits>
 #include <opencv2/core.hpp>
-#include <vector>
 
 #include "core/base/parallel.h"
 #include "core/texture/triangle_raster.h"

@@ -64,8 +64,7 @@ struct Surface {
   const RayScene& rays;
   std::vector<std::array<uint32_t, 3>> neighbors;
   std::vector<Eigen::Vector3f> normals;  // of triangles, twice their areas long
-  // Part of an edge that rays toward the camera skip: they begin on the
-  // surface.
+  // Length that rays toward the camera skip, since they begin on the surface.
   double ray_offset = 0;
   double mean_edge = 0;
 };
@@ -289,7 +288,7 @@ FaceViews FindFaceViews(const IndexedMesh& mesh,
   FaceViews result(mesh.triangles.size());
   const size_t num_views = photographs.poses.size();
   Phase phase(context, "visibility", num_views);
-  // Batches are taken in in the order of the views, whatever their size.
+  // Batches are added in the order of the views, whatever their size.
   const size_t batch =
       std::clamp(photographs.max_held, size_t{1}, size_t(context.NumThreads()));
   for (size_t first = 0; first < num_views; first += batch) {

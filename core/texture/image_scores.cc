@@ -1,6 +1,5 @@
 #include "core/texture/image_scores.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <opencv2/core.hpp>

@@ -1,6 +1,5 @@
 #include "core/texture/render_unlit.h"
 
-#include <cmath>
 #include <functional>
 #include <opencv2/core.hpp>
 

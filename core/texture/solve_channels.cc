@@ -11,7 +11,8 @@
 namespace octacut {
 namespace {
 
-// A correction off by a hundredth of a grey level changes no byte.
+// Of the right side, whose values are up to 255 grey levels: about a hundredth
+// of a level, which changes no byte.
 constexpr double kTolerance = 1e-5;
 constexpr int kMaxIterations = 2000;
 

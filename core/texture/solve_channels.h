@@ -11,8 +11,8 @@ namespace octacut {
 using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 // Solves `matrix` * x = `right` by conjugate gradients, one column a channel
-// (grey levels), from `x` on, to a hundredth of a level. Warns that `what` may
-// be seen where they do not converge.
+// (grey levels), from `x` on, until the residual is 1e-5 of `right`. Warns that
+// `what` may be seen where they do not converge.
 void SolveChannels(const SymmetricMatrix& matrix,
                    const Eigen::MatrixX3d& right,
                    std::string_view what,

@@ -20,8 +20,8 @@ struct DeniedPixels {
 // The denied pixels among those of `views[view]` that are not 0 in `pixels`
 // (CV_8UC1). A view denies a point that it shows more than `margins` (pixels,
 // one per view) outside of the border of its object. A pixel is denied if every
-// point of its ray within the root cube is, and by those views that deny the
-// point that the fewest deny.
+// point of its ray within the root cube is denied; by_view counts the views
+// that deny the point with the fewest denials.
 DeniedPixels FindDeniedPixels(const ViewSet& views,
                               const std::vector<double>& margins,
                               size_t view,

@@ -20,7 +20,8 @@ struct CoarseShift {
   bool is_doubted = false;
 };
 
-// A shift that is less is found exactly around the borders as they are.
+// Smaller shifts are found more precisely around the borders as they are
+// (MeasureBorderEdges).
 inline constexpr float kMinCoarseShift = 2;
 
 // One element per view (FindAllEdges); empty for views without an image.

@@ -5,7 +5,6 @@
 #include <limits>
 #include <vector>
 
-#include "core/base/context.h"
 #include "core/views/view_projection.h"
 
 namespace octacut {

@@ -22,7 +22,8 @@ struct VisibilityOptions {
   // At most this many views per voxel, those of most weight; 2 .. 16.
   int max_views = 8;
   // Depth tolerance in voxels, measured along the normal: what lies in the
-  // crust behind the surface is still to be seen: half of its thickness.
+  // crust behind the surface is still to be seen. Somewhat more than half of
+  // the crust's six voxels.
   double depth_tolerance = 4;
   void Check() const;
 };

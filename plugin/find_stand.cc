@@ -37,9 +37,8 @@ void MarkPoints(const std::vector<const SparsePoint*>& points,
         continue;
       }
       UnsegmentedView& view = files->input.views[found->second];
-      if (IsShown(view.pose, point->xyz)) {
-        view.stand_points.push_back(
-            view.pose.camera.Project(view.pose.cam_from_world * point->xyz));
+      if (const auto pixel = PixelOf(view.pose, point->xyz)) {
+        view.stand_points.push_back(*pixel);
       }
     }
   }

@@ -48,15 +48,9 @@ std::unordered_map<uint32_t, const View*> ViewsByImage(
 }
 
 bool IsInsideMask(const Eigen::Vector3d& point, const View& view) {
-  const Eigen::Vector3d point_in_cam = view.cam_from_world * point;
-  if (!(point_in_cam.z() > 0)) {
-    return false;
-  }
-  const Eigen::Vector2d pixel = view.camera.Project(point_in_cam);
-  return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < view.camera.width &&
-         pixel.y() < view.camera.height &&
-         view.mask.at<uint8_t>(int(pixel.y()), int(pixel.x())) >=
-             kObjectThreshold;
+  const auto pixel = view.camera.ProjectIntoFrame(view.cam_from_world * point);
+  return pixel && view.mask.at<uint8_t>(int(pixel->y()), int(pixel->x())) >=
+                      kObjectThreshold;
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/parabola.h"
+
 namespace octacut {
 namespace {
 
@@ -32,11 +34,7 @@ float PickDepth(const std::vector<float>& scores,
   float offset = 0;
   if (best > 0 && best + 1 < n && scores[best - 1] > -1 &&
       scores[best + 1] > -1) {
-    const float curvature =
-        scores[best - 1] - 2 * scores[best] + scores[best + 1];
-    if (curvature < 0) {
-      offset = 0.5f * (scores[best - 1] - scores[best + 1]) / curvature;
-    }
+    offset = ParabolaExtremum(scores[best - 1], scores[best], scores[best + 1]);
   }
   return volume.first_depth +
          (float(best) + std::clamp(offset, -0.5f, 0.5f)) * volume.spacing;

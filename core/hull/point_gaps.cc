@@ -32,14 +32,10 @@ cv::Mat CountPoints(const View& view,
                     const std::vector<Eigen::Vector3d>& points) {
   cv::Mat counts = cv::Mat::zeros(view.mask.size(), CV_32FC1);
   for (const Eigen::Vector3d& point : points) {
-    const Eigen::Vector3d in_cam = view.cam_from_world * point;
-    if (!(in_cam.z() > 0)) {
-      continue;
-    }
-    const Eigen::Vector2d pixel = view.camera.Project(in_cam);
-    if (pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < counts.cols &&
-        pixel.y() < counts.rows) {
-      counts.at<float>(int(pixel.y()), int(pixel.x())) += 1;
+    const auto pixel =
+        view.camera.ProjectIntoFrame(view.cam_from_world * point);
+    if (pixel) {
+      counts.at<float>(int(pixel->y()), int(pixel->x())) += 1;
     }
   }
   return counts;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 
 namespace octacut {
 
@@ -20,6 +21,17 @@ struct PinholeCamera {
   Eigen::Vector2d Project(const Eigen::Vector3d& point_in_cam) const {
     return {fx * point_in_cam.x() / point_in_cam.z() + cx,
             fy * point_in_cam.y() / point_in_cam.z() + cy};
+  }
+  // None for a point that is not before the camera, or out of the frame.
+  std::optional<Eigen::Vector2d> ProjectIntoFrame(
+      const Eigen::Vector3d& point_in_cam) const {
+    if (!(point_in_cam.z() > 0)) {
+      return std::nullopt;
+    }
+    const Eigen::Vector2d pixel = Project(point_in_cam);
+    const bool is_in_frame = pixel.x() >= 0 && pixel.y() >= 0 &&
+                             pixel.x() < width && pixel.y() < height;
+    return is_in_frame ? std::optional(pixel) : std::nullopt;
   }
   // Direction in the camera's frame with z = 1.
   Eigen::Vector3d Unproject(const Eigen::Vector2d& pixel) const {

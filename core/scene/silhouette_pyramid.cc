@@ -131,17 +131,12 @@ BoxVerdict SilhouettePyramid::Classify(const Eigen::AlignedBox3d& box) const {
 BoxVerdict SilhouettePyramid::Classify(const Eigen::Vector3d& point) const {
   const BoxVerdict out_of_sight =
       closed_ ? BoxVerdict::kBackground : BoxVerdict::kUnknown;
-  const Eigen::Vector3d point_in_cam = cam_from_world_ * point;
-  if (point_in_cam.z() <= 0) {
+  const auto pixel = camera_.ProjectIntoFrame(cam_from_world_ * point);
+  if (!pixel) {
     return out_of_sight;
   }
-  const Eigen::Vector2d pixel = camera_.Project(point_in_cam);
-  if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < camera_.width &&
-        pixel.y() < camera_.height)) {
-    return out_of_sight;
-  }
-  const int x = int(pixel.x());
-  const int y = int(pixel.y());
+  const int x = int(pixel->x());
+  const int y = int(pixel->y());
   return Count(x, y, x + 1, y + 1) > 0 ? BoxVerdict::kObject
                                        : BoxVerdict::kBackground;
 }

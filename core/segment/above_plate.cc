@@ -45,11 +45,9 @@ bool IsOfPlate(const Eigen::Vector3d& point,
   size_t num_shown = 0;
   size_t num_still = 0;
   for (size_t i = 0; i < poses.size(); ++i) {
-    if (IsShown(poses[i], point)) {
-      const Eigen::Vector2d pixel =
-          poses[i].camera.Project(poses[i].cam_from_world * point);
+    if (const auto pixel = PixelOf(poses[i], point)) {
       ++num_shown;
-      num_still += labels[i].at<uint8_t>(int(pixel.y()), int(pixel.x())) ==
+      num_still += labels[i].at<uint8_t>(int(pixel->y()), int(pixel->x())) ==
                    kSurroundingsLabel;
     }
   }

@@ -87,14 +87,9 @@ cv::Mat DistancesFromCenter(const Pose& pose, const SearchRegion& region) {
   return distances;
 }
 
-bool IsShown(const Pose& pose, const Eigen::Vector3d& point) {
-  const Eigen::Vector3d in_cam = pose.cam_from_world * point;
-  if (!(in_cam.z() > 0)) {
-    return false;
-  }
-  const Eigen::Vector2d pixel = pose.camera.Project(in_cam);
-  return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < pose.camera.width &&
-         pixel.y() < pose.camera.height;
+std::optional<Eigen::Vector2d> PixelOf(const Pose& pose,
+                                       const Eigen::Vector3d& point) {
+  return pose.camera.ProjectIntoFrame(pose.cam_from_world * point);
 }
 
 SearchRegion FindSearchRegion(std::span<const Pose> poses,
@@ -112,17 +107,17 @@ SearchRegion FindSearchRegion(std::span<const Pose> poses,
   double reach = 0;  // half of what any view shows at the centre's distance
   size_t num_showing = 0;
   for (const Pose& pose : poses) {
-    if (!IsShown(pose, region.center)) {
+    const auto pixel = PixelOf(pose, region.center);
+    if (!pixel) {
       radii.push_back(0);
       continue;
     }
     ++num_showing;
     const Eigen::Vector3d in_cam = pose.cam_from_world * region.center;
-    const Eigen::Vector2d pixel = pose.camera.Project(in_cam);
-    const double left = std::min({pixel.x(),
-                                  pixel.y(),
-                                  pose.camera.width - pixel.x(),
-                                  pose.camera.height - pixel.y()});
+    const double left = std::min({pixel->x(),
+                                  pixel->y(),
+                                  pose.camera.width - pixel->x(),
+                                  pose.camera.height - pixel->y()});
     const double pixel_size = in_cam.z() / pose.camera.fx;
     radii.push_back(left * pixel_size);
     const double longest = std::max(pose.camera.width, pose.camera.height);

@@ -54,7 +54,8 @@ SearchRegion FindSearchRegion(std::span<const Pose> poses,
 // radii of the region.
 cv::Mat DistancesFromCenter(const Pose& pose, const SearchRegion& region);
 
-// Whether the frame shows a point.
-bool IsShown(const Pose& pose, const Eigen::Vector3d& point);
+// Where the view shows a point; none if it does not.
+std::optional<Eigen::Vector2d> PixelOf(const Pose& pose,
+                                       const Eigen::Vector3d& point);
 
 }  // namespace octacut

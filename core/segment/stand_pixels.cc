@@ -88,10 +88,9 @@ cv::Mat PixelsByWayOf(const Eigen::Hyperplane<double, 3>& plane,
       auto& pixel = pixels.at<cv::Vec2f>(y, x);
       pixel = cv::Vec2f(-1, -1);
       const Eigen::Vector3d point = eye + distance * ray;
-      if (distance > 0 && IsShown(to, point)) {
-        const Eigen::Vector2d seen =
-            to.camera.Project(to.cam_from_world * point);
-        pixel = cv::Vec2f(float(seen.x() - 0.5), float(seen.y() - 0.5));
+      const auto seen = PixelOf(to, point);
+      if (distance > 0 && seen) {
+        pixel = cv::Vec2f(float(seen->x() - 0.5), float(seen->y() - 0.5));
       }
     }
   }

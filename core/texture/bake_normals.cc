@@ -32,8 +32,6 @@ constexpr double kStepBack = 1e-6;
 constexpr int kSamplesASide = 2;
 // Least z that is stored: surfaces that face away cannot be mapped.
 constexpr float kLeastZ = 0.02f;
-// A texel outside of a sliver does not go on further, in lengths of its edges.
-constexpr double kFar = 16;
 
 Eigen::Vector3f UnitOr(const Eigen::Vector3f& vector,
                        const Eigen::Vector3f& otherwise) {
@@ -228,10 +226,7 @@ class PageBaker {
   Eigen::Vector3f MappedSample(size_t f,
                                const std::array<Eigen::Vector2d, 3>& texels,
                                const Eigen::Vector2d& texel) const {
-    Eigen::Vector3d weights = CornerWeights(texels, texel);
-    if (!weights.allFinite() || weights.cwiseAbs().maxCoeff() > kFar) {
-      weights = Eigen::Vector3d(1, 0, 0);
-    }
+    Eigen::Vector3d weights = BoundedCornerWeights(texels, texel);
     // Outside of the triangle the nearest point within, since the surface bends
     // away from the plane.
     weights = weights.cwiseMax(0);

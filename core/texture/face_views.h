@@ -27,6 +27,10 @@ struct FaceView {
   // mix the object with what is beside or behind it, and seen at less than 75
   // degrees. Where a triangle has such views, it has no others.
   uint8_t is_sure;
+
+  Eigen::Vector3f Color() const {
+    return {float(color[0]), float(color[1]), float(color[2])};
+  }
 };
 
 // The best views of each triangle: sure ones first, then by resolution.

@@ -20,10 +20,6 @@ constexpr double kEdgeOfTriangle = 0.29;
 
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-Eigen::Vector3f ColorOf(const FaceView& view) {
-  return {float(view.color[0]), float(view.color[1]), float(view.color[2])};
-}
-
 class Leveler {
  public:
   Leveler(const IndexedMesh& mesh,
@@ -91,7 +87,7 @@ class Leveler {
     int count = 0;
     for (const uint32_t f : vertex_faces_.Of(v)) {
       if (const FaceView* const found = chosen_.views.Find(f, view)) {
-        sum += chosen_.costs.consensus[f] - ColorOf(*found);
+        sum += chosen_.costs.consensus[f] - found->Color();
         ++count;
       }
     }
@@ -117,15 +113,15 @@ class Leveler {
       const FaceView* const of_a = chosen_.views.Find(f, a);
       const FaceView* const of_b = chosen_.views.Find(f, b);
       if (of_a != nullptr) {
-        each[0] += ColorOf(*of_a);
+        each[0] += of_a->Color();
         ++counts[0];
       }
       if (of_b != nullptr) {
-        each[1] += ColorOf(*of_b);
+        each[1] += of_b->Color();
         ++counts[1];
       }
       if (of_a != nullptr && of_b != nullptr) {
-        both += ColorOf(*of_a) - ColorOf(*of_b);
+        both += of_a->Color() - of_b->Color();
         ++count;
       }
     }

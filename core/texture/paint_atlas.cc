@@ -181,7 +181,7 @@ class PagePainter {
       Eigen::Vector3f color = Eigen::Vector3f::Zero();
       for (int j = 0; j < num_samples_; ++j) {
         for (int i = 0; i < num_samples_; ++i) {
-          const Eigen::Vector3d weights = WeightsAt(
+          const Eigen::Vector3d weights = BoundedCornerWeights(
               texels,
               {x + (i + 0.5) / num_samples_, y + (j + 0.5) / num_samples_});
           const Eigen::Vector2d pixel = pose.camera.Project(corners * weights);
@@ -190,7 +190,9 @@ class PagePainter {
       }
       color /= float(num_samples_ * num_samples_);
       const Eigen::Vector3f inside =
-          WeightsAt(texels, {x + 0.5, y + 0.5}).cast<float>().cwiseMax(0);
+          BoundedCornerWeights(texels, {x + 0.5, y + 0.5})
+              .cast<float>()
+              .cwiseMax(0);
       const Eigen::Vector3f weights = inside / inside.sum();
       float weight = on_face.weights.dot(weights);
       if (on_face.is_own) {
@@ -211,24 +213,13 @@ class PagePainter {
     });
   }
 
-  // Triangles that are lines on the page have the colour of a corner.
-  static Eigen::Vector3d WeightsAt(const std::array<Eigen::Vector2d, 3>& texels,
-                                   const Eigen::Vector2d& point) {
-    const Eigen::Vector3d weights = CornerWeights(texels, point);
-    // Slivers would go on far beyond their corners.
-    constexpr double kLargestWeight = 16;
-    return weights.allFinite() && weights.cwiseAbs().maxCoeff() < kLargestWeight
-               ? weights
-               : Eigen::Vector3d(1, 0, 0);
-  }
-
   void PaintUnseen() {
     for (const uint32_t f : unseen_) {
       const auto texels = input_.layout.TexelsOf(f);
       const auto& corners = input_.mesh.triangles[f];
       ForTexelsOf(map_, f, texels, [&](int x, int y) {
         const Eigen::Vector3f weights =
-            WeightsAt(texels, {x + 0.5, y + 0.5}).cast<float>();
+            BoundedCornerWeights(texels, {x + 0.5, y + 0.5}).cast<float>();
         colors_.Add(x,
                     y,
                     weights[0] * input_.fill[corners[0]] +

@@ -22,6 +22,18 @@ inline Eigen::Vector3d CornerWeights(
   return {1 - u - v, u, v};
 }
 
+// The same, but those of the first corner for triangles without area, and for
+// slivers where the point lies far beyond their corners.
+inline Eigen::Vector3d BoundedCornerWeights(
+    const std::array<Eigen::Vector2d, 3>& triangle,
+    const Eigen::Vector2d& point) {
+  constexpr double kLargestWeight = 16;
+  const Eigen::Vector3d weights = CornerWeights(triangle, point);
+  return weights.allFinite() && weights.cwiseAbs().maxCoeff() < kLargestWeight
+             ? weights
+             : Eigen::Vector3d(1, 0, 0);
+}
+
 // Calls body(x, y) for the pixels of a width x height image whose centres
 // (x + 0.5, y + 0.5) the triangle contains. Of triangles that share an edge one
 // alone has a centre on it (the rule of rasterisers: top and left edges).

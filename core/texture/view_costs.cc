@@ -34,10 +34,6 @@ constexpr float kMinSharpness = 0.05f;
 
 using FaceColor = Eigen::Vector3f;
 
-FaceColor ColorOf(const FaceView& view) {
-  return {float(view.color[0]), float(view.color[1]), float(view.color[2])};
-}
-
 float MedianOf(std::array<float, FaceViews::kMaxViews>& values, size_t count) {
   const size_t middle = count / 2;
   std::nth_element(
@@ -219,7 +215,7 @@ void RateColors(std::span<const FaceView> views,
   std::array<float, FaceViews::kMaxViews> differences;
   for (size_t i = 0; i < views.size(); ++i) {
     differences[i] =
-        (ColorOf(views[i]).cwiseQuotient(gains[views[i].view]) - consensus)
+        (views[i].Color().cwiseQuotient(gains[views[i].view]) - consensus)
             .cwiseAbs()
             .maxCoeff();
   }

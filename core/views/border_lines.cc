@@ -10,6 +10,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/parabola.h"
+
 namespace octacut {
 namespace {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parabola.h"
+
 namespace octacut {
 namespace {
 

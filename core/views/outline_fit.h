@@ -31,13 +31,6 @@ inline constexpr std::array<double, 10> kOutlineBlurs = {
 inline constexpr int kOutlineWindow = int(2.5f / kEdgeStep);
 inline constexpr int kOutlineSearch = int(1.25f / kEdgeStep);
 
-// Where a parabola through three equidistant values has its extremum, in steps
-// from the middle one, which is the largest or the least.
-inline float ParabolaExtremum(float before, float middle, float after) {
-  const float curvature = before - 2 * middle + after;
-  return curvature != 0 ? 0.5f * (before - after) / curvature : 0;
-}
-
 struct FittedOutline {
   // In samples. None where the best position is at the end of the search.
   std::optional<float> position;

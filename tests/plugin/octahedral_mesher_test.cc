@@ -27,6 +27,17 @@ std::vector<std::string> Keys(const Json& object) {
   return keys;
 }
 
+// That the page describes all members, of arrays those of the first element.
+void ExpectDocumented(const Json& object, const std::string& page) {
+  for (const auto& [key, value] : object.items()) {
+    EXPECT_THAT(page, HasSubstr("`" + key + "`"));
+    const Json& inner = value.is_array() && !value.empty() ? value[0] : value;
+    if (inner.is_object() && key != "options") {
+      ExpectDocumented(inner, page);
+    }
+  }
+}
+
 class OctahedralMesher : public testing::SmallWorkspaceTest {
  protected:
   fs::path Result(const std::string& ending) const {
@@ -47,6 +58,8 @@ TEST_F(OctahedralMesher, LeavesMeshReportAndPicture) {
   EXPECT_EQ(AuditMesh(mesh).DescribeFailure(), "");
 
   const Json report = Json::parse(ReadFile(Result(".json")));
+  ExpectDocumented(
+      report, ReadFile(fs::path(OCTACUT_SOURCE_DIR) / "docs" / "report.md"));
   EXPECT_THAT(Keys(report),
               IsSupersetOf({"version",
                             "options",

@@ -36,14 +36,8 @@ struct SeenReference {
     if (to_camera.dot(normal) < min_cosine * to_camera.norm()) {
       return false;
     }
-    const Eigen::Vector3d in_camera = camera.posed.cam_from_world * point;
-    if (!(in_camera.z() > 0)) {
-      return false;
-    }
-    const PinholeCamera& pinhole = camera.posed.camera;
-    const Eigen::Vector2d pixel = pinhole.Project(in_camera);
-    return pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= pinhole.width &&
-           pixel.y() <= pinhole.height &&
+    return camera.posed.camera.ProjectIntoFrame(camera.posed.cam_from_world *
+                                                point) &&
            !rays.IsOccluded(camera.center, -to_camera, 0, 1 - kClearance);
   }
 

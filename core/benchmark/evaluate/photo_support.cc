@@ -143,16 +143,12 @@ std::vector<float> SupportOfPoints(const std::vector<Eigen::Vector3d>& points,
     int count = 0;
     for (size_t i = 0; i < views.size(); ++i) {
       const Eigen::Vector3d in_cam = views[i].cam_from_world * point;
-      if (!(in_cam.z() > 0)) {
+      const auto pixel = views[i].camera.ProjectIntoFrame(in_cam);
+      if (!pixel) {
         continue;
       }
-      const Eigen::Vector2d pixel = views[i].camera.Project(in_cam);
-      if (!(pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() < maps[i].cols &&
-            pixel.y() < maps[i].rows)) {
-        continue;
-      }
-      const int x = int(pixel.x());
-      const int y = int(pixel.y());
+      const int x = int(pixel->x());
+      const int y = int(pixel->y());
       const float depth = depths[i].at<float>(y, x);
       const float value = maps[i].at<float>(y, x);
       const double tolerance = kBehindPixels / views[i].camera.fx;

@@ -27,8 +27,8 @@ std::vector<WorkspaceFile> FilesOf(const Workspace& workspace) {
   for (const SparseImage& image : workspace.model.images) {
     AddIfFile(workspace.image_path / image.name, "a photograph", &files);
     if (!workspace.mask_path.empty()) {
-      const auto mask = FindMaskFile(
-          workspace.mask_path, image.name, workspace.image_path);
+      const auto mask =
+          FindMaskFile(workspace.mask_path, image.name, workspace.image_path);
       AddIfFile(mask.value_or(fs::path()), "a mask", &files);
     }
   }

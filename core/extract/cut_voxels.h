@@ -97,8 +97,10 @@ class CutBlock {
                 uint64_t touching,
                 int shift);
 
-  std::array<uint8_t, kSide * kSide * kSide> labels_;
-  std::array<CutVoxels::Index, kSide * kSide * kSide> numbers_;
+  static constexpr size_t kNumCells = size_t{kSide} * kSide * kSide;
+
+  std::array<uint8_t, kNumCells> labels_;
+  std::array<CutVoxels::Index, kNumCells> numbers_;
 };
 
 }  // namespace octacut

@@ -47,8 +47,10 @@ std::vector<int16_t> SignedDistances(const cv::Mat& mask,
 
 // The frame without the lines at its sides that hold unknown pixels: always
 // the line with the largest share of them goes first. On a side that has lost
-// lines, one pixel more goes, from which bilinear values reach beyond.
+// lines, one pixel more goes, from which bilinear values reach beyond. Out of
+// the frame where unknown pixels lie amid known ones, or nothing is left.
 cv::Rect2f KnownRectangle(const cv::Size& frame, const cv::Mat& unknown) {
+  const cv::Rect2f nothing(-1, -1, 0, 0);
   cv::Rect known(cv::Point(), frame);
   if (!unknown.empty()) {
     while (!known.empty()) {
@@ -68,7 +70,7 @@ cv::Rect2f KnownRectangle(const cv::Size& frame, const cv::Mat& unknown) {
         if (cv::countNonZero(unknown(known)) == 0) {
           break;
         }
-        return {};  // unknown pixels amid known ones
+        return nothing;
       }
       const auto side = worst - shares.begin();
       known.x += side == 0;
@@ -80,7 +82,8 @@ cv::Rect2f KnownRectangle(const cv::Size& frame, const cv::Mat& unknown) {
   const cv::Point begin(known.x + (known.x > 0), known.y + (known.y > 0));
   const cv::Point end(known.br().x - (known.br().x < frame.width),
                       known.br().y - (known.br().y < frame.height));
-  return cv::Rect2f(cv::Rect(begin, end));
+  const bool is_empty = begin.x >= end.x || begin.y >= end.y;
+  return is_empty ? nothing : cv::Rect2f(cv::Rect(begin, end));
 }
 
 }  // namespace

@@ -201,8 +201,14 @@ TEST(Silhouette, KnowsRectanglesWithoutUnknownPixels) {
   unknown.setTo(0);
   unknown.at<uint8_t>(6, 8) = 255;
   EXPECT_FALSE(Silhouette(mask, unknown).KnowsAll(1, 1, 2, 2));
+  // None, or a single column.
   unknown.setTo(255);
-  EXPECT_FALSE(Silhouette(mask, unknown).KnowsAll(8, 6, 8, 6));
+  for (int run = 0; run < 2; ++run) {
+    for (float u = 0; u <= 16; ++u) {
+      EXPECT_FALSE(Silhouette(mask, unknown).KnowsAll(u, 6, u, 6)) << u;
+    }
+    unknown.col(5).setTo(0);
+  }
 }
 
 struct PreparedRandomView {

@@ -204,8 +204,9 @@ TEST(Silhouette, KnowsRectanglesWithoutUnknownPixels) {
   // None, or a single column.
   unknown.setTo(255);
   for (int run = 0; run < 2; ++run) {
-    for (float u = 0; u <= 16; ++u) {
-      EXPECT_FALSE(Silhouette(mask, unknown).KnowsAll(u, 6, u, 6)) << u;
+    for (int x = 0; x <= 16; ++x) {
+      const auto u = float(x);
+      EXPECT_FALSE(Silhouette(mask, unknown).KnowsAll(u, 6, u, 6)) << x;
     }
     unknown.col(5).setTo(0);
   }

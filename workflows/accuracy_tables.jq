@@ -250,7 +250,7 @@ map(select(.part == "hard")) as $hard
    "\($all | length - ($left_out | length)) of \($all | length) runs are shown; the others were not asked for"
      + (map(.scene) | unique | map(select(. as $name
           | all($default[], ($hard[] | select(.evaluation)); .scene != $name)))
-        | if . == [] then "" else "; scenes: \(join(", "))" end) + "."),
+        | if . == [] then "" else ", among them all of \(join(", "))" end) + "."),
   (if $default == [] then empty else
   "",
   "## Aims",

@@ -100,6 +100,7 @@ const ProtocolTraits& TraitsOf(BenchmarkProtocol protocol) {
 
 std::vector<std::string> Texts(const std::vector<fs::path>& paths) {
   std::vector<std::string> texts;
+  texts.reserve(paths.size());
   for (const fs::path& path : paths) {
     texts.push_back(path.string());
   }

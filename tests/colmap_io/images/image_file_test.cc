@@ -65,6 +65,7 @@ TEST(MaskFromPixels, ManyValuesAreCoverage) {
   ExpectMask(MaskOf({0, 1, 5, 20, 30, 49, 50, 51, 90, 100}),
              {0, 2, 12, 51, 76, 124, 127, 130, 229, 255});
   std::vector<int> wide;
+  wide.reserve(ramp.size());
   for (int value : ramp) {
     wide.push_back(value * 257);
   }

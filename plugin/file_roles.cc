@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/files/resolved_path.h"
 #include "colmap_io/images/workspace_files.h"
 #include "core/base/check_option.h"
 
@@ -11,15 +12,6 @@ namespace octacut {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The same for all paths to a file, whether it exists or not. Hard links are
-// files of their own, since files are replaced and never written to.
-fs::path Resolved(const fs::path& path) {
-  const fs::path absolute = fs::absolute(path).lexically_normal();
-  std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(absolute, error);
-  return error ? absolute : canonical;
-}
 
 void CheckIsApart(bool is_apart,
                   const std::string& option,
@@ -37,7 +29,7 @@ FileRoles::FileRoles(const OptionManager& options) {
 
 void FileRoles::Read(const fs::path& path, const std::string& what) {
   if (!path.empty()) {
-    files_.emplace(Resolved(path), Role{what, "", path});
+    files_.emplace(ResolvedPath(path), Role{what, "", path});
   }
 }
 
@@ -48,7 +40,7 @@ void FileRoles::Write(const std::string& option,
     return;
   }
   const auto [earlier, is_new] =
-      files_.emplace(Resolved(path), Role{what, option, path});
+      files_.emplace(ResolvedPath(path), Role{what, option, path});
   CheckIsApart(is_new, option, path, earlier->second.what);
   CheckFilePath(path);
 }
@@ -63,7 +55,7 @@ void FileRoles::RequireApartFrom(const Workspace& workspace) const {
     return;  // to resolve the paths of many files takes a while
   }
   for (const WorkspaceFile& file : FilesOf(workspace)) {
-    const auto found = files_.find(Resolved(file.path));
+    const auto found = files_.find(ResolvedPath(file.path));
     if (found != files_.end()) {
       const Role& role = found->second;
       CheckIsApart(role.option.empty(),

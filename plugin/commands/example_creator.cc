@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "colmap_io/files/resolved_path.h"
 #include "core/base/check_option.h"
 #include "core/benchmark/synthetic/synthetic_scene.h"
 #include "plugin/closed_mesh.h"
@@ -247,10 +248,8 @@ void ExampleCreator::DeclareOptions(OptionManager& options) {
 
 bool IsInFolder(const std::filesystem::path& path,
                 const std::filesystem::path& folder) {
-  const auto resolved = [](const std::filesystem::path& any) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(any));
-  };
-  const auto relative = resolved(path).lexically_relative(resolved(folder));
+  const auto relative =
+      ResolvedPath(path).lexically_relative(ResolvedPath(folder));
   return !relative.empty() && *relative.begin() != "..";
 }
 

@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "colmap_io/files/read_file.h"
+#include "colmap_io/images/image_file.h"
 #include "tests/plugin/small_workspace.h"
 
 namespace octacut::testing {
@@ -15,10 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
-
-cv::Mat ReadGrey(const fs::path& path) {
-  return cv::imread(path.string(), cv::IMREAD_GRAYSCALE);
-}
 
 double OverlapOf(const cv::Mat& a, const cv::Mat& b) {
   return double(cv::countNonZero((a > 127) & (b > 127))) /

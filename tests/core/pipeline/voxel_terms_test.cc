@@ -46,6 +46,15 @@ float DepthIn(const PreparedView& view, MortonCode code, int level) {
            : Silhouette::kFarInside;
 }
 
+// That in the silhouette in which the voxel lies least deep.
+float LeastDepth(const ViewSet& views, MortonCode code, int level) {
+  float depth = Silhouette::kFarInside;
+  for (const PreparedView& view : views) {
+    depth = std::min(depth, DepthIn(view, code, level));
+  }
+  return depth;
+}
+
 TEST(SilhouetteTerms, SpeakFromTheBorderOfTheSmallestSilhouette) {
   const TestScene test = MakeTestScene("torus", 120, 90, 12);
   constexpr int kLevel = 5;
@@ -63,10 +72,7 @@ TEST(SilhouetteTerms, SpeakFromTheBorderOfTheSmallestSilhouette) {
   ASSERT_EQ(terms.evidence.size(), voxels.Size());
   size_t num_outside = 0;
   voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    float depth = Silhouette::kFarInside;
-    for (const PreparedView& view : test.views) {
-      depth = std::min(depth, DepthIn(view, code, kLevel));
-    }
+    const float depth = LeastDepth(test.views, code, kLevel);
     num_outside += depth <= -0.5f;
     ASSERT_NEAR(terms.hull_depth[index], depth, 1e-3f) << index;
     ASSERT_NEAR(
@@ -95,10 +101,7 @@ TEST(SilhouetteTerms, AreThoseOfViewsThatKnow) {
       test.views, std::vector<float>(3, 1), voxels, options, Context(2));
   size_t num_outside = 0;
   voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
-    float depth = Silhouette::kFarInside;
-    for (const PreparedView& view : test.views) {
-      depth = std::min(depth, DepthIn(view, code, kLevel));
-    }
+    const float depth = LeastDepth(test.views, code, kLevel);
     num_outside += depth <= -0.5f;
     ASSERT_NEAR(
         std::min(terms.hull_depth[index], 20.0f), std::min(depth, 20.0f), 1e-3f)

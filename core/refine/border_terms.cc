@@ -31,6 +31,10 @@ constexpr double kLeastTolerance = 0.25;
 // The same where masks contradict one another, in median distances of contours
 // from borders: 1.3 standard deviations.
 constexpr double kToleratedDistance = 2;
+// Where most points have no offset, the surface between occluding contours
+// follows them alone, and stiffly: twice the weight lets it bend
+// (docs/experiments/refinement_silhouettes.md).
+constexpr double kMaxContourWeight = 2;
 // A hundredth of what is normally distributed lies farther out on one side than
 // so many median distances.
 constexpr double kNormalTail = 3.45;
@@ -101,7 +105,10 @@ BorderVerdict JudgeBorders(const std::vector<ContourTarget>& contours,
                            bool knows_most) {
   const double tolerance = HullTolerance(contours, plan.scale);
   if (!knows_most) {
-    return {.shift = plan.border_shift, .hull_tolerance = tolerance};
+    return {
+        .shift = plan.border_shift,
+        .hull_tolerance = tolerance,
+        .contour_weight = std::clamp(1 / tolerance, 1.0, kMaxContourWeight)};
   }
   // Offsets on dark and ruffled surfaces lie too far inside, and claim shifts
   // that the edges contradict (docs/experiments/mask_borders.md).

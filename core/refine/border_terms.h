@@ -22,11 +22,13 @@ struct BorderVerdict {
   double shift = 0;  // by which the borders lie too far outside
   // By which vertices may leave a mask.
   double hull_tolerance = kLargestHullTolerance;
+  // Of occluding contours, relative to RefineOptions::silhouette_weight.
+  double contour_weight = 1;
 };
 
 // `surfaces` and `measurements` have an element for each point. Where most
 // points that are seen have no offset (`knows_most` is false), the shift stays
-// that of the plan.
+// that of the plan, and contours weigh more, as far as they fit the masks.
 BorderVerdict JudgeBorders(const std::vector<ContourTarget>& contours,
                            const std::vector<LocalSurface>& surfaces,
                            const std::vector<OffsetMeasurement>& measurements,

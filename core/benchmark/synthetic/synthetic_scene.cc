@@ -280,7 +280,8 @@ Scene ToScene(const SyntheticScene& synthetic) {
                            view.lens.camera,
                            view.cam_from_world,
                            view.image,
-                           view.mask});
+                           view.mask,
+                           cv::Mat()});
   }
   for (const SyntheticPoint& point : synthetic.points) {
     if (point.on_object) {

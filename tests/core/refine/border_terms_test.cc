@@ -53,5 +53,17 @@ TEST(JudgeBorders, DoesNotTakeWrongOffsetsForBites) {
   EXPECT_NEAR(JudgeAt(NoiseAndBites, 0, false).hull_tolerance, 0.28, 0.02);
 }
 
+float LargeNoise(int i) { return 3 * SmallNoise(i); }
+
+// Where photographs know little, contours are all there is, and weigh as much
+// as they are known.
+TEST(JudgeBorders, WeighsContoursMoreWhereMostPointsHaveNoOffset) {
+  EXPECT_EQ(JudgeAt(SmallNoise).contour_weight, 1);
+  EXPECT_EQ(JudgeAt(SmallNoise, 0, false).contour_weight, 2);
+  const double weight = JudgeAt(LargeNoise, 0, false).contour_weight;
+  EXPECT_GT(weight, 1);
+  EXPECT_LT(weight, 1.3);
+}
+
 }  // namespace
 }  // namespace octacut

@@ -208,8 +208,8 @@ void Loader::LeaveOutBadViews() {
     }
   }
   BadViewSummary& bad_views = result_.summary.bad_views;
-  bad_views = DecideOnBadViews(
-      FindContradictions(views, {}, context_), judged, context_);
+  bad_views =
+      DecideOnBadViews(FindContradictions(views, context_), judged, context_);
   for (const BadView& bad : bad_views.views) {
     if (bad.is_left_out) {
       std::erase_if(candidates_, [&](const Candidate& candidate) {

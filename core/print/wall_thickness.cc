@@ -13,6 +13,8 @@ namespace octacut {
 namespace {
 
 constexpr size_t kGrain = 2048;
+constexpr size_t kNumBins = 20;
+constexpr size_t kNumPlaces = 10;
 // cos 45 degrees.
 constexpr double kMinFacing = 0.70710678;
 // Shares of the diagonal: between a ray's origin and the first hit that counts,
@@ -86,7 +88,7 @@ WallThickness MeasureWallThickness(const IndexedMesh& mesh,
   }
   WallThickness result;
   result.measured_share = double(places.size()) / double(samples.size());
-  result.histogram.resize(size_t(options.num_bins));
+  result.histogram.resize(kNumBins);
   if (places.empty()) {
     return result;
   }
@@ -105,12 +107,11 @@ WallThickness MeasureWallThickness(const IndexedMesh& mesh,
   for (const ThinPlace& place : places) {
     result.thin_share +=
         place.thickness < options.min_wall ? 1 / double(places.size()) : 0;
-    const double bin = options.num_bins * place.thickness / result.max;
-    result.histogram[std::min(size_t(bin), size_t(options.num_bins - 1))] +=
+    const double bin = double(kNumBins) * place.thickness / result.max;
+    result.histogram[std::min(size_t(bin), kNumBins - 1)] +=
         1 / double(places.size());
   }
-  result.thinnest = SpreadPlaces(
-      places, kPlaceSpacing * diagonal, size_t(options.num_places));
+  result.thinnest = SpreadPlaces(places, kPlaceSpacing * diagonal, kNumPlaces);
   return result;
 }
 

@@ -13,9 +13,6 @@ namespace octacut {
 
 struct WallThicknessOptions {
   int64_t num_samples = 200000;
-  // Number of bins of the histogram and of the thinnest places.
-  int num_bins = 20;
-  int num_places = 10;
   // Walls below this count as thin.
   double min_wall = 0;
 };
@@ -37,10 +34,11 @@ struct WallThickness {
   double median = 0;
   double max = 0;
   double thin_share = 0;  // of the measured surface
-  // Fractions of the measured surface in bins of equal width from 0 to `max`.
+  // Fractions of the measured surface in 20 bins of equal width from 0 to
+  // `max`.
   std::vector<double> histogram;
-  // Thinnest first; each farther from the thinner ones than a twentieth of the
-  // diagonal of the bounding box.
+  // At most ten, thinnest first; each farther from the thinner ones than a
+  // twentieth of the diagonal of the bounding box.
   std::vector<ThinPlace> thinnest;
 };
 

@@ -16,7 +16,9 @@ constexpr double kNarrowSmoothness = 4;
 constexpr int kMaxPasses = 4;
 constexpr int kLaterRounds = 2;
 constexpr double kLaterRange = 2;  // times that of the first pass
-// No pass follows one after which less than this share of the moves was kept.
+// No pass follows one after which less than this share of the moves was kept,
+// nor the first a round in which less than this share of the points had
+// offsets.
 constexpr double kMinGainingShare = 0.1;
 
 struct Pass {
@@ -65,6 +67,11 @@ void RefineNarrowParts(const RoundInputs& inputs,
                        ViewSet* views,
                        IndexedMesh* mesh,
                        std::vector<RoundSummary>* rounds) {
+  // Only where points have offsets can a pass gain.
+  const RoundSummary& last = rounds->back();
+  if (double(last.num_measured) < kMinGainingShare * double(last.num_seen)) {
+    return;
+  }
   RefineOptions options = inputs.options;
   options.fit_radius = kNarrowFitRadius;
   options.smoothness = kNarrowSmoothness;

@@ -18,7 +18,8 @@ namespace octacut {
 // Passes go on while much of the surface gains: folds open a little farther
 // each time (docs/experiments/refinement_narrow.md). `plan` has the shift of
 // the masks' borders and is at the views' own scale; its range does not matter.
-// Appends to `rounds`.
+// Appends to `rounds`, which holds those before; none where hardly any point
+// had an offset in the last of them.
 void RefineNarrowParts(const RoundInputs& inputs,
                        RoundPlan plan,
                        const Context& context,

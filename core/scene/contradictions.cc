@@ -17,6 +17,15 @@ constexpr size_t kMaxWrongDivisor = 3;
 // many.
 constexpr size_t kIgnoredDivisor = 20;
 constexpr size_t kManyViews = 100;
+// A view contradicts the others when its shares (ViewFit), over these, add up
+// to more than 1, and to so many times as much as the median view's: where all
+// masks are poor, none stands out.
+constexpr double kMaxUnexplained = 0.05;
+constexpr double kMaxTaken = 0.0025;
+constexpr double kOverMedian = 4;
+// From here on a mask shows another object, or from elsewhere; below it may be
+// that of the object and of what touches it.
+constexpr double kGraveUnexplained = 0.2;
 
 ViewBits ToBits(const std::vector<bool>& active, size_t num_words) {
   ViewBits bits(num_words, 0);
@@ -97,10 +106,8 @@ double MeanOfMost(std::vector<double> values) {
 // Sorts out the views, the worst first.
 class Sorter {
  public:
-  Sorter(const SightLines& lines, const ContradictionOptions& options)
-      : lines_(lines),
-        options_(options),
-        active_(lines.of_views.size(), true) {}
+  explicit Sorter(const SightLines& lines)
+      : lines_(lines), active_(lines.of_views.size(), true) {}
 
   // Points that no more than max_wrong views deny may be the object. With many
   // allowed to be wrong no good view is in doubt as long as there are fewer bad
@@ -122,8 +129,7 @@ class Sorter {
         result.views.push_back(
             {v,
              fit,
-             fit.taken > options_.max_taken ||
-                 fit.unexplained > options_.grave_unexplained});
+             fit.taken > kMaxTaken || fit.unexplained > kGraveUnexplained});
       }
     }
     const std::vector<ViewFit> fits = FitOfViews(lines_, active_, 1);
@@ -140,8 +146,7 @@ class Sorter {
 
  private:
   double Score(const ViewFit& fit) const {
-    return fit.unexplained / options_.max_unexplained +
-           fit.taken / options_.max_taken;
+    return fit.unexplained / kMaxUnexplained + fit.taken / kMaxTaken;
   }
 
   bool LeaveOutWorst(size_t max_wrong) {
@@ -164,7 +169,7 @@ class Sorter {
   }
 
   double Limit(double median_score) const {
-    return std::max(1.0, options_.over_median * median_score);
+    return std::max(1.0, kOverMedian * median_score);
   }
 
   ViewFit FitAmongActive(size_t view) const {
@@ -183,7 +188,6 @@ class Sorter {
   }
 
   const SightLines& lines_;
-  const ContradictionOptions& options_;
   std::vector<bool> active_;
 };
 
@@ -230,7 +234,6 @@ std::vector<ViewFit> FitOfViews(const SightLines& lines,
 }
 
 Contradictions FindContradictions(const std::vector<View>& views,
-                                  const ContradictionOptions& options,
                                   const Context& context) {
   // With three views, any of them could be the wrong one.
   if (views.size() <= 3) {
@@ -240,8 +243,8 @@ Contradictions FindContradictions(const std::vector<View>& views,
   if (box.isEmpty()) {
     return {};
   }
-  const SightLines lines = TraceSightLines(views, box, options.lines, context);
-  return Sorter(lines, options).Run();
+  const SightLines lines = TraceSightLines(views, box, context);
+  return Sorter(lines).Run();
 }
 
 }  // namespace octacut

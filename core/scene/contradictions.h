@@ -10,19 +10,6 @@
 
 namespace octacut {
 
-struct ContradictionOptions {
-  SightLinesOptions lines;
-  // A view contradicts the others when its shares (ViewFit), over these, add up
-  // to more than 1, and to so many times as much as the median view's: where
-  // all masks are poor, none stands out.
-  double max_unexplained = 0.05;
-  double max_taken = 0.0025;
-  double over_median = 4;
-  // From here on a mask shows another object, or from elsewhere; below it may
-  // be that of the object and of what touches it.
-  double grave_unexplained = 0.2;
-};
-
 // How one view fits the others. A mask that is shifted, mirrored, another
 // view's or another object's shows object where none can be, and denies it
 // where the others show it.
@@ -62,7 +49,6 @@ struct Contradictions {
 // their masks, of low resolution will do, and cameras. The same for any number
 // of threads.
 Contradictions FindContradictions(const std::vector<View>& views,
-                                  const ContradictionOptions& options,
                                   const Context& context);
 
 }  // namespace octacut

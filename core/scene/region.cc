@@ -15,16 +15,23 @@
 namespace octacut {
 namespace {
 
+// The cube's edge is the longest side of the box times 1 + kCubeMargin, which keeps
+// 2.4 voxels of 64^3 free on each side.
+constexpr double kCubeMargin = 0.08;
+// The coarse hull whose bounding box the region is has (2^level)^3 voxels.
+constexpr int kHullLevel = 6;
 constexpr size_t kMinPoints = 8;
+// The margin in units of the longest side of the box of the sparse points,
+// added on each side where the views do not bound the object: points seldom
+// cover all of it.
+constexpr double kPointMargin = 0.2;
 // The share of views that have to show a sparse point of the object inside.
 constexpr double kMinShareOfViews = 0.9;
 // Of an object: floats hold the squares of its lengths, and their inverses.
 constexpr double kLeastSize = 1e-15;
 constexpr double kLargestSize = 1e15;
 
-Region MakeRegion(const Eigen::AlignedBox3d& box,
-                  RegionSource source,
-                  const RegionOptions& options) {
+Region MakeRegion(const Eigen::AlignedBox3d& box, RegionSource source) {
   const double size = box.sizes().maxCoeff();
   if (!(size >= kLeastSize && size <= kLargestSize)) {
     throw InputError(fmt::format(
@@ -37,7 +44,7 @@ Region MakeRegion(const Eigen::AlignedBox3d& box,
   Region region;
   region.box = box;
   region.source = source;
-  region.cube.edge = size * (1 + options.margin);
+  region.cube.edge = size * (1 + kCubeMargin);
   region.cube.min_corner =
       box.center() - Eigen::Vector3d::Constant(region.cube.edge / 2);
   return region;
@@ -76,14 +83,14 @@ Eigen::AlignedBox3d PointBox(const std::vector<View>& views,
 // silhouettes as they are, so that the tolerance moves no voxel.
 Region MakeTolerantRegion(const std::vector<View>& views,
                           const Eigen::AlignedBox3d& box,
-                          const RegionOptions& options) {
+                          double mask_tolerance) {
   double slack = 0;
   for (const View& view : views) {
     const double depth = (view.cam_from_world * box.center()).z();
-    slack = std::max(
-        slack, options.mask_tolerance * view.scale * depth / view.camera.fx);
+    slack =
+        std::max(slack, mask_tolerance * view.scale * depth / view.camera.fx);
   }
-  Region region = MakeRegion(box, RegionSource::kSilhouettes, options);
+  Region region = MakeRegion(box, RegionSource::kSilhouettes);
   const Eigen::Vector3d most = Eigen::Vector3d::Constant(region.cube.edge / 2);
   const Eigen::AlignedBox3d cube(box.center() - most, box.center() + most);
   const Eigen::Vector3d grown = Eigen::Vector3d::Constant(slack);
@@ -97,7 +104,7 @@ Region MakeTolerantRegion(const std::vector<View>& views,
 Region FallBack(const std::vector<View>& views,
                 const std::vector<Eigen::Vector3d>& points,
                 const SilhouetteBox& hull,
-                const RegionOptions& options,
+                double mask_tolerance,
                 const Context& context) {
   const Eigen::AlignedBox3d point_box = PointBox(views, points);
   if (point_box.isEmpty()) {
@@ -114,14 +121,14 @@ Region FallBack(const std::vector<View>& views,
         "bound the object ({}), and there are no sparse points inside the "
         "masks. Set `bounding_box` to x0,y0,z0,x1,y1,z1.",
         hull.doubt));
-    return MakeTolerantRegion(views, hull.box, options);
+    return MakeTolerantRegion(views, hull.box, mask_tolerance);
   }
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(
-      options.point_margin * point_box.sizes().maxCoeff());
+  const Eigen::Vector3d margin =
+      Eigen::Vector3d::Constant(kPointMargin * point_box.sizes().maxCoeff());
   const Eigen::AlignedBox3d box(point_box.min() - margin,
                                 point_box.max() + margin);
   if (!hull.box.isEmpty() && box.contains(hull.box)) {
-    return MakeTolerantRegion(views, hull.box, options);
+    return MakeTolerantRegion(views, hull.box, mask_tolerance);
   }
   context.Warn(fmt::format(
       "The views do not bound the object ({}), so its bounding box is "
@@ -130,9 +137,9 @@ Region FallBack(const std::vector<View>& views,
       "x0,y0,z0,x1,y1,z1 to choose another one.",
       hull.doubt));
   const Eigen::AlignedBox3d carved =
-      ShrinkToHull(views, true, box, options.hull_level, context);
-  return MakeRegion(
-      carved.isEmpty() ? box : carved, RegionSource::kSparsePoints, options);
+      ShrinkToHull(views, true, box, kHullLevel, context);
+  return MakeRegion(carved.isEmpty() ? box : carved,
+                    RegionSource::kSparsePoints);
 }
 
 }  // namespace
@@ -172,20 +179,10 @@ void RegionOptions::Check() const {
                             kLeastSize,
                             kLargestSize));
   }
-  CheckOption(
-      margin >= 0 && margin <= 10, "margin", margin, "must be in [0, 10]");
   CheckOption(mask_tolerance >= 0 && mask_tolerance <= kMaxMaskTolerance,
               "mask_tolerance",
               mask_tolerance,
               fmt::format("must be in [0, {}]", kMaxMaskTolerance));
-  CheckOption(hull_level >= 2 && hull_level <= 8,
-              "hull_level",
-              hull_level,
-              "must be in [2, 8]");
-  CheckOption(point_margin >= 0 && point_margin <= 10,
-              "point_margin",
-              point_margin,
-              "must be in [0, 10]");
 }
 
 Eigen::AlignedBox3d BoundingBoxFromNumbers(const std::vector<double>& numbers) {
@@ -215,15 +212,15 @@ Region EstimateRegion(const std::vector<View>& views,
                       const Context& context) {
   options.Check();
   if (options.bounding_box) {
-    return MakeRegion(*options.bounding_box, RegionSource::kGiven, options);
+    return MakeRegion(*options.bounding_box, RegionSource::kGiven);
   }
   if (views.empty()) {
     throw InputError("the region cannot be estimated without views");
   }
-  const SilhouetteBox hull =
-      BoxOfSilhouettes(views, options.hull_level, context);
-  return hull.sure ? MakeTolerantRegion(views, hull.box, options)
-                   : FallBack(views, points, hull, options, context);
+  const SilhouetteBox hull = BoxOfSilhouettes(views, kHullLevel, context);
+  return hull.sure
+             ? MakeTolerantRegion(views, hull.box, options.mask_tolerance)
+             : FallBack(views, points, hull, options.mask_tolerance, context);
 }
 
 void CheckFloatsResolve(const BoundingCube& cube, int level) {

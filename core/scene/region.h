@@ -22,7 +22,7 @@ enum class RegionSource {
 std::string_view ToString(RegionSource source);
 
 struct Region {
-  BoundingCube cube;        // centred at `box`
+  BoundingCube cube;        // centred at `box`, and somewhat larger
   Eigen::AlignedBox3d box;  // world coordinates
   RegionSource source = RegionSource::kSilhouettes;
 };
@@ -30,18 +30,9 @@ struct Region {
 struct RegionOptions {
   // Used as it is when set.
   std::optional<Eigen::AlignedBox3d> bounding_box;
-  // The cube's edge is the longest side of the box times 1 + margin. The
-  // default keeps 2.4 voxels of 64^3 free on each side.
-  double margin = 0.08;
   // Pixels of the photographs by which masks may be too small: the box, not
   // the cube, grows by as much.
   double mask_tolerance = 0;
-  // The coarse hull whose bounding box the region is has (2^level)^3 voxels.
-  int hull_level = 6;
-  // The margin in units of the longest side of the box of the sparse points,
-  // added on each side where the views do not bound the object: points seldom
-  // cover all of it.
-  double point_margin = 0.2;
 
   void Check() const;
 };

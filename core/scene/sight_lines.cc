@@ -17,15 +17,21 @@ constexpr int kMaxLinePoints = 256;
 constexpr int kMinLinePoints = 32;
 // Tests of a point against a view in all, a second or two of one thread.
 constexpr double kMaxTests = 6e8;
+// Lines of a view; fewer than the most where there are hundreds of views.
 constexpr size_t kMinLines = 100;
+constexpr size_t kMaxLines = 400;
+// Pixels by which masks may be too small or poses off without being
+// contradicted: one, and this share of the diagonal of the rectangle around the
+// mask's object. Not of its area: thin structures need as much.
+constexpr double kMaskSlack = 0.015;
 
 // What a view denies: all that is farther from the object than its slack.
 class Denier {
  public:
-  Denier(const View& view, double mask_slack) : view_(view) {
+  explicit Denier(const View& view) : view_(view) {
     const cv::Mat object = view.mask >= kObjectThreshold;
     const cv::Rect extent = cv::boundingRect(object);
-    slack_ = 1 + mask_slack * std::hypot(extent.width, extent.height);
+    slack_ = 1 + kMaskSlack * std::hypot(extent.width, extent.height);
     closed_ = !TouchesFrame(object);
     // Beyond the frame of a closed view all is background, so that its slack
     // may reach there.
@@ -184,7 +190,6 @@ class Tracer {
 
 SightLines TraceSightLines(const std::vector<View>& views,
                            const Eigen::AlignedBox3d& box,
-                           const SightLinesOptions& options,
                            const Context& context) {
   std::vector<Denier> deniers;
   deniers.reserve(views.size());
@@ -192,7 +197,7 @@ SightLines TraceSightLines(const std::vector<View>& views,
   // since slack is on both sides of them.
   double spacing = box.diagonal().norm() / kMinLinePoints;
   for (const View& view : views) {
-    deniers.emplace_back(view, options.mask_slack);
+    deniers.emplace_back(view);
     const double depth = (view.cam_from_world * box.center()).z();
     if (depth > 0) {
       spacing =
@@ -204,8 +209,8 @@ SightLines TraceSightLines(const std::vector<View>& views,
       double(views.size()) * box.diagonal().norm() / spacing;
   const size_t count =
       std::clamp(size_t(kMaxTests / (tests_per_line * double(views.size()))),
-                 std::min(kMinLines, options.lines_per_view),
-                 options.lines_per_view);
+                 kMinLines,
+                 kMaxLines);
 
   SightLines lines;
   lines.num_words = (views.size() + 63) / 64;

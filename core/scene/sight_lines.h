@@ -30,22 +30,11 @@ struct SightLines {
   std::vector<std::vector<SightLine>> of_views;
 };
 
-struct SightLinesOptions {
-  // Evenly over the object of each mask; fewer where there are hundreds of
-  // views.
-  size_t lines_per_view = 400;
-  // Pixels by which masks may be too small or poses off without being
-  // contradicted: one, and this share of the diagonal of the rectangle around
-  // the mask's object. Not of its area: thin structures need as much.
-  double mask_slack = 0.015;
-};
-
 // The lines of sight of `views`, whose masks may be of low resolution, within
 // `box` (world coordinates), which is to contain the object. A view in which
 // the object touches the frame denies nothing beyond its frame.
 SightLines TraceSightLines(const std::vector<View>& views,
                            const Eigen::AlignedBox3d& box,
-                           const SightLinesOptions& options,
                            const Context& context);
 
 }  // namespace octacut

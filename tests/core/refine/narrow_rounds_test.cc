@@ -10,23 +10,28 @@ namespace {
 using testing::RefineScene;
 
 // Runs the rounds on the scene's sphere with `height` (world units), which they
-// start from. Returns the summaries of the rounds.
+// start from, after one in which `num_measured` of 100 points had an offset.
+// Returns the summaries of the rounds.
 template <typename Height>
 std::vector<RoundSummary> RunOn(RefineScene* scene,
                                 const Height& height,
-                                IndexedMesh* mesh) {
+                                IndexedMesh* mesh,
+                                size_t num_measured = 100) {
   *mesh = scene->ToUnitMesh(RefineScene::Mesh(40, height));
   const std::vector<Eigen::Vector3d> start = mesh->positions;
   const VertexCorners neighbors = RefineScene::Neighbors(*mesh);
   const RefineOptions options;
   const double pixel = scene->Pixel() / scene->test.region.cube.edge;
-  std::vector<RoundSummary> rounds;
+  std::vector<RoundSummary> rounds(1);
+  rounds[0].num_seen = 100;
+  rounds[0].num_measured = num_measured;
   RefineNarrowParts({start, neighbors, pixel, options},
                     {.range = options.range},
                     Context(2),
                     &scene->test.views,
                     mesh,
                     &rounds);
+  rounds.erase(rounds.begin());
   return rounds;
 }
 
@@ -61,6 +66,15 @@ TEST(RefineNarrowParts, StopsWhereNothingIsGained) {
   EXPECT_EQ(rounds.size(), 1u);
   EXPECT_GT(rounds[0].taken_back, 0.9);
   EXPECT_LT(MeanErrorInPixels(scene, mesh), 0.1);
+}
+
+TEST(RefineNarrowParts, DoesNotBeginWhereHardlyAnyPointHasAnOffset) {
+  RefineScene scene = testing::MakeRefineScene();
+  const auto wrong = testing::Bumps(4 * scene.Pixel());
+  IndexedMesh mesh;
+  EXPECT_TRUE(RunOn(&scene, wrong, &mesh, 9).empty());
+  EXPECT_EQ(mesh.positions,
+            scene.ToUnitMesh(RefineScene::Mesh(40, wrong)).positions);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ void Shift(double x, double y, View* view) {
 }
 
 Contradictions Find(const std::vector<View>& views, int num_threads = 2) {
-  return FindContradictions(views, {}, Context(num_threads));
+  return FindContradictions(views, Context(num_threads));
 }
 
 std::vector<size_t> NumbersOf(const Contradictions& contradictions) {

@@ -210,11 +210,8 @@ TEST(RegionOptions, DefaultsAreValidAndBadValuesAreNamed) {
     }
     return "";
   };
-  EXPECT_THAT(message([](auto& o) { o.margin = -1; }), HasSubstr("margin"));
-  EXPECT_THAT(message([](auto& o) { o.hull_level = 1; }),
-              HasSubstr("hull_level"));
-  EXPECT_THAT(message([](auto& o) { o.point_margin = -1; }),
-              HasSubstr("point_margin"));
+  EXPECT_THAT(message([](auto& o) { o.mask_tolerance = -1; }),
+              HasSubstr("mask_tolerance"));
 }
 
 TEST(RegionOptions, BoundingBoxFromNumbers) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/base/check_option.h"
@@ -27,10 +28,18 @@ constexpr float kInsideMasks = 1;
 // (docs/experiments/handles.md).
 constexpr double kDeepHandle = 4;
 constexpr double kInsideHandle = 2;
+// Masks that are too large by more than so many pixels close gaps, of which
+// bridges are left where their borders are moved back.
+constexpr float kClosingShift = 1;
+
+bool ClosesGaps(const PreparedView& view) {
+  return view.border_shift > kClosingShift &&
+         std::isfinite(view.border_shift_slack);
+}
 
 // The longest loop through a point that is cut because no silhouette shows it,
-// in units of `min_handle`; 0 where one may. `point` and `voxel` are in unit
-// coordinates.
+// or none that can be trusted to, in units of `min_handle`; 0 where one may.
+// `point` and `voxel` are in unit coordinates.
 double LongestHidden(const ViewSet& views,
                      const Eigen::Vector3f& point,
                      float voxel) {
@@ -47,7 +56,7 @@ double LongestHidden(const ViewSet& views,
     is_deep = is_deep && depth > kDeepInMasks;
     if (depth <=
         std::min(kDeepInMasks, kInsideMasks + view.border_shift_slack)) {
-      return 0;
+      return ClosesGaps(view) ? kInsideHandle : 0;
     }
   }
   return is_deep ? kDeepHandle : kInsideHandle;

@@ -28,7 +28,8 @@ struct FinishOptions {
   // Handles around which a loop no longer than so many voxels goes, or pixels
   // of the views where those are larger, are removed: bridges cut, and tunnels
   // filled of up to twice that. Where no silhouette shows the handle, both
-  // limits are four times `min_handle`. 0 (none) .. 64.
+  // limits are four times `min_handle`; where one does, but its border is known
+  // to be too large, bridges may be as long as tunnels. 0 (none) .. 64.
   double min_handle = 5;
   void Check() const;
 };

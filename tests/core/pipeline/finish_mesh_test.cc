@@ -78,5 +78,16 @@ TEST(FinalMesh, RemovesHandlesJustInsideBordersThatAreKnown) {
   EXPECT_EQ(GenusIn(views), 1);
 }
 
+TEST(FinalMesh, RemovesHandlesThatMasksWhichAreTooLargeMayHaveClosed) {
+  ViewSet views = ViewsWithPixels(1);
+  views[0].border_shift = 2;
+  views[0].border_shift_slack = 0.1f;
+  EXPECT_EQ(GenusIn(views), 0);
+  // Nothing but the thin bar goes.
+  views[0].border_shift = 0.5;
+  views[0].silhouette = ViewsWithPixels(1, 0.19)[0].silhouette;
+  EXPECT_EQ(GenusIn(views), 1);
+}
+
 }  // namespace
 }  // namespace octacut

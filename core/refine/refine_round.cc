@@ -111,7 +111,7 @@ std::vector<ContourTarget> FindContours(const ViewSet& views,
 OffsetProblem MakeProblem(const SeenSurface& seen,
                           const std::vector<OffsetMeasurement>& measurements,
                           const std::vector<ContourTarget>& contours,
-                          double contour_weight,
+                          const BorderVerdict& borders,
                           const RoundPlan& plan,
                           const RoundInputs& inputs) {
   const double pixel = inputs.pixel;
@@ -122,7 +122,10 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
     problem.targets.push_back(float(measurement.offset / pixel));
     problem.weights.push_back(float(measurement.weight / plan.scale));
   }
-  AddContourTargets(contours, pixel, contour_weight, &problem);
+  AddContourTargets(contours,
+                    pixel,
+                    inputs.options.silhouette_weight * borders.contour_weight,
+                    &problem);
   problem.is_free = Dilate(seen.is_seen, seen.points.neighbors, kBlendRings);
   return problem;
 }
@@ -199,12 +202,7 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   summary.border_shift = borders.shift;
   summary.hull_tolerance = borders.hull_tolerance;
   OffsetProblem problem =
-      MakeProblem(seen,
-                  measurements,
-                  contours,
-                  inputs.options.silhouette_weight * borders.contour_weight,
-                  plan,
-                  inputs);
+      MakeProblem(seen, measurements, contours, borders, plan, inputs);
   summary.mean_displacement = Timed(&summary.solve_seconds, [&] {
     return MovePoints(std::move(seen),
                       std::move(problem),

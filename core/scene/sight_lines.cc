@@ -86,11 +86,12 @@ class Denier {
 std::vector<Eigen::Vector2d> GridPixels(const cv::Mat& mask, size_t count) {
   const double area = cv::countNonZero(mask >= kObjectThreshold);
   const double spacing = std::max(1.0, std::sqrt(area / double(count)));
+  const auto position = [&](int i) { return int((i + 0.5) * spacing); };
   std::vector<Eigen::Vector2d> pixels;
-  for (double y = spacing / 2; y < mask.rows; y += spacing) {
-    for (double x = spacing / 2; x < mask.cols; x += spacing) {
-      if (mask.at<uint8_t>(int(y), int(x)) >= kObjectThreshold) {
-        pixels.emplace_back(std::floor(x) + 0.5, std::floor(y) + 0.5);
+  for (int i = 0; position(i) < mask.rows; ++i) {
+    for (int j = 0; position(j) < mask.cols; ++j) {
+      if (mask.at<uint8_t>(position(i), position(j)) >= kObjectThreshold) {
+        pixels.emplace_back(position(j) + 0.5, position(i) + 0.5);
       }
     }
   }

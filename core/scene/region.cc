@@ -15,8 +15,8 @@
 namespace octacut {
 namespace {
 
-// The cube's edge is the longest side of the box times 1 + kCubeMargin, which keeps
-// 2.4 voxels of 64^3 free on each side.
+// The cube's edge is the longest side of the box times 1 + kCubeMargin, which
+// keeps 2.4 voxels of 64^3 free on each side.
 constexpr double kCubeMargin = 0.08;
 // The coarse hull whose bounding box the region is has (2^level)^3 voxels.
 constexpr int kHullLevel = 6;

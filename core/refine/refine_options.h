@@ -46,8 +46,8 @@ struct RefineOptions {
   // like outliers.
   double outlier_scale = 2;
   // Weight of the masks' borders, like that of an offset. Twice as much makes
-  // no difference ("What made refinement good") but where most points have no
-  // offset, and there they get it (border_terms.h).
+  // no difference where most points have an offset ("What made refinement
+  // good"); in rounds in which they have none, BorderVerdict raises it.
   double silhouette_weight = 1;
   void Check() const;
 };

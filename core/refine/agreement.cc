@@ -70,13 +70,16 @@ std::vector<float> SharesOfRise(const SurfaceAgreement& less,
   return shares;
 }
 
-// Moves vertices back to `positions` by the shares of the points; returns their
-// mean over the vertices.
-double MoveBack(const std::vector<Eigen::Vector3d>& positions,
-                const SurfacePoints& points,
-                const std::vector<float>& shares,
-                IndexedMesh* mesh) {
+// Moves vertices back to `positions` by the shares of the points around.
+TakenBack MoveBack(const std::vector<Eigen::Vector3d>& positions,
+                   const SurfacePoints& points,
+                   const std::vector<float>& shares,
+                   const AgreementInputs& inputs,
+                   IndexedMesh* mesh) {
+  TakenBack taken_back;
+  taken_back.of_vertices.reserve(positions.size());
   double sum = 0;
+  double count = 0;
   for (size_t v = 0; v < positions.size(); ++v) {
     // The mean of the points around keeps the moves smooth.
     const uint32_t own = points.point_of[v];
@@ -86,9 +89,14 @@ double MoveBack(const std::vector<Eigen::Vector3d>& positions,
     }
     share /= float(points.neighbors.Of(own).size() + 1);
     mesh->positions[v] += double(share) * (positions[v] - mesh->positions[v]);
-    sum += share;
+    taken_back.of_vertices.push_back(share);
+    if (inputs.part.empty() || inputs.part[v]) {
+      sum += share;
+      ++count;
+    }
   }
-  return sum / double(std::max<size_t>(positions.size(), 1));
+  taken_back.mean = sum / std::max(count, 1.0);
+  return taken_back;
 }
 
 SurfaceAgreement MeasureAt(SurfacePoints points,
@@ -100,7 +108,8 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
                                    .neighbors = inputs.neighbors,
                                    .options = inputs.options,
                                    .pixel = inputs.pixel,
-                                   .scale = inputs.scale},
+                                   .scale = inputs.scale,
+                                   .part = inputs.part},
                                   context,
                                   mesh);
   Phase phase(context, inputs.phase, seen.surfaces.size());
@@ -176,24 +185,25 @@ SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
       mesh);
 }
 
-double TakeBackHarm(const AgreementInputs& inputs,
-                    const std::vector<Eigen::Vector3d>& positions,
-                    const SurfaceAgreement& before,
-                    const Context& context,
-                    IndexedMesh* mesh) {
+TakenBack TakeBackHarm(const AgreementInputs& inputs,
+                       const std::vector<Eigen::Vector3d>& positions,
+                       const SurfaceAgreement& before,
+                       const Context& context,
+                       IndexedMesh* mesh) {
   const SurfaceAgreement after =
       MeasureAt(before.points, inputs, context, mesh);
   return MoveBack(positions,
                   after.points,
                   SharesOfRise(after, before, kLosses, inputs, context),
+                  inputs,
                   mesh);
 }
 
-double KeepGains(const AgreementInputs& inputs,
-                 const std::vector<Eigen::Vector3d>& positions,
-                 const SurfaceAgreement& before,
-                 const Context& context,
-                 IndexedMesh* mesh) {
+TakenBack KeepGains(const AgreementInputs& inputs,
+                    const std::vector<Eigen::Vector3d>& positions,
+                    const SurfaceAgreement& before,
+                    const Context& context,
+                    IndexedMesh* mesh) {
   const SurfaceAgreement after =
       MeasureAt(before.points, inputs, context, mesh);
   std::vector<float> shares =
@@ -201,7 +211,7 @@ double KeepGains(const AgreementInputs& inputs,
   for (float& share : shares) {
     share = 1 - share;
   }
-  return MoveBack(positions, after.points, shares, mesh);
+  return MoveBack(positions, after.points, shares, inputs, mesh);
 }
 
 }  // namespace octacut

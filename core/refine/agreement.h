@@ -22,6 +22,8 @@ struct AgreementInputs {
   double pixel;                    // of the views, at the surface
   const RefineOptions& options;
   double scale = 1;  // pixels between the samples of a patch
+  // Vertices around which it is measured, one element each; empty: all.
+  std::vector<uint8_t> part = {};
   const char* phase = "refinement: agreement of the views";
 };
 
@@ -51,24 +53,29 @@ SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
                                   const Context& context,
                                   IndexedMesh* mesh);
 
+// The shares of their moves by which vertices have moved back.
+struct TakenBack {
+  std::vector<float> of_vertices;
+  double mean = 0;  // of those in the part that is looked at
+};
+
 // Moves vertices of `mesh` back to `positions`, where `before` was measured, or
 // towards them, where the views agree less than they did there: a surface that
 // is smoothed coarsely loses its narrow folds, which photographs see. What
 // scatters about no change is kept (docs/experiments/refinement_folds.md). The
-// mesh may intersect itself. Returns the share of the way that is taken back,
-// mean over the vertices.
-double TakeBackHarm(const AgreementInputs& inputs,
+// mesh may intersect itself.
+TakenBack TakeBackHarm(const AgreementInputs& inputs,
+                       const std::vector<Eigen::Vector3d>& positions,
+                       const SurfaceAgreement& before,
+                       const Context& context,
+                       IndexedMesh* mesh);
+
+// Moves vertices back in the same way, and returns the same, but wherever the
+// views do not agree significantly better than at `positions`.
+TakenBack KeepGains(const AgreementInputs& inputs,
                     const std::vector<Eigen::Vector3d>& positions,
                     const SurfaceAgreement& before,
                     const Context& context,
                     IndexedMesh* mesh);
-
-// Moves vertices back in the same way, and returns the same, but wherever the
-// views do not agree significantly better than at `positions`.
-double KeepGains(const AgreementInputs& inputs,
-                 const std::vector<Eigen::Vector3d>& positions,
-                 const SurfaceAgreement& before,
-                 const Context& context,
-                 IndexedMesh* mesh);
 
 }  // namespace octacut

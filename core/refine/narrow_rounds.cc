@@ -1,6 +1,10 @@
 #include "core/refine/narrow_rounds.h"
 
+#include <cmath>
+#include <utility>
+
 #include "core/base/stopwatch.h"
+#include "core/mesh/mean_edge.h"
 #include "core/refine/agreement.h"
 #include "core/refine/keep_valid.h"
 
@@ -20,22 +24,27 @@ constexpr double kLaterRange = 2;  // times that of the first pass
 // nor the first a round in which less than this share of the points had
 // offsets.
 constexpr double kMinGainingShare = 0.1;
+// Later passes look at what lies at most this far, in pixels, from vertices
+// that kept more than half of their moves: where pieces overlap with theirs.
+constexpr double kReachOfGains = 2 * kNarrowFitRadius;
 
 struct Pass {
   RoundPlan plan;  // of each of its rounds
   int num_rounds;
 };
 
-// Runs the rounds, and takes back what gains nothing. Returns the share of the
-// moves that is kept.
-double RunPass(const RoundInputs& inputs,
-               const Pass& pass,
-               const Context& context,
-               ViewSet* views,
-               IndexedMesh* mesh,
-               std::vector<RoundSummary>* rounds) {
-  const AgreementInputs agreeing{
-      *views, inputs.neighbors, inputs.pixel, inputs.options};
+// Runs the rounds, and takes back what gains nothing.
+TakenBack RunPass(const RoundInputs& inputs,
+                  const Pass& pass,
+                  const Context& context,
+                  ViewSet* views,
+                  IndexedMesh* mesh,
+                  std::vector<RoundSummary>* rounds) {
+  const AgreementInputs agreeing{.views = *views,
+                                 .neighbors = inputs.neighbors,
+                                 .pixel = inputs.pixel,
+                                 .options = inputs.options,
+                                 .part = inputs.part};
   const std::vector<Eigen::Vector3d> before = mesh->positions;
   double seconds = 0;
   const SurfaceAgreement agreement = Timed(
@@ -46,9 +55,10 @@ double RunPass(const RoundInputs& inputs,
   }
   RoundSummary& last = rounds->back();
   last.agreement_seconds = seconds;
-  last.taken_back = Timed(&last.agreement_seconds, [&] {
+  TakenBack taken_back = Timed(&last.agreement_seconds, [&] {
     return KeepGains(agreeing, before, agreement, context, mesh);
   });
+  last.taken_back = taken_back.mean;
   last.num_withdrawn += Timed(&last.validity_seconds, [&] {
     return KeepValid(*views,
                      inputs.neighbors,
@@ -56,7 +66,20 @@ double RunPass(const RoundInputs& inputs,
                      context,
                      mesh);
   });
-  return 1 - last.taken_back;
+  return taken_back;
+}
+
+// The part of the surface that the next pass looks at.
+std::vector<uint8_t> PartAroundGains(const TakenBack& taken_back,
+                                     const RoundInputs& inputs,
+                                     const IndexedMesh& mesh) {
+  std::vector<uint8_t> gained;
+  gained.reserve(taken_back.of_vertices.size());
+  for (const float share : taken_back.of_vertices) {
+    gained.push_back(share < 0.5f);
+  }
+  const double reach = kReachOfGains * inputs.pixel / MeanEdge(mesh);
+  return Dilate(std::move(gained), inputs.neighbors, int(std::ceil(reach)));
 }
 
 }  // namespace
@@ -75,13 +98,16 @@ void RefineNarrowParts(const RoundInputs& inputs,
   RefineOptions options = inputs.options;
   options.fit_radius = kNarrowFitRadius;
   options.smoothness = kNarrowSmoothness;
-  const RoundInputs narrow{
-      inputs.start, inputs.neighbors, inputs.pixel, options};
+  RoundInputs narrow{inputs.start, inputs.neighbors, inputs.pixel, options};
   plan.range = options.range;
-  double gaining = RunPass(narrow, {plan, 1}, context, views, mesh, rounds);
+  TakenBack taken_back =
+      RunPass(narrow, {plan, 1}, context, views, mesh, rounds);
   plan.range *= kLaterRange;
-  for (int pass = 1; pass < kMaxPasses && gaining >= kMinGainingShare; ++pass) {
-    gaining =
+  for (int pass = 1;
+       pass < kMaxPasses && 1 - taken_back.mean >= kMinGainingShare;
+       ++pass) {
+    narrow.part = PartAroundGains(taken_back, narrow, *mesh);
+    taken_back =
         RunPass(narrow, {plan, kLaterRounds}, context, views, mesh, rounds);
   }
 }

@@ -88,7 +88,8 @@ SeenSurface LookAt(const ViewSet& views,
                         .options = inputs.options,
                         .pixel = inputs.pixel,
                         .scale = plan.scale,
-                        .spacing = spacing},
+                        .spacing = spacing,
+                        .part = inputs.part},
                        context,
                        mesh);
 }
@@ -214,11 +215,12 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   if (plan.CanHarm()) {
     summary.taken_back = Timed(&summary.agreement_seconds, [&] {
       return TakeBackHarm(
-          {*views, inputs.neighbors, inputs.pixel, inputs.options},
-          before,
-          *agreement,
-          context,
-          mesh);
+                 {*views, inputs.neighbors, inputs.pixel, inputs.options},
+                 before,
+                 *agreement,
+                 context,
+                 mesh)
+          .mean;
     });
   }
   // In each round: what is moved back would stay a pit, and the next round

@@ -79,6 +79,8 @@ struct RoundInputs {
   const VertexCorners& neighbors;  // as FindVertexNeighbors has them
   double pixel;                    // size of one of the views at the surface
   const RefineOptions& options;
+  // Vertices that are looked at and may move, one element each; empty: all.
+  std::vector<uint8_t> part = {};
 };
 
 // Aligns `views` if it is to, moves the vertices of `mesh` (unit

@@ -35,6 +35,34 @@ LinesOfSight MakeLines(double edge, const Look& look) {
   return lines;
 }
 
+// Of all points, or of those in the part.
+std::vector<ChosenViews> ChooseViewsOf(const SeenSurface& seen,
+                                       const Look& look,
+                                       const Context& context) {
+  const LinesOfSight lines = MakeLines(seen.edge, look);
+  const auto choose = [&](const std::vector<LocalSurface>& surfaces) {
+    return ChooseViews(
+        look.views, seen.rays, surfaces, lines, look.options.views, context);
+  };
+  if (look.part.empty()) {
+    return choose(seen.surfaces);
+  }
+  std::vector<size_t> points;
+  std::vector<LocalSurface> surfaces;
+  for (size_t i = 0; i < seen.surfaces.size(); ++i) {
+    if (look.part[seen.points.vertices[i]]) {
+      points.push_back(i);
+      surfaces.push_back(seen.surfaces[i]);
+    }
+  }
+  const std::vector<ChosenViews> choices = choose(surfaces);
+  std::vector<ChosenViews> all(seen.surfaces.size());
+  for (size_t k = 0; k < points.size(); ++k) {
+    all[points[k]] = choices[k];
+  }
+  return all;
+}
+
 }  // namespace
 
 double PixelSizeAt(const ViewSet& views, const IndexedMesh& mesh) {
@@ -72,12 +100,7 @@ SeenSurface LookAtPoints(SurfacePoints points,
                        context);
   SeenSurface seen{
       edge, std::move(points), std::move(surfaces), RayScene(*mesh), {}, {}};
-  seen.choices = ChooseViews(look.views,
-                             seen.rays,
-                             seen.surfaces,
-                             MakeLines(edge, look),
-                             look.options.views,
-                             context);
+  seen.choices = ChooseViewsOf(seen, look, context);
   for (const ChosenViews& chosen : seen.choices) {
     seen.is_seen.push_back(chosen.count >= 2);
   }

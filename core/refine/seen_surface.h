@@ -30,6 +30,9 @@ struct Look {
   double pixel;        // of the views, at the surface
   double scale;        // pixels between the samples of a patch
   double spacing = 0;  // between points that are spread for it
+  // Vertices that count, one element each; no other points have views. Empty:
+  // all do.
+  std::vector<uint8_t> part = {};
 };
 
 struct SeenSurface {

@@ -19,6 +19,8 @@ constexpr float kGradientShare = 0.5f;
 // Coverage (0 .. 255), interpolated, from which on a sample shows nothing but
 // the object.
 constexpr float kFullCoverage = 254.5f;
+// Distances from borders are known to less than that, pixels.
+constexpr float kDistanceSlack = 1;
 
 // Over the first `count` samples and all colours.
 template <size_t N>
@@ -151,16 +153,30 @@ void SurfacePatch::SampleColors(const Projected& projected,
 
 bool SurfacePatch::ShowsOnlyObject(const Projected& projected) const {
   const PreparedView& view = views_[projected.view];
-  const float pixel = 1 / projected.level->scale;
   for (int s = 0; s < num_samples_; ++s) {
     if (projected.colors[s][3] < kFullCoverage) {
       return false;
     }
-    // A mask that is too large counts background as object.
-    const float z = projected.z[s];
-    if (view.border_shift > 0 &&
-        view.DistanceInside({projected.x[s] / z, projected.y[s] / z, z}) <
-            pixel) {
+  }
+  if (!(view.border_shift > 0)) {
+    return true;
+  }
+  // A mask that is too large counts background as object.
+  const auto point_of = [&](int sample) {
+    const float z = projected.z[sample];
+    return ProjectedPoint{projected.x[sample] / z, projected.y[sample] / z, z};
+  };
+  const float pixel = 1 / projected.level->scale;
+  const auto [u, v, z] = point_of(num_samples_ / 2);
+  // What is closer to the middle than that is inside, too.
+  const float depth =
+      view.silhouette.KnowsAll(u, v, u, v)
+          ? view.DistanceInside({u, v, z}) - pixel - kDistanceSlack
+          : 0;
+  for (int s = 0; s < num_samples_; ++s) {
+    const ProjectedPoint point = point_of(s);
+    if (Eigen::Vector2f(point.u - u, point.v - v).norm() > depth &&
+        view.DistanceInside(point) < pixel) {
       return false;
     }
   }

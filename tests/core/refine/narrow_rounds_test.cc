@@ -58,6 +58,21 @@ TEST(RefineNarrowParts, GoesOnWhileMuchOfTheSurfaceGains) {
   EXPECT_EQ(rounds[1].range, 6);
 }
 
+TEST(RefineNarrowParts, LooksAgainOnlyAroundWhatHasGained) {
+  RefineScene scene = testing::MakeRefineScene();
+  const auto bumps = testing::Bumps(4 * scene.Pixel());
+  const auto wrong_on_one_side = [&](const Eigen::Vector3d& direction) {
+    return direction.x() > 0.5 ? bumps(direction) : 0.0;
+  };
+  IndexedMesh mesh;
+  const std::vector<RoundSummary> rounds =
+      RunOn(&scene, wrong_on_one_side, &mesh);
+  EXPECT_LT(MeanErrorInPixels(scene, mesh), 0.1);
+  ASSERT_GE(rounds.size(), 3u);
+  EXPECT_LT(rounds[1].num_seen, 0.7 * double(rounds[0].num_seen));
+  EXPECT_GT(rounds[1].num_seen, 0.2 * double(rounds[0].num_seen));
+}
+
 TEST(RefineNarrowParts, StopsWhereNothingIsGained) {
   RefineScene scene = testing::MakeRefineScene(-60, 200);
   const auto right = [](const auto&) { return 0.0; };

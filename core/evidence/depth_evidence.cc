@@ -120,6 +120,35 @@ std::vector<float> EvidenceOf(const ViewSet& views,
   return values;
 }
 
+void AddMatterInPits(const ViewSet& views,
+                     const VoxelGrid& voxels,
+                     const SurfaceVerdict& surface,
+                     const InsideEvidenceOptions& options,
+                     const Context& context,
+                     std::vector<float>* values) {
+  const float voxel = 1.0f / float(voxels.Resolution());
+  ParallelForVoxels(
+      context, voxels, [&](VoxelGrid::Index index, MortonCode code) {
+        const Eigen::Vector3f center =
+            VoxelCenter(DecodeMorton(code), voxels.Level());
+        float matter = 0;
+        for (size_t i = 0; i < views.size(); ++i) {
+          const auto p = views[i].projection.Project(center);
+          if (!p) {
+            continue;
+          }
+          const SweptDepthMap& map = surface.depths.maps[i];
+          const std::optional<size_t> sample = map.SampleAt(p->u, p->v);
+          if (sample && surface.in_pit[i][*sample] &&
+              p->depth < map.depths[*sample] + kMatterFrom * voxel) {
+            matter += 1;
+          }
+        }
+        (*values)[index] +=
+            float(options.matter_weight) * std::min(matter, kMaxVotes);
+      });
+}
+
 std::vector<float> EvidenceWithPlausible(
     const ViewSet& views,
     const VoxelGrid& voxels,

@@ -32,4 +32,13 @@ std::vector<float> EvidenceWithPlausible(
     const Context& context,
     ReliableDepths* depths);
 
+// Adds to `values`, the evidence of each voxel, that each view gives for matter
+// before the surface where that lies in a pit.
+void AddMatterInPits(const ViewSet& views,
+                     const VoxelGrid& voxels,
+                     const SurfaceVerdict& surface,
+                     const InsideEvidenceOptions& options,
+                     const Context& context,
+                     std::vector<float>* values);
+
 }  // namespace octacut

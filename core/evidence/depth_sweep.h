@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/base/context.h"
@@ -45,16 +46,22 @@ struct SweptDepthMap {
   Eigen::Vector3f Pixel(int x, int y) const {
     return {(float(x) + 0.5f) / scale, (float(y) + 0.5f) / scale, 1};
   }
+  // The sample at pixel coordinates of the view; none out of the map.
+  std::optional<size_t> SampleAt(float u, float v) const {
+    // Points just before the camera are at pixels that no int holds.
+    const float x = u * scale;
+    const float y = v * scale;
+    if (x >= 0 && y >= 0 && x < float(width) && y < float(height)) {
+      return size_t(y) * size_t(width) + size_t(x);
+    }
+    return std::nullopt;
+  }
   // Depth at pixel coordinates of the view; 0 for none.
   float DepthAt(float u, float v) const { return ValueAt(depths, u, v); }
   // The same of other values, one per sample.
   float ValueAt(const std::vector<float>& values, float u, float v) const {
-    // Points just before the camera are at pixels that no int holds.
-    const float x = u * scale;
-    const float y = v * scale;
-    return x >= 0 && y >= 0 && x < float(width) && y < float(height)
-               ? values[size_t(y) * width + size_t(x)]
-               : 0;
+    const std::optional<size_t> sample = SampleAt(u, v);
+    return sample ? values[*sample] : 0;
   }
 };
 

@@ -198,7 +198,7 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
 
 void ReviseEvidence(const ViewSet& views,
                     const VoxelGrid& hull,
-                    const ReliableDepths& surface,
+                    const SurfaceVerdict& surface,
                     const InsideEvidenceOptions& options,
                     const Context& context,
                     InsideEvidence* evidence) {
@@ -208,18 +208,19 @@ void ReviseEvidence(const ViewSet& views,
   const float scene = std::max(depths.scene_confidence, 1e-6f);
   for (size_t i = 0; i < depths.confidence.size(); ++i) {
     for (size_t k = 0; k < depths.confidence[i].size(); ++k) {
-      if (surface.maps[i].depths[k] > 0) {
+      if (surface.depths.maps[i].depths[k] > 0) {
         const float of_region = std::min(depths.confidence[i][k] / scene, 1.0f);
-        depths.confidence[i][k] = surface.confidence[i][k] * of_region;
+        depths.confidence[i][k] = surface.depths.confidence[i][k] * of_region;
       }
     }
   }
   evidence->values = EvidenceOf(views, hull, depths, options, context);
+  AddMatterInPits(views, hull, surface, options, context, &evidence->values);
   evidence->summary.num_free_voxels = CountFree(evidence->values);
   const VoxelGrid& voxels = evidence->depth_confidence.voxels;
   VoxelValues revised = ConfidenceInSpace(views, voxels, depths, context);
   const VoxelValues of_surface =
-      ConfidenceInSpace(views, voxels, surface, context);
+      ConfidenceInSpace(views, voxels, surface.depths, context);
   for (size_t i = 0; i < revised.values.size(); ++i) {
     revised.values[i] *= of_surface.values[i];
   }

@@ -75,6 +75,16 @@ struct InsideEvidence {
   InsideEvidenceSummary summary;
 };
 
+// What is known of a surface that was found with InsideEvidence.
+struct SurfaceVerdict {
+  // At samples where it is judged: its depths, and how far they can be relied
+  // upon.
+  ReliableDepths depths;
+  // in_pit[i][k] is 1 where it lies in a pit at sample k of map i: it should
+  // lie before that depth.
+  std::vector<std::vector<uint8_t>> in_pit;
+};
+
 // `shown` as EstimateDepthConfidence has it.
 InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                                       const VoxelGrid& hull,
@@ -85,12 +95,13 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
 // Replaces the confidence of depths at the samples where `surface`, which was
 // found with them, has a depth: by the confidence of the surface times that of
 // the region in the view, without that of the whole scene. `values`,
-// `decision_confidence` and the number of free voxels are computed anew.
+// `decision_confidence` and the number of free voxels are computed anew; in
+// pits, each view adds evidence for inside as one that has found matter does.
 // `surface` has maps as evidence->depths has, and `hull` the voxels of
 // evidence->values. To be called once.
 void ReviseEvidence(const ViewSet& views,
                     const VoxelGrid& hull,
-                    const ReliableDepths& surface,
+                    const SurfaceVerdict& surface,
                     const InsideEvidenceOptions& options,
                     const Context& context,
                     InsideEvidence* evidence);

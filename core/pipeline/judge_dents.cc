@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/base/ramp.h"
 #include "core/pipeline/surface_agreement.h"
+#include "core/pipeline/unfounded_pits.h"
 #include "core/raycast/ray_scene.h"
 
 namespace octacut {
@@ -59,6 +60,19 @@ class JudgedSurface {
                  : std::nullopt;
   }
 
+  // Remembers where the surface lies in unfounded pits of the hull.
+  void FindPits(const JudgedSurface& hull,
+                double voxel,
+                const Context& context) {
+    if (rays_ && hull.rays_) {
+      in_pit_ = FindUnfoundedPits(measured_, *hull.rays_, voxel, context);
+    }
+  }
+
+  bool IsInPit(const RayScene::Hit& hit) const {
+    return !in_pit_.empty() && in_pit_[VertexOf(hit)] != 0;
+  }
+
   // None where it is not seen.
   std::optional<float> AgreementAt(const RayScene::Hit& hit) const {
     const float mean = means_[PointOf(hit)];
@@ -76,14 +90,17 @@ class JudgedSurface {
   }
 
  private:
+  uint32_t VertexOf(const RayScene::Hit& hit) const {
+    return measured_.mesh.triangles[hit.triangle][0];
+  }
   uint32_t PointOf(const RayScene::Hit& hit) const {
-    const uint32_t vertex = measured_.mesh.triangles[hit.triangle][0];
-    return measured_.agreement.points.point_of[vertex];
+    return measured_.agreement.points.point_of[VertexOf(hit)];
   }
 
   MeasuredSurface measured_;
   std::vector<float> means_;
   std::optional<RayScene> rays_;
+  std::vector<uint8_t> in_pit_;
 };
 
 // Appends the mattness of points of the hull that a view shows without detail.
@@ -139,12 +156,14 @@ struct Judges {
 void JudgeView(const PreparedView& view,
                const Judges& judges,
                SweptDepthMap* map,
-               std::vector<float>* confidence) {
+               std::vector<float>* confidence,
+               std::vector<uint8_t>* in_pit) {
   const ViewProjection& projection = view.projection;
   const Eigen::Matrix3f rays = projection.RaysOfPixels();
   const std::vector<float> depths =
       std::exchange(map->depths, std::vector<float>(map->depths.size(), 0.0f));
   confidence->assign(depths.size(), 1);
+  in_pit->assign(depths.size(), 0);
   for (int y = 0; y < map->height; ++y) {
     for (int x = 0; x < map->width; ++x) {
       const Eigen::Vector3f pixel = map->Pixel(x, y);
@@ -168,6 +187,11 @@ void JudgeView(const PreparedView& view,
         continue;
       }
       map->depths[k] = float(behind->distance);
+      if (judges.cut.IsInPit(*behind)) {
+        (*confidence)[k] = 0;
+        (*in_pit)[k] = 1;
+        continue;
+      }
       const float of_cut = judges.cut.AgreementAt(*behind).value_or(0);
       (*confidence)[k] = trust * Ramp(of_cut - *of_hull, kLess, kMore);
     }
@@ -176,7 +200,7 @@ void JudgeView(const PreparedView& view,
 
 }  // namespace
 
-ReliableDepths JudgeDents(const ViewSet& views,
+SurfaceVerdict JudgeDents(const ViewSet& views,
                           const LabeledVoxels& hull,
                           const LabeledVoxels& cut,
                           const std::vector<SweptDepthMap>& maps,
@@ -184,16 +208,22 @@ ReliableDepths JudgeDents(const ViewSet& views,
                           const Context& context) {
   const JudgedSurface outer(
       views, hull, "dents: agreement on the hull", options, context);
-  const JudgedSurface inner(
+  JudgedSurface inner(
       views, cut, "dents: agreement on the cut", options, context);
-  const Judges judges{outer,
-                      inner,
-                      1.0 / double(cut.voxels.Resolution()),
-                      MattnessOfHull(views, maps, outer, context)};
-  ReliableDepths judged{maps, std::vector<std::vector<float>>(maps.size())};
+  const double voxel = 1.0 / double(cut.voxels.Resolution());
+  inner.FindPits(outer, voxel, context);
+  const Judges judges{
+      outer, inner, voxel, MattnessOfHull(views, maps, outer, context)};
+  SurfaceVerdict judged{
+      .depths = {maps, std::vector<std::vector<float>>(maps.size())},
+      .in_pit = std::vector<std::vector<uint8_t>>(maps.size())};
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      JudgeView(views[i], judges, &judged.maps[i], &judged.confidence[i]);
+      JudgeView(views[i],
+                judges,
+                &judged.depths.maps[i],
+                &judged.depths.confidence[i],
+                &judged.in_pit[i]);
     }
   });
   return judged;

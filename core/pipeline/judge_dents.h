@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "core/base/context.h"
-#include "core/evidence/depth_confidence.h"
 #include "core/evidence/depth_sweep.h"
+#include "core/evidence/inside_evidence.h"
 #include "core/grid/labeled_voxels.h"
 #include "core/refine/refine_options.h"
 #include "core/views/view_set.h"
@@ -30,11 +30,12 @@ namespace octacut {
 // views agree about the cut than about the hull; elsewhere depth 0. It is
 // multiplied by the detail unless points of the hull without detail look matt
 // (core/refine/mattness.h). Where no two views see the cut, their agreement
-// about it is 0. Left out are samples where no two views see the hull, and
-// those whose own depth lies far behind the cut, unless the views agree well
-// about the hull or there is no detail on what is not matt. `scene_confidence`
-// is 1: without judged samples, a cut is sure.
-ReliableDepths JudgeDents(const ViewSet& views,
+// about it is 0. In unfounded pits (core/pipeline/unfounded_pits.h), the
+// confidence is 0 and `in_pit` is 1. Left out are samples where no two views
+// see the hull, and those whose own depth lies far behind the cut, unless the
+// views agree well about the hull or there is no detail on what is not matt.
+// `scene_confidence` is 1: without judged samples, a cut is sure.
+SurfaceVerdict JudgeDents(const ViewSet& views,
                           const LabeledVoxels& hull,
                           const LabeledVoxels& cut,
                           const std::vector<SweptDepthMap>& maps,

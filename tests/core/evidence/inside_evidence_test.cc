@@ -167,10 +167,11 @@ TEST(ReviseEvidence, TakesWhatDoubtfulPartsOfASurfaceHaveSaid) {
   const InsideEvidence before =
       EstimateInsideEvidence(test.views, hull, options, 1, Context(2));
   ASSERT_GT(before.summary.num_free_voxels, 100u);
-  const auto revised = [&](float confidence) {
-    ReliableDepths surface{before.depths.maps, before.depths.confidence};
-    for (std::vector<float>& of_view : surface.confidence) {
+  const auto revised = [&](float confidence, uint8_t in_pit = 0) {
+    SurfaceVerdict surface{{before.depths.maps, before.depths.confidence}, {}};
+    for (std::vector<float>& of_view : surface.depths.confidence) {
       std::fill(of_view.begin(), of_view.end(), confidence);
+      surface.in_pit.emplace_back(of_view.size(), in_pit);
     }
     InsideEvidence after = before;
     ReviseEvidence(test.views, hull, surface, options, Context(2), &after);
@@ -197,6 +198,9 @@ TEST(ReviseEvidence, TakesWhatDoubtfulPartsOfASurfaceHaveSaid) {
   EXPECT_EQ(num_free(with), num_free(before));
   EXPECT_NEAR(
       mean(with.decision_confidence), mean(before.depth_confidence), 1e-3);
+  // As if the whole inside of the cup were a pit.
+  const InsideEvidence filled = revised(1, 1);
+  EXPECT_LT(num_free(filled), 0.1 * double(num_free(before)));
 }
 
 // Where no view says anything the hull is kept.

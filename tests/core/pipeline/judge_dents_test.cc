@@ -96,7 +96,7 @@ struct DentSetting {
 
   // `depth`: what all samples of all views have found, 0 for nothing; `detail`:
   // how much there is to match around each of them.
-  ReliableDepths Judge(const LabeledVoxels& hull,
+  SurfaceVerdict Judge(const LabeledVoxels& hull,
                        const LabeledVoxels& cut,
                        int num_threads = 2,
                        float depth = 0,
@@ -119,7 +119,8 @@ struct Judgement {
   double mean_confidence = 0;
 };
 
-Judgement MeanOf(const ReliableDepths& judged) {
+Judgement MeanOf(const SurfaceVerdict& verdict) {
+  const ReliableDepths& judged = verdict.depths;
   Judgement mean;
   for (size_t i = 0; i < judged.maps.size(); ++i) {
     for (size_t k = 0; k < judged.maps[i].depths.size(); ++k) {
@@ -205,11 +206,12 @@ TEST(JudgeDents, FindsNoneInAnEmptyCut) {
 TEST(JudgeDents, IsTheSameForAnyNumberOfThreads) {
   const DentSetting setting(kPlaster);
   const LabeledVoxels pitted = setting.Pitted();
-  const ReliableDepths one = setting.Judge(setting.Sphere(), pitted, 1);
-  const ReliableDepths three = setting.Judge(setting.Sphere(), pitted, 3);
-  for (size_t i = 0; i < one.maps.size(); ++i) {
-    EXPECT_EQ(one.maps[i].depths, three.maps[i].depths) << i;
-    EXPECT_EQ(one.confidence[i], three.confidence[i]) << i;
+  const SurfaceVerdict one = setting.Judge(setting.Sphere(), pitted, 1);
+  const SurfaceVerdict three = setting.Judge(setting.Sphere(), pitted, 3);
+  for (size_t i = 0; i < one.depths.maps.size(); ++i) {
+    EXPECT_EQ(one.depths.maps[i].depths, three.depths.maps[i].depths) << i;
+    EXPECT_EQ(one.depths.confidence[i], three.depths.confidence[i]) << i;
+    EXPECT_EQ(one.in_pit[i], three.in_pit[i]) << i;
   }
 }
 

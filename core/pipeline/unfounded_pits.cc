@@ -7,8 +7,8 @@ namespace octacut {
 namespace {
 
 constexpr size_t kDepthGrain = 1024;
-// Voxels: surfaces that lie less deep in the hull are connected with its
-// border everywhere.
+// Voxels. What lies less deep in the hull connects pits and hollows with one
+// another.
 constexpr double kDeep = 2;
 // Vertices of a part that is judged, about one a voxel: the area of three
 // patches. What is smaller is part of the edges of hollows

@@ -15,9 +15,11 @@ namespace octacut {
 // views' own scale, with smaller pieces and less smoothness. After each pass,
 // moves stay where the views agree significantly better than before it, and
 // are taken back elsewhere: smaller pieces follow the noise of the photographs.
-// Passes go on while much of the surface gains: folds open a little farther
-// each time (docs/experiments/refinement_narrow.md). `plan` has the shift of
-// the masks' borders and is at the views' own scale; its range does not matter.
+// Passes go on while much of what they look at gains: folds open a little
+// farther each time. The first one looks at the whole surface, later ones only
+// around what has gained (docs/experiments/refinement_narrow.md). `plan` has
+// the shift of the masks' borders and is at the views' own scale; its range
+// does not matter.
 // Appends to `rounds`, which holds those before; none where hardly any point
 // had an offset in the last of them.
 void RefineNarrowParts(const RoundInputs& inputs,

@@ -19,7 +19,7 @@ struct RoundSummary {
   double scale = 0;  // size of the round's pixels in those of the views
   double range = 0;  // of the search, pixels of the views
   size_t num_points = 0;
-  size_t num_seen = 0;      // of them, by at least two views
+  size_t num_seen = 0;      // of them, by two views, in RoundInputs::part
   size_t num_measured = 0;  // of them, with an offset that others support
   size_t num_contour_targets = 0;  // from silhouettes
   // Pixels by which the masks' borders are taken to lie too far outside, after
@@ -29,8 +29,8 @@ struct RoundSummary {
   double hull_tolerance = 0;
   double mean_displacement = 0;  // of the vertices that may move, pixels
   size_t num_aligned = 0;        // views, in the last step
-  // The share of the moves that was taken back because the views agreed less,
-  // or on smaller pieces (narrow_rounds.h) no better.
+  // The share of the moves, in RoundInputs::part, that was taken back because
+  // the views agreed less, or on smaller pieces (narrow_rounds.h) no better.
   double taken_back = 0;
   // Vertices that were moved back: into the hull, or for the sake of
   // triangles that were too thin or intersected others.

@@ -10,10 +10,10 @@ constexpr size_t kDepthGrain = 1024;
 // Voxels. What lies less deep in the hull connects pits and hollows with one
 // another.
 constexpr double kDeep = 2;
-// Vertices of a part that is judged, about one a voxel: the area of three
+// Vertices of a part that is judged, about one a voxel: the area of five
 // patches. What is smaller is part of the edges of hollows
 // (docs/experiments/dents.md).
-constexpr size_t kMinVertices = 10;
+constexpr size_t kMinVertices = 15;
 // Mean agreement up to which views do not agree: up to 0.05 in pits, from 0.13
 // on in hollows (docs/experiments/dents.md).
 constexpr double kNoAgreement = 0.07;
@@ -54,12 +54,16 @@ bool IsUnfounded(const std::vector<uint32_t>& part,
                  const std::vector<uint32_t>& point_of,
                  const std::vector<float>& means) {
   double sum = 0;
+  size_t count = 0;
   for (const uint32_t vertex : part) {
     const float mean = means[point_of[vertex]];
-    sum += mean == SurfaceAgreement::kUnmeasured ? 0 : mean;
+    if (mean != SurfaceAgreement::kUnmeasured) {
+      sum += mean;
+      ++count;
+    }
   }
-  return part.size() >= kMinVertices &&
-         sum < kNoAgreement * double(part.size());
+  return part.size() >= kMinVertices && 2 * count > part.size() &&
+         sum < kNoAgreement * double(count);
 }
 
 }  // namespace

@@ -2,9 +2,8 @@
 //
 // Where hardly any view finds the surface of a plain object, a few wrong depths
 // of one view open a pit, and not even from the side on which that view is.
-// Either no two views see into it, or they do not agree about it at all; about
-// a hollow that photographs have opened they agree as a whole
-// (docs/experiments/dents.md).
+// The views that see into it do not agree about it at all; about a hollow that
+// photographs have opened they agree as a whole (docs/experiments/dents.md).
 #pragma once
 
 #include <cstdint>
@@ -16,9 +15,9 @@
 namespace octacut {
 
 // For each vertex of the cut's mesh, 1 where it is in such a pit: a connected
-// part of the surface that lies deep in the visual hull `hull` and about which
-// the views do not agree in the mean, where what no two views see counts as
-// that. `voxel` is the cut's; unit coordinates.
+// part of the surface that lies deep in the visual hull `hull`, of which two
+// views see most, and about which the views do not agree in the mean. `voxel`
+// is the cut's; unit coordinates.
 std::vector<uint8_t> FindUnfoundedPits(const MeasuredSurface& cut,
                                        const RayScene& hull,
                                        double voxel,

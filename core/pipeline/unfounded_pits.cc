@@ -14,8 +14,8 @@ constexpr double kDeep = 2;
 // patches. What is smaller is part of the edges of hollows
 // (docs/experiments/dents.md).
 constexpr size_t kMinVertices = 15;
-// Mean agreement up to which views do not agree: up to 0.05 in pits, from 0.13
-// on in hollows (docs/experiments/dents.md).
+// Mean agreement up to which views do not agree: up to 0.05 in pits, from 0.11
+// on in hollows of scenes with a truth (docs/experiments/dents.md).
 constexpr double kNoAgreement = 0.07;
 
 std::vector<uint8_t> FindDeepVertices(const IndexedMesh& mesh,

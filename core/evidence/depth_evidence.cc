@@ -126,6 +126,13 @@ void AddMatterInPits(const ViewSet& views,
                      const InsideEvidenceOptions& options,
                      const Context& context,
                      std::vector<float>* values) {
+  if (std::none_of(surface.in_pit.begin(),
+                   surface.in_pit.end(),
+                   [](const std::vector<uint8_t>& of_view) {
+                     return std::count(of_view.begin(), of_view.end(), 1) > 0;
+                   })) {
+    return;  // as in most scenes
+  }
   const float voxel = 1.0f / float(voxels.Resolution());
   ParallelForVoxels(
       context, voxels, [&](VoxelGrid::Index index, MortonCode code) {

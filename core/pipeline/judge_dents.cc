@@ -60,17 +60,18 @@ class JudgedSurface {
                  : std::nullopt;
   }
 
-  // Remembers where the surface lies in unfounded pits of the hull.
-  void FindPits(const JudgedSurface& hull,
-                double voxel,
-                const Context& context) {
-    if (rays_ && hull.rays_) {
-      in_pit_ = FindUnfoundedPits(measured_, *hull.rays_, voxel, context);
-    }
+  // As FindUnfoundedPits has them; empty if one of the surfaces is.
+  std::vector<uint8_t> FindPits(const JudgedSurface& hull,
+                                double voxel,
+                                const Context& context) const {
+    return rays_ && hull.rays_
+               ? FindUnfoundedPits(
+                     measured_, means_, *hull.rays_, voxel, context)
+               : std::vector<uint8_t>();
   }
 
-  bool IsInPit(const RayScene::Hit& hit) const {
-    return !in_pit_.empty() && in_pit_[VertexOf(hit)] != 0;
+  uint32_t VertexOf(const RayScene::Hit& hit) const {
+    return measured_.mesh.triangles[hit.triangle][0];
   }
 
   // None where it is not seen.
@@ -90,9 +91,6 @@ class JudgedSurface {
   }
 
  private:
-  uint32_t VertexOf(const RayScene::Hit& hit) const {
-    return measured_.mesh.triangles[hit.triangle][0];
-  }
   uint32_t PointOf(const RayScene::Hit& hit) const {
     return measured_.agreement.points.point_of[VertexOf(hit)];
   }
@@ -100,7 +98,6 @@ class JudgedSurface {
   MeasuredSurface measured_;
   std::vector<float> means_;
   std::optional<RayScene> rays_;
-  std::vector<uint8_t> in_pit_;
 };
 
 // Appends the mattness of points of the hull that a view shows without detail.
@@ -148,6 +145,7 @@ float MattnessOfHull(const ViewSet& views,
 struct Judges {
   const JudgedSurface& hull;
   const JudgedSurface& cut;
+  std::vector<uint8_t> in_pit;  // vertices of the cut
   double voxel;
   float mattness;
 };
@@ -187,7 +185,7 @@ void JudgeView(const PreparedView& view,
         continue;
       }
       map->depths[k] = float(behind->distance);
-      if (judges.cut.IsInPit(*behind)) {
+      if (judges.in_pit[judges.cut.VertexOf(*behind)]) {
         (*confidence)[k] = 0;
         (*in_pit)[k] = 1;
         continue;
@@ -208,12 +206,14 @@ SurfaceVerdict JudgeDents(const ViewSet& views,
                           const Context& context) {
   const JudgedSurface outer(
       views, hull, "dents: agreement on the hull", options, context);
-  JudgedSurface inner(
+  const JudgedSurface inner(
       views, cut, "dents: agreement on the cut", options, context);
   const double voxel = 1.0 / double(cut.voxels.Resolution());
-  inner.FindPits(outer, voxel, context);
-  const Judges judges{
-      outer, inner, voxel, MattnessOfHull(views, maps, outer, context)};
+  const Judges judges{outer,
+                      inner,
+                      inner.FindPits(outer, voxel, context),
+                      voxel,
+                      MattnessOfHull(views, maps, outer, context)};
   SurfaceVerdict judged{
       .depths = {maps, std::vector<std::vector<float>>(maps.size())},
       .in_pit = std::vector<std::vector<uint8_t>>(maps.size())};

@@ -1,7 +1,9 @@
 #include "core/pipeline/unfounded_pits.h"
 
+#include <array>
+
 #include "core/base/parallel.h"
-#include "core/mesh/vertex_corners.h"
+#include "core/mesh/disjoint_sets.h"
 
 namespace octacut {
 namespace {
@@ -32,63 +34,62 @@ std::vector<uint8_t> FindDeepVertices(const IndexedMesh& mesh,
   return is_deep;
 }
 
-// The part of the set that is connected with `first`; removes it from the set.
-std::vector<uint32_t> TakePart(uint32_t first,
-                               const VertexCorners& neighbors,
-                               std::vector<uint8_t>* set) {
-  std::vector<uint32_t> part = {first};
-  (*set)[first] = 0;
-  for (size_t k = 0; k < part.size(); ++k) {
-    for (const uint32_t next : neighbors.Of(part[k])) {
-      if ((*set)[next]) {
-        (*set)[next] = 0;
-        part.push_back(next);
+// How well the views agree about a connected part of the surface.
+struct PartAgreement {
+  size_t num_vertices = 0;
+  size_t num_measured = 0;
+  double sum = 0;  // over those that are measured
+
+  // `mean` is one of SurfaceAgreement::MeansAround.
+  void Add(float mean) {
+    ++num_vertices;
+    if (mean != SurfaceAgreement::kUnmeasured) {
+      ++num_measured;
+      sum += mean;
+    }
+  }
+  bool IsUnfounded() const {
+    return num_vertices >= kMinVertices && 2 * num_measured > num_vertices &&
+           sum < kNoAgreement * double(num_measured);
+  }
+};
+
+// Joins the ends of the edges whose ends are both in the set.
+DisjointSets JoinWithin(const std::vector<uint8_t>& set,
+                        const IndexedMesh& mesh) {
+  DisjointSets parts(set.size());
+  for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const uint32_t from = triangle[i];
+      const uint32_t to = triangle[(i + 1) % 3];
+      if (set[from] && set[to]) {
+        parts.Unite(from, to);
       }
     }
   }
-  return part;
-}
-
-// `means` are those of SurfaceAgreement::MeansAround.
-bool IsUnfounded(const std::vector<uint32_t>& part,
-                 const std::vector<uint32_t>& point_of,
-                 const std::vector<float>& means) {
-  double sum = 0;
-  size_t count = 0;
-  for (const uint32_t vertex : part) {
-    const float mean = means[point_of[vertex]];
-    if (mean != SurfaceAgreement::kUnmeasured) {
-      sum += mean;
-      ++count;
-    }
-  }
-  return part.size() >= kMinVertices && 2 * count > part.size() &&
-         sum < kNoAgreement * double(count);
+  return parts;
 }
 
 }  // namespace
 
 std::vector<uint8_t> FindUnfoundedPits(const MeasuredSurface& cut,
+                                       const std::vector<float>& means,
                                        const RayScene& hull,
                                        double voxel,
                                        const Context& context) {
-  const IndexedMesh& mesh = cut.mesh;
-  const VertexCorners neighbors =
-      FindVertexNeighbors(mesh.positions.size(), mesh.triangles);
-  const std::vector<float> means = cut.agreement.MeansAround();
-  std::vector<uint8_t> is_deep =
-      FindDeepVertices(mesh, hull, kDeep * voxel, context);
-  std::vector<uint8_t> in_pit(is_deep.size(), 0);
+  const std::vector<uint32_t>& point_of = cut.agreement.points.point_of;
+  const std::vector<uint8_t> is_deep =
+      FindDeepVertices(cut.mesh, hull, kDeep * voxel, context);
+  DisjointSets parts = JoinWithin(is_deep, cut.mesh);
+  std::vector<PartAgreement> agreements(is_deep.size());
   for (uint32_t v = 0; v < is_deep.size(); ++v) {
-    if (!is_deep[v]) {
-      continue;
+    if (is_deep[v]) {
+      agreements[parts.Find(v)].Add(means[point_of[v]]);
     }
-    const std::vector<uint32_t> part = TakePart(v, neighbors, &is_deep);
-    if (IsUnfounded(part, cut.agreement.points.point_of, means)) {
-      for (const uint32_t vertex : part) {
-        in_pit[vertex] = 1;
-      }
-    }
+  }
+  std::vector<uint8_t> in_pit(is_deep.size());
+  for (uint32_t v = 0; v < is_deep.size(); ++v) {
+    in_pit[v] = is_deep[v] && agreements[parts.Find(v)].IsUnfounded();
   }
   return in_pit;
 }

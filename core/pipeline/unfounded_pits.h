@@ -16,9 +16,11 @@ namespace octacut {
 
 // For each vertex of the cut's mesh, 1 where it is in such a pit: a connected
 // part of the surface that lies deep in the visual hull `hull`, of which two
-// views see most, and about which the views do not agree in the mean. `voxel`
-// is the cut's; unit coordinates.
+// views see most, and about which the views do not agree in the mean. `means`
+// are MeansAround of the cut's agreement, and `voxel` is the cut's; unit
+// coordinates.
 std::vector<uint8_t> FindUnfoundedPits(const MeasuredSurface& cut,
+                                       const std::vector<float>& means,
                                        const RayScene& hull,
                                        double voxel,
                                        const Context& context);

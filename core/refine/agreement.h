@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "core/base/context.h"
@@ -23,7 +24,7 @@ struct AgreementInputs {
   const RefineOptions& options;
   double scale = 1;  // pixels between the samples of a patch
   // Vertices around which it is measured, one element each; empty: all.
-  std::vector<uint8_t> part = {};
+  std::span<const uint8_t> part = {};
   const char* phase = "refinement: agreement of the views";
 };
 

@@ -103,10 +103,12 @@ void RefineNarrowParts(const RoundInputs& inputs,
   TakenBack taken_back =
       RunPass(narrow, {plan, 1}, context, views, mesh, rounds);
   plan.range *= kLaterRange;
+  std::vector<uint8_t> part;
   for (int pass = 1;
        pass < kMaxPasses && 1 - taken_back.mean >= kMinGainingShare;
        ++pass) {
-    narrow.part = PartAroundGains(taken_back, narrow, *mesh);
+    part = PartAroundGains(taken_back, narrow, *mesh);
+    narrow.part = part;
     taken_back =
         RunPass(narrow, {plan, kLaterRounds}, context, views, mesh, rounds);
   }

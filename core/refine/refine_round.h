@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "core/base/context.h"
@@ -80,7 +82,7 @@ struct RoundInputs {
   double pixel;                    // size of one of the views at the surface
   const RefineOptions& options;
   // Vertices that are looked at and may move, one element each; empty: all.
-  std::vector<uint8_t> part = {};
+  std::span<const uint8_t> part = {};
 };
 
 // Aligns `views` if it is to, moves the vertices of `mesh` (unit

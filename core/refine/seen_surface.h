@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/context.h"
@@ -32,7 +33,7 @@ struct Look {
   double spacing = 0;  // between points that are spread for it
   // Vertices that count, one element each; no other points have views. Empty:
   // all do.
-  std::vector<uint8_t> part = {};
+  std::span<const uint8_t> part = {};
 };
 
 struct SeenSurface {

@@ -41,7 +41,11 @@ size_t CountFound(const MeasuredSurface& surface) {
   const IndexedMesh hull =
       RefineScene::Mesh(40, [](const auto&) { return 0.0; });
   const std::vector<uint8_t> found =
-      FindUnfoundedPits(surface, RayScene(hull), kCutVoxel, Context(2));
+      FindUnfoundedPits(surface,
+                        surface.agreement.MeansAround(),
+                        RayScene(hull),
+                        kCutVoxel,
+                        Context(2));
   for (size_t v = 0; v < found.size(); ++v) {
     if (found[v]) {
       EXPECT_GT(surface.mesh.positions[v].normalized().z(), kPit);

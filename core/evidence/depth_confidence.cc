@@ -162,6 +162,7 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
   result.found_share = ShareOf(num_depths, num_samples);
   result.scene_confidence = ConfidenceOfScene(
       result.contradicted_share, result.found_share, surrounded_share, shown);
+  result.is_mirror = shown == 0 && result.scene_confidence == 0;
   ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       result.confidence[i] = ConfidenceOfRegions(views[i].projection,

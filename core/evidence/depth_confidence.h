@@ -34,6 +34,9 @@ struct ReliableDepths {
   std::vector<std::vector<float>> confidence;
   // 0 .. 1; `confidence` has been multiplied by it.
   float scene_confidence = 1;
+  // Photographs show what the object mirrors, and depths are not dense: only
+  // silhouettes tell where its surface is.
+  bool is_mirror = false;
   // The share of all depths that have a surface on the way to them, or within
   // a voxel of it.
   double contradicted_share = 0;

@@ -190,6 +190,7 @@ InsideEvidence EstimateInsideEvidence(const ViewSet& views,
                             &depths);
   evidence.depth_confidence = ConfidenceInSpace(views, hull, depths, context);
   evidence.decision_confidence = evidence.depth_confidence;
+  evidence.is_mirror = depths.is_mirror;
   evidence.summary.num_plausible = CountDepths(depths.maps) - num_kept;
   evidence.summary.num_free_voxels = CountFree(evidence.values);
   evidence.depths = std::move(depths);

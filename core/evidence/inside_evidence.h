@@ -70,6 +70,7 @@ struct InsideEvidence {
   // How far photo-consistency may decide near each voxel: depth_confidence, or
   // what ReviseEvidence has made of it, which may be less or more.
   VoxelValues decision_confidence;
+  bool is_mirror = false;  // as ReliableDepths has it
   // One per view, as EstimateMaskConfidence has it.
   std::vector<float> mask_confidence;
   InsideEvidenceSummary summary;

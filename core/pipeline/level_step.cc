@@ -65,13 +65,15 @@ SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
   for (size_t i = 0; i < inside.size(); ++i) {
     inside[i] += evidence.values[i];
   }
+  if (evidence.is_mirror) {
+    HoldHull(silhouettes.hull_depth, &inside);
+  }
   const OctahedralCut first =
       CutByEvidence(inputs, crust, silhouettes.hull_depth, &steps, &inside);
   steps.OnCrust([&] { AdoptCut(first.labels, kSolidDepth, context, &crust); });
   const VoxelTerms terms = steps.EstimateTerms(
       steps.EstimateVisibility(crust.voxels, first.labels), crust, silhouettes);
-  Decision decision = DecideByPhotographs(
-      crust, terms.phi, evidence.decision_confidence, context);
+  Decision decision = DecideByPhotographs(crust, terms.phi, evidence, context);
   CutTerms energy{DecidedWeights(decision, terms.phi, options),
                   std::move(inside)};
   OctahedralCutState state;

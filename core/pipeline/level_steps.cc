@@ -96,8 +96,7 @@ CutTerms LevelSteps::EnergyOf(const Crust& crust,
                               const VoxelTerms& terms,
                               Decision* decision) const {
   const Context& context = inputs_.context;
-  *decision = DecideByPhotographs(
-      crust, terms.phi, inputs_.evidence.decision_confidence, context);
+  *decision = DecideByPhotographs(crust, terms.phi, inputs_.evidence, context);
   CutTerms energy{DecidedWeights(*decision, terms.phi, inputs_.options),
                   terms.evidence};
   FavorHullBorder(*decision, terms.hull_depth, &energy.weights);

@@ -37,12 +37,21 @@ constexpr int kFinerLevels = 2;
 // full.
 constexpr float kEnoughConfidence = 0.5f;
 
+// Of a voxel outside the border of the hull.
+float BorderEvidence(float hull_depth) {
+  return -kBorderWeight * std::min(-2 * hull_depth, 1.0f);
+}
+
 }  // namespace
 
 Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
-                             const VoxelValues& confidence,
+                             const InsideEvidence& evidence,
                              const Context& context) {
+  if (evidence.is_mirror) {  // what it shows agrees by chance
+    return {std::vector<float>(phi.size()), std::vector<float>(phi.size())};
+  }
+  const VoxelValues& confidence = evidence.decision_confidence;
   LocalAgreement agreement = EstimateLocalAgreement(crust.voxels, phi, context);
   Decision decision{std::move(agreement.near_voxel),
                     std::move(agreement.in_region)};
@@ -96,6 +105,14 @@ void FavorHullBorder(const Decision& decision,
   }
 }
 
+void HoldHull(const std::vector<float>& hull_depth,
+              std::vector<float>* evidence) {
+  for (size_t i = 0; i < evidence->size(); ++i) {
+    (*evidence)[i] +=
+        hull_depth[i] < 0 ? BorderEvidence(hull_depth[i]) : kBorderWeight;
+  }
+}
+
 void HoldUndecidedSurface(const Crust& crust,
                           const Decision& decision,
                           const std::vector<float>& hull_depth,
@@ -105,8 +122,7 @@ void HoldUndecidedSurface(const Crust& crust,
   for (size_t i = 0; i < evidence->size(); ++i) {
     const float undecided = 1 - decision.here[i];
     if (hull_depth[i] < 0) {
-      (*evidence)[i] -=
-          kBorderWeight * undecided * std::min(-2 * hull_depth[i], 1.0f);
+      (*evidence)[i] += undecided * BorderEvidence(hull_depth[i]);
       continue;
     }
     float side = 2 * inside[i] - 1;  // of the coarser surface, -1 .. 1

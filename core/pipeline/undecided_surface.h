@@ -4,15 +4,16 @@
 // much as each crust allows, level by level, and one through voxels of random
 // cost follows the noise. Where photo-consistency says nothing, the surface of
 // the coarser level is therefore the best guess, or the visual hull, where that
-// is near and the photographs have not decided the coarser levels either.
+// is near and the photographs have not decided the coarser levels either. Of
+// mirrors, they decide nothing.
 #pragma once
 
 #include <vector>
 
 #include "core/base/context.h"
 #include "core/crust/crust.h"
+#include "core/evidence/inside_evidence.h"
 #include "core/grid/face.h"
-#include "core/grid/voxel_values.h"
 #include "core/pipeline/options.h"
 
 namespace octacut {
@@ -26,10 +27,10 @@ struct Decision {
   std::vector<float> around;
 };
 
-// `confidence` is the decision_confidence of InsideEvidence.
+// `evidence` is that of l0.
 Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
-                             const VoxelValues& confidence,
+                             const InsideEvidence& evidence,
                              const Context& context);
 
 // The share of the cut voxels that the photographs decide.
@@ -51,6 +52,12 @@ std::vector<float> DecidedWeights(const Decision& decision,
 void FavorHullBorder(const Decision& decision,
                      const std::vector<float>& hull_depth,
                      std::vector<float>* weights);
+
+// Adds to `evidence` of l0 what holds the border of the hull down to plates of
+// one voxel: of a mirror there is no better guess, and where no ray shows the
+// loss, a cut of least area leaves holes in plates.
+void HoldHull(const std::vector<float>& hull_depth,
+              std::vector<float>* evidence);
 
 // Adds to `evidence` what holds the undecided surface where that of the coarser
 // level is, by crust.prior, and lets it out to the border of the hull.

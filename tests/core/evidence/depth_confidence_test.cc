@@ -290,8 +290,11 @@ TEST(DepthConfidence, IsNoneOfMirrorsUnlessDepthsAreDense) {
   const ReliableDepths dense = setting.Confidence(0, 0);
   EXPECT_GT(dense.found_share, 0.7);
   EXPECT_EQ(dense.scene_confidence, 1);
+  EXPECT_FALSE(dense.is_mirror);
   ThinOut(3, &setting);
   EXPECT_EQ(setting.Confidence(0, 0).scene_confidence, 0);
+  EXPECT_TRUE(setting.Confidence(0, 0).is_mirror);
+  EXPECT_FALSE(setting.Confidence(0, 0.5f).is_mirror);
   EXPECT_EQ(setting.Confidence(0, 0.5f).scene_confidence, 0.5f);
   EXPECT_EQ(setting.Confidence(0, 1).scene_confidence, 1);
 }

@@ -17,12 +17,16 @@ using testing::TestScene;
 class InitialLevelTest : public ::testing::Test {
  protected:
   InitialLevelTest() : test_(MakeTestScene("fingers", 200, 150, 16)) {
-    options_.hull.hull_level = 5;
-    options_.target_level = 5;
+    evidence_.mask_confidence.assign(test_.views.size(), 1.0f);
+    CarveHull(5);
+  }
+
+  void CarveHull(int level) {
+    options_.hull.hull_level = level;
+    options_.target_level = level;
     hull_ = ComputeVisualHull(
                 test_.views, TestScene::UnitBox(), options_.hull, Context(2))
                 .voxels;
-    evidence_.mask_confidence.assign(test_.views.size(), 1.0f);
   }
 
   LabeledVoxels Solve(int cover_rounds, float free_space) {
@@ -64,6 +68,14 @@ class InitialLevelTest : public ::testing::Test {
   LevelInputs inputs_{test_.views, evidence_, options_, context_};
   LevelSummary summary_;
 };
+
+// Thin parts that no evidence holds.
+TEST_F(InitialLevelTest, OfAMirrorKeepsTheHull) {
+  CarveHull(6);
+  EXPECT_GT(UncoveredShare(Solve(0, 0)), 0.02);
+  evidence_.is_mirror = true;
+  EXPECT_LT(UncoveredShare(Solve(0, 0)), 1e-3);
+}
 
 TEST_F(InitialLevelTest, SilhouettesAskBackWhatWrongDepthsCutOff) {
   EXPECT_GT(UncoveredShare(Solve(0, -1)), 0.02);

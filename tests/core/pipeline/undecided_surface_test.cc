@@ -55,9 +55,18 @@ std::vector<float> Held(const Decision& decision, float top) {
   return by_z;
 }
 
+InsideEvidence WithConfidence(VoxelValues confidence, bool is_mirror = false) {
+  InsideEvidence evidence;
+  evidence.decision_confidence = std::move(confidence);
+  evidence.is_mirror = is_mirror;
+  return evidence;
+}
+
 // How far a crust in which all voxels have a low phi is decided, by the
 // confidence in depths found on a grid of `depth_level`.
-float DecidedByAgreement(float confidence, int depth_level) {
+float DecidedByAgreement(float confidence,
+                         int depth_level,
+                         bool is_mirror = false) {
   const Crust crust = FlatCrust();
   std::vector<MortonCode> codes;
   crust.voxels.ForEach([&](VoxelGrid::Index, MortonCode code) {
@@ -71,7 +80,7 @@ float DecidedByAgreement(float confidence, int depth_level) {
   const Decision decision =
       DecideByPhotographs(crust,
                           std::vector<float>(crust.voxels.Size(), 0.1f),
-                          depth_confidence,
+                          WithConfidence(depth_confidence, is_mirror),
                           Context(2));
   return decision.here[crust.voxels.Find(Eigen::Vector3i(16, 16, 15))];
 }
@@ -85,6 +94,11 @@ TEST(UndecidedSurface, CoarseAgreementDecidesOnlyWhereDepthsAreReliedUpon) {
 TEST(UndecidedSurface, FineAgreementDecidesWhateverDepthsSay) {
   EXPECT_EQ(DecidedByAgreement(0, kCrustLevel - 2), 1);
   EXPECT_EQ(DecidedByAgreement(1, kCrustLevel - 2), 1);
+}
+
+TEST(UndecidedSurface, AgreementAboutMirrorsDecidesNothing) {
+  EXPECT_EQ(DecidedByAgreement(1, kCrustLevel, true), 0);
+  EXPECT_EQ(DecidedByAgreement(1, kCrustLevel - 2, true), 0);
 }
 
 TEST(UndecidedSurface, StaysWhereTheCoarserOneIs) {
@@ -114,6 +128,17 @@ TEST(UndecidedSurface, GoesToTheBorderOfAHullThatIsNear) {
   EXPECT_LT(Held(Decided(FlatCrust(), 0, 0), 22)[6], 0);
 }
 
+TEST(UndecidedSurface, OfAMirrorIsTheHull) {
+  std::vector<float> evidence(4, 0.01f);
+  HoldHull({-1, -0.25f, 0, 9}, &evidence);
+  EXPECT_LT(evidence[0], evidence[1]);
+  EXPECT_LT(evidence[1], 0);
+  // Both faces of a plate of one voxel cost this much.
+  const float faces = 2 * NeutralWeight(ReconstructionOptions());
+  EXPECT_GT(evidence[2], faces);
+  EXPECT_GT(evidence[3], faces);
+}
+
 TEST(UndecidedSurface, CostsWhatNobodySees) {
   const ReconstructionOptions options;
   const std::vector<float> phi = {0.9f, 0.1f, 0.9f, 0.1f};
@@ -141,8 +166,8 @@ TEST(UndecidedSurface, AgreementCountsAsFarAsDepthsDo) {
   const LocalAgreement agreement =
       EstimateLocalAgreement(crust.voxels, phi, Context(2));
   const VoxelValues half_reliable{VoxelGrid::FromCodes(0, {0}), {0.5f}};
-  const Decision decision =
-      DecideByPhotographs(crust, phi, half_reliable, Context(2));
+  const Decision decision = DecideByPhotographs(
+      crust, phi, WithConfidence(half_reliable), Context(2));
   int num_doubtful = 0;
   int num_counted = 0;
   for (size_t i = 0; i < phi.size(); ++i) {

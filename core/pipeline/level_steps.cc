@@ -4,8 +4,6 @@
 #include <span>
 #include <utility>
 
-#include "core/visibility/surface_shape.h"
-
 namespace octacut {
 
 LevelSteps::LevelSteps(const LevelInputs& inputs,
@@ -55,6 +53,19 @@ void LevelSteps::ExtendTerms(const Visibility& visibility,
       visibility, crust, added, EstimateSilhouettes(added.voxels), *terms);
 }
 
+std::vector<SurfaceShape> LevelSteps::ShapesOf(const Crust& crust,
+                                               const AddedVoxels& added) {
+  return Timed(&summary_.visibility_seconds, [&] {
+    return EstimateSurfaceShape(
+        crust.voxels,
+        crust.ties,
+        crust.prior,
+        inputs_.options.normal_blur,
+        inputs_.context,
+        added.AreAll() ? std::span<const uint8_t>() : added.is_added);
+  });
+}
+
 VoxelTerms LevelSteps::AddTerms(const Visibility& visibility,
                                 const Crust& crust,
                                 const AddedVoxels& added,
@@ -62,16 +73,13 @@ VoxelTerms LevelSteps::AddTerms(const Visibility& visibility,
                                 const VoxelTerms& terms) {
   const ReconstructionOptions& options = inputs_.options;
   const Context& context = inputs_.context;
+  // Voxels without shape count as unseen: photographs of a mirror do not show
+  // its surface. What holds its hull holds them, too.
+  const bool is_mirror = inputs_.evidence.is_mirror;
   const std::vector<SurfaceShape> shapes =
-      Timed(&summary_.visibility_seconds, [&] {
-        return EstimateSurfaceShape(
-            crust.voxels,
-            crust.ties,
-            crust.prior,
-            options.normal_blur,
-            context,
-            added.AreAll() ? std::span<const uint8_t>() : added.is_added);
-      });
+      is_mirror ? std::vector<SurfaceShape>(added.voxels.Size(),
+                                            {Eigen::Vector3f::Zero(), 0})
+                : ShapesOf(crust, added);
   const PhotoConsistency consistency =
       Timed(&summary_.consistency_seconds, [&] {
         return EstimateConsistency(inputs_.views,
@@ -83,12 +91,13 @@ VoxelTerms LevelSteps::AddTerms(const Visibility& visibility,
       });
   summary_.consistency.Add(consistency.summary);
   return OnCrust([&] {
-    return MergeTerms(crust.voxels,
-                      terms,
-                      added,
-                      consistency,
-                      silhouettes,
-                      UnseenEvidence(crust.voxels.Level(), options));
+    return MergeTerms(
+        crust.voxels,
+        terms,
+        added,
+        consistency,
+        silhouettes,
+        is_mirror ? 0.0f : UnseenEvidence(crust.voxels.Level(), options));
   });
 }
 

@@ -17,6 +17,7 @@
 #include "core/pipeline/undecided_surface.h"
 #include "core/pipeline/voxel_terms.h"
 #include "core/views/view_set.h"
+#include "core/visibility/surface_shape.h"
 #include "core/visibility/visibility.h"
 
 namespace octacut {
@@ -102,6 +103,9 @@ class LevelSteps {
   SolvedLevel Finish(Decision decision, Crust crust, OctahedralCut cut);
 
  private:
+  // Those of the added voxels.
+  std::vector<SurfaceShape> ShapesOf(const Crust& crust,
+                                     const AddedVoxels& added);
   // `silhouettes` are those of the added voxels.
   VoxelTerms AddTerms(const Visibility& visibility,
                       const Crust& crust,

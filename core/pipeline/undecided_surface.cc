@@ -16,7 +16,8 @@ namespace {
 // unseen voxels that is bent with a radius of R voxels pulls with 8 / R * 0.06
 // of these units: this holds it down to R = 2.5.
 constexpr float kHoldingWeight = 0.2f;
-// The same outside the border of the hull.
+// The same outside the border of the hull, and of mirrors inside of it: there,
+// it holds plates of one voxel, whose faces cost 4 * 0.06 each.
 constexpr float kBorderWeight = 0.5f;
 // Depth in the hull, voxels, within which an undecided surface is let out to
 // the hull's border: what a coarser level cannot tell from it.

@@ -73,8 +73,10 @@ class InitialLevelTest : public ::testing::Test {
 TEST_F(InitialLevelTest, OfAMirrorKeepsTheHull) {
   CarveHull(6);
   EXPECT_GT(UncoveredShare(Solve(0, 0)), 0.02);
+  EXPECT_LT(summary_.consistency.num_unseen, hull_.Size() / 2);
   evidence_.is_mirror = true;
   EXPECT_LT(UncoveredShare(Solve(0, 0)), 1e-3);
+  EXPECT_EQ(summary_.consistency.num_unseen, hull_.Size());
 }
 
 TEST_F(InitialLevelTest, SilhouettesAskBackWhatWrongDepthsCutOff) {

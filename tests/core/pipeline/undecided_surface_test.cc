@@ -133,8 +133,8 @@ TEST(UndecidedSurface, OfAMirrorIsTheHull) {
   HoldHull({-1, -0.25f, 0, 9}, &evidence);
   EXPECT_LT(evidence[0], evidence[1]);
   EXPECT_LT(evidence[1], 0);
-  // Both faces of a plate of one voxel cost this much.
-  const float faces = 2 * NeutralWeight(ReconstructionOptions());
+  // Both faces of a plate of one voxel cost this much: four edges each.
+  const float faces = 8 * NeutralWeight(ReconstructionOptions());
   EXPECT_GT(evidence[2], faces);
   EXPECT_GT(evidence[3], faces);
 }

@@ -4,6 +4,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "colmap_io/files/create_folder.h"
 #include "colmap_io/images/write_image.h"
 #include "colmap_io/mesh/mesh_io.h"
 #include "colmap_io/model/write_sparse_model.h"
@@ -41,16 +42,6 @@ SparseImage ToSparseImage(const SyntheticView& view, uint32_t id) {
   image.rotation.normalize();
   image.translation = view.cam_from_world.translation;
   return image;
-}
-
-void MakeFolder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure) {
-    throw Error(fmt::format("{}: the folder cannot be created: {}",
-                            folder.string(),
-                            failure.message()));
-  }
 }
 
 }  // namespace
@@ -115,7 +106,7 @@ void PrepareExampleFolder(const fs::path& folder,
   for (const char* part : {"images", "masks", "background", "sparse/0", "gt"}) {
     fs::remove_all(folder / part);
   }
-  MakeFolder(folder);
+  CreateFolder(folder);
 }
 
 void WriteExampleWorkspace(const SyntheticScene& scene,
@@ -124,7 +115,7 @@ void WriteExampleWorkspace(const SyntheticScene& scene,
                            const Context& context) {
   options.Check();
   for (const char* part : {"images", "masks", "sparse", "gt"}) {
-    MakeFolder(folder / part);
+    CreateFolder(folder / part);
   }
   const Phase phase(context, "Writing the workspace");
   ParallelFor(context, scene.views.size(), 1, [&](size_t begin, size_t end) {
@@ -137,7 +128,7 @@ void WriteExampleWorkspace(const SyntheticScene& scene,
     }
   });
   for (size_t i = 0; i < scene.empty_set.size(); ++i) {
-    MakeFolder(folder / "background");
+    CreateFolder(folder / "background");
     WriteImage(folder / "background" /
                    fmt::format("empty_{:03}{}", i, scene.spec.image_extension),
                scene.empty_set[i],

@@ -6,22 +6,13 @@
 #include <system_error>
 
 #include "colmap_io/files/atomic_files.h"
+#include "colmap_io/files/create_folder.h"
 #include "core/base/error.h"
 
 namespace octacut {
 namespace {
 
 namespace fs = std::filesystem;
-
-void CreateFolder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder)) {
-    throw Error(fmt::format("{}: the folder cannot be created: {}",
-                            folder.string(),
-                            error.message()));
-  }
-}
 
 // COLMAP would read such a file with, or instead of, what is written.
 void RefuseBeside(const fs::path& folder, const char* file) {

@@ -39,7 +39,6 @@ OctahedralCut SolveOctahedralCut(const OctahedralCutProblem& problem,
                                  const OctahedralCutOptions& options,
                                  const Context& context,
                                  OctahedralCutState* state) {
-  options.Check();
   CheckCutValues(problem, context);
   if (options.observer) {
     options.observer(problem);

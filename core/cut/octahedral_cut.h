@@ -55,8 +55,6 @@ struct OctahedralCutOptions {
   // are a minimum cut of the rounded weights; `cost` is still theirs under the
   // exact ones, some hundredths of a percent above the least one.
   bool lean = false;
-
-  void Check() const {}
 };
 
 struct ImplicitCutState;

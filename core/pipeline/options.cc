@@ -26,7 +26,6 @@ void ReconstructionOptions::Check() const {
   visibility.Check();
   consistency.Check();
   energy.Check();
-  cut.Check();
   finish.Check();
   refinement.Check();
   CheckOption(target_level >= hull.hull_level && target_level <= 12,

@@ -73,7 +73,8 @@ SolvedLevel SolveInitialLevel(const LevelInputs& inputs,
   steps.OnCrust([&] { AdoptCut(first.labels, kSolidDepth, context, &crust); });
   const VoxelTerms terms = steps.EstimateTerms(
       steps.EstimateVisibility(crust.voxels, first.labels), crust, silhouettes);
-  Decision decision = DecideByPhotographs(crust, terms.phi, evidence, context);
+  Decision decision = DecideByPhotographs(
+      crust, terms.phi, evidence.decision_confidence, context);
   CutTerms energy{DecidedWeights(decision, terms.phi, options),
                   std::move(inside)};
   OctahedralCutState state;

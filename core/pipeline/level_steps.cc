@@ -73,8 +73,8 @@ VoxelTerms LevelSteps::AddTerms(const Visibility& visibility,
                                 const VoxelTerms& terms) {
   const ReconstructionOptions& options = inputs_.options;
   const Context& context = inputs_.context;
-  // Voxels without shape count as unseen: photographs of a mirror do not show
-  // its surface. What holds its hull holds them, too.
+  // Voxels without shape count as unseen: views of a mirror do not show its
+  // surface, and agree by chance. What holds its hull holds them, too.
   const bool is_mirror = inputs_.evidence.is_mirror;
   const std::vector<SurfaceShape> shapes =
       is_mirror ? std::vector<SurfaceShape>(added.voxels.Size(),
@@ -105,7 +105,8 @@ CutTerms LevelSteps::EnergyOf(const Crust& crust,
                               const VoxelTerms& terms,
                               Decision* decision) const {
   const Context& context = inputs_.context;
-  *decision = DecideByPhotographs(crust, terms.phi, inputs_.evidence, context);
+  *decision = DecideByPhotographs(
+      crust, terms.phi, inputs_.evidence.decision_confidence, context);
   CutTerms energy{DecidedWeights(*decision, terms.phi, inputs_.options),
                   terms.evidence};
   FavorHullBorder(*decision, terms.hull_depth, &energy.weights);

@@ -47,12 +47,8 @@ float BorderEvidence(float hull_depth) {
 
 Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
-                             const InsideEvidence& evidence,
+                             const VoxelValues& confidence,
                              const Context& context) {
-  if (evidence.is_mirror) {  // what it shows agrees by chance
-    return {std::vector<float>(phi.size()), std::vector<float>(phi.size())};
-  }
-  const VoxelValues& confidence = evidence.decision_confidence;
   LocalAgreement agreement = EstimateLocalAgreement(crust.voxels, phi, context);
   Decision decision{std::move(agreement.near_voxel),
                     std::move(agreement.in_region)};

@@ -4,16 +4,15 @@
 // much as each crust allows, level by level, and one through voxels of random
 // cost follows the noise. Where photo-consistency says nothing, the surface of
 // the coarser level is therefore the best guess, or the visual hull, where that
-// is near and the photographs have not decided the coarser levels either. Of
-// mirrors, they decide nothing.
+// is near and the photographs have not decided the coarser levels either.
 #pragma once
 
 #include <vector>
 
 #include "core/base/context.h"
 #include "core/crust/crust.h"
-#include "core/evidence/inside_evidence.h"
 #include "core/grid/face.h"
+#include "core/grid/voxel_values.h"
 #include "core/pipeline/options.h"
 
 namespace octacut {
@@ -27,10 +26,10 @@ struct Decision {
   std::vector<float> around;
 };
 
-// `evidence` is that of l0.
+// `confidence` is the decision_confidence of InsideEvidence.
 Decision DecideByPhotographs(const Crust& crust,
                              const std::vector<float>& phi,
-                             const InsideEvidence& evidence,
+                             const VoxelValues& confidence,
                              const Context& context);
 
 // The share of the cut voxels that the photographs decide.

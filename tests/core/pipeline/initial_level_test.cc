@@ -77,6 +77,7 @@ TEST_F(InitialLevelTest, OfAMirrorKeepsTheHull) {
   evidence_.is_mirror = true;
   EXPECT_LT(UncoveredShare(Solve(0, 0)), 1e-3);
   EXPECT_EQ(summary_.consistency.num_unseen, hull_.Size());
+  EXPECT_EQ(summary_.decided_share, 0);
 }
 
 TEST_F(InitialLevelTest, SilhouettesAskBackWhatWrongDepthsCutOff) {

@@ -55,18 +55,9 @@ std::vector<float> Held(const Decision& decision, float top) {
   return by_z;
 }
 
-InsideEvidence WithConfidence(VoxelValues confidence, bool is_mirror = false) {
-  InsideEvidence evidence;
-  evidence.decision_confidence = std::move(confidence);
-  evidence.is_mirror = is_mirror;
-  return evidence;
-}
-
 // How far a crust in which all voxels have a low phi is decided, by the
 // confidence in depths found on a grid of `depth_level`.
-float DecidedByAgreement(float confidence,
-                         int depth_level,
-                         bool is_mirror = false) {
+float DecidedByAgreement(float confidence, int depth_level) {
   const Crust crust = FlatCrust();
   std::vector<MortonCode> codes;
   crust.voxels.ForEach([&](VoxelGrid::Index, MortonCode code) {
@@ -80,7 +71,7 @@ float DecidedByAgreement(float confidence,
   const Decision decision =
       DecideByPhotographs(crust,
                           std::vector<float>(crust.voxels.Size(), 0.1f),
-                          WithConfidence(depth_confidence, is_mirror),
+                          depth_confidence,
                           Context(2));
   return decision.here[crust.voxels.Find(Eigen::Vector3i(16, 16, 15))];
 }
@@ -94,11 +85,6 @@ TEST(UndecidedSurface, CoarseAgreementDecidesOnlyWhereDepthsAreReliedUpon) {
 TEST(UndecidedSurface, FineAgreementDecidesWhateverDepthsSay) {
   EXPECT_EQ(DecidedByAgreement(0, kCrustLevel - 2), 1);
   EXPECT_EQ(DecidedByAgreement(1, kCrustLevel - 2), 1);
-}
-
-TEST(UndecidedSurface, AgreementAboutMirrorsDecidesNothing) {
-  EXPECT_EQ(DecidedByAgreement(1, kCrustLevel, true), 0);
-  EXPECT_EQ(DecidedByAgreement(1, kCrustLevel - 2, true), 0);
 }
 
 TEST(UndecidedSurface, StaysWhereTheCoarserOneIs) {
@@ -139,6 +125,18 @@ TEST(UndecidedSurface, OfAMirrorIsTheHull) {
   EXPECT_GT(evidence[3], faces);
 }
 
+// As voxels of mirrors have it, whatever the confidence in depths.
+TEST(UndecidedSurface, NeutralPhotoConsistencyDecidesNothing) {
+  const Crust crust = FlatCrust();
+  const float neutral = float(ReconstructionOptions().consistency.neutral);
+  const Decision decision =
+      DecideByPhotographs(crust,
+                          std::vector<float>(crust.voxels.Size(), neutral),
+                          {VoxelGrid::FromCodes(0, {0}), {1.0f}},
+                          Context(2));
+  EXPECT_EQ(decision.here, std::vector<float>(crust.voxels.Size()));
+}
+
 TEST(UndecidedSurface, CostsWhatNobodySees) {
   const ReconstructionOptions options;
   const std::vector<float> phi = {0.9f, 0.1f, 0.9f, 0.1f};
@@ -166,8 +164,8 @@ TEST(UndecidedSurface, AgreementCountsAsFarAsDepthsDo) {
   const LocalAgreement agreement =
       EstimateLocalAgreement(crust.voxels, phi, Context(2));
   const VoxelValues half_reliable{VoxelGrid::FromCodes(0, {0}), {0.5f}};
-  const Decision decision = DecideByPhotographs(
-      crust, phi, WithConfidence(half_reliable), Context(2));
+  const Decision decision =
+      DecideByPhotographs(crust, phi, half_reliable, Context(2));
   int num_doubtful = 0;
   int num_counted = 0;
   for (size_t i = 0; i < phi.size(); ++i) {

@@ -1,6 +1,7 @@
 // How a quantity goes on from the neighbours of a point to the point itself:
 // by the plane through its values, so that what tilts evenly has no bending
-// energy, however uneven the points are spread.
+// energy, however uneven the points are spread. Across an edge it does not go
+// on: one face may move without the other.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,7 +25,8 @@ struct NeighborPlanes {
                                       const VertexCorners& neighbors) const;
 };
 
-// Planes by least squares over the tangent planes of `surfaces`, one per point;
+// Planes by least squares over the tangent planes of `surfaces`, one per point,
+// in which neighbours weigh the less the more their normals differ;
 // `neighbors` are those of SurfacePoints.
 NeighborPlanes FitNeighborPlanes(const std::vector<LocalSurface>& surfaces,
                                  const VertexCorners& neighbors);

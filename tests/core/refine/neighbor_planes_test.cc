@@ -25,6 +25,7 @@ TEST(NeighborPlanes, ContinueWhatTiltsEvenly) {
   ASSERT_EQ(planes.spacings.size(), surfaces.size());
   const Eigen::Vector3f tilt(0.3f, -0.5f, 0.2f);
   std::vector<double> values;
+  values.reserve(surfaces.size());
   for (const LocalSurface& surface : surfaces) {
     values.push_back(tilt.dot(surface.center));
   }
@@ -45,6 +46,52 @@ TEST(NeighborPlanes, ContinueWhatTiltsEvenly) {
     EXPECT_LT((slopes[i] - (tilt - tilt.dot(normal) * normal)).norm(), 0.1);
     EXPECT_GT(planes.spacings[i], 0.08);
     EXPECT_LT(planes.spacings[i], 0.2);
+  }
+}
+
+// Two faces of a box: points whose neighbours across the edge say nothing of
+// them.
+TEST(NeighborPlanes, EndAtEdges) {
+  constexpr int kSize = 5;  // of each face, points
+  std::vector<LocalSurface> surfaces;
+  VertexCorners neighbors;
+  neighbors.offsets = {0};
+  std::vector<double> values;
+  const auto is_upper = [](int along) { return along < kSize; };
+  for (int across = 0; across < kSize; ++across) {
+    for (int along = 0; along < 2 * kSize; ++along) {
+      const float way = float(along - kSize) + 0.5f;
+      const float y = float(across);
+      LocalSurface surface;
+      surface.center = is_upper(along) ? Eigen::Vector3f(way, y, 0)
+                                       : Eigen::Vector3f(0, y, -way);
+      surface.normal =
+          is_upper(along) ? Eigen::Vector3f::UnitZ() : Eigen::Vector3f::UnitX();
+      surface.tangent_u = Eigen::Vector3f::UnitY();
+      surfaces.push_back(surface);
+      values.push_back(is_upper(along) ? 1 : 0);
+      for (int dy = -1; dy <= 1; ++dy) {
+        for (int dx = -1; dx <= 1; ++dx) {
+          const int row = across + dy, column = along + dx;
+          if ((dx != 0 || dy != 0) && row >= 0 && row < kSize && column >= 0 &&
+              column < 2 * kSize) {
+            neighbors.corners.push_back(uint32_t(row * 2 * kSize + column));
+          }
+        }
+      }
+      neighbors.offsets.push_back(uint32_t(neighbors.corners.size()));
+    }
+  }
+  const NeighborPlanes planes = FitNeighborPlanes(surfaces, neighbors);
+  const std::vector<Eigen::Vector3f> slopes = planes.Slopes(values, neighbors);
+  for (size_t i = 0; i < surfaces.size(); ++i) {
+    const auto around = neighbors.Of(i);
+    double value = 0;
+    for (size_t k = 0; k < around.size(); ++k) {
+      value += planes.shares[neighbors.offsets[i] + k] * values[around[k]];
+    }
+    EXPECT_NEAR(value, values[i], 0.02);
+    EXPECT_LT(slopes[i].norm(), 0.02);
   }
 }
 

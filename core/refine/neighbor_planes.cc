@@ -4,6 +4,7 @@
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <span>
 
 namespace octacut {
 namespace {
@@ -14,7 +15,7 @@ constexpr float kPlaneRidge = 1e-2f;
 // Standard deviation of the difference between the normals of neighbours on one
 // face. Neighbours are two pixels of the round apart, and pieces are fitted
 // with a radius of nine: at a rectangular edge, normals turn by 0.17 on that
-// way. Others: docs/experiments/refinement_edges.md.
+// way. For other values see docs/experiments/refinement_edges.md.
 constexpr float kFaceDeviation = 0.15f;
 // Of a neighbour, however much its normal differs: a point alone on its face
 // still has a plane.

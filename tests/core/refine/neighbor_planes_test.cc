@@ -49,39 +49,45 @@ TEST(NeighborPlanes, ContinueWhatTiltsEvenly) {
   }
 }
 
-// Two faces of a box: points whose neighbours across the edge say nothing of
-// them.
-TEST(NeighborPlanes, EndAtEdges) {
-  constexpr int kSize = 5;  // of each face, points
-  std::vector<LocalSurface> surfaces;
+// Of surfaces that are at most so far apart.
+VertexCorners NeighborsWithin(float radius,
+                              const std::vector<LocalSurface>& surfaces) {
   VertexCorners neighbors;
   neighbors.offsets = {0};
-  std::vector<double> values;
-  const auto is_upper = [](int along) { return along < kSize; };
-  for (int across = 0; across < kSize; ++across) {
-    for (int along = 0; along < 2 * kSize; ++along) {
-      const float way = float(along - kSize) + 0.5f;
-      const float y = float(across);
-      LocalSurface surface;
-      surface.center = is_upper(along) ? Eigen::Vector3f(way, y, 0)
-                                       : Eigen::Vector3f(0, y, -way);
-      surface.normal =
-          is_upper(along) ? Eigen::Vector3f::UnitZ() : Eigen::Vector3f::UnitX();
-      surface.tangent_u = Eigen::Vector3f::UnitY();
-      surfaces.push_back(surface);
-      values.push_back(is_upper(along) ? 1 : 0);
-      for (int dy = -1; dy <= 1; ++dy) {
-        for (int dx = -1; dx <= 1; ++dx) {
-          const int row = across + dy, column = along + dx;
-          if ((dx != 0 || dy != 0) && row >= 0 && row < kSize && column >= 0 &&
-              column < 2 * kSize) {
-            neighbors.corners.push_back(uint32_t(row * 2 * kSize + column));
-          }
-        }
+  for (const LocalSurface& surface : surfaces) {
+    for (size_t k = 0; k < surfaces.size(); ++k) {
+      const float distance = (surfaces[k].center - surface.center).norm();
+      if (distance > 0 && distance <= radius) {
+        neighbors.corners.push_back(uint32_t(k));
       }
-      neighbors.offsets.push_back(uint32_t(neighbors.corners.size()));
+    }
+    neighbors.offsets.push_back(uint32_t(neighbors.corners.size()));
+  }
+  return neighbors;
+}
+
+// On two faces of a box, one of which moves, points do not follow their
+// neighbours across the edge.
+TEST(NeighborPlanes, EndAtEdges) {
+  std::vector<LocalSurface> surfaces;
+  std::vector<double> values;
+  for (int row = 0; row < 5; ++row) {
+    for (int column = 0; column < 5; ++column) {
+      const float y = float(row);
+      const float way = float(column) + 0.5f;  // to the edge
+      LocalSurface surface;
+      surface.tangent_u = Eigen::Vector3f::UnitY();
+      surface.center = {-way, y, 0};
+      surface.normal = Eigen::Vector3f::UnitZ();
+      surfaces.push_back(surface);
+      values.push_back(1);
+      surface.center = {0, y, -way};
+      surface.normal = Eigen::Vector3f::UnitX();
+      surfaces.push_back(surface);
+      values.push_back(0);
     }
   }
+  const VertexCorners neighbors = NeighborsWithin(1.5f, surfaces);
   const NeighborPlanes planes = FitNeighborPlanes(surfaces, neighbors);
   const std::vector<Eigen::Vector3f> slopes = planes.Slopes(values, neighbors);
   for (size_t i = 0; i < surfaces.size(); ++i) {

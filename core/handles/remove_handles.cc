@@ -12,6 +12,7 @@
 #include "core/handles/handle_loops.h"
 #include "core/handles/surface_homology.h"
 #include "core/mesh/disjoint_sets.h"
+#include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 namespace {
@@ -95,10 +96,7 @@ bool IsAroundTunnel(const IndexedMesh& mesh,
   double facing = 0;
   for (const uint32_t h : loop.half_edges) {
     for (const uint32_t triangle : {h / 3, half_edges.Opposite(h) / 3}) {
-      const std::array<uint32_t, 3>& corners = mesh.triangles[triangle];
-      const Eigen::Vector3d& a = mesh.positions[corners[0]];
-      const Eigen::Vector3d normal = (mesh.positions[corners[1]] - a)
-                                         .cross(mesh.positions[corners[2]] - a);
+      const Eigen::Vector3d normal = AreaNormal(mesh, mesh.triangles[triangle]);
       facing += normal.dot(middle - mesh.positions[half_edges.Origin(h)]);
     }
   }

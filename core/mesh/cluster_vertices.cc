@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/bounding_box.h"
+#include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 namespace {
@@ -140,16 +141,15 @@ class Clustering {
 
   void AddQuadrics() {
     quadrics_.resize(means_.size());
-    for (const auto& [a, b, c] : mesh_.triangles) {
-      // As long as the area is large: weighted by its square.
-      const Eigen::Vector3d normal =
-          (mesh_.positions[b] - mesh_.positions[a])
-              .cross(mesh_.positions[c] - mesh_.positions[a]);
-      for (const uint32_t corner : {a, b, c}) {
+    for (const auto& triangle : mesh_.triangles) {
+      // Weighted by the square of the area.
+      const Eigen::Vector3d normal = AreaNormal(mesh_, triangle);
+      for (const uint32_t corner : triangle) {
         const uint32_t cluster = cluster_of_[corner];
         Quadric& quadric = quadrics_[cluster];
         quadric.a += normal * normal.transpose();
-        quadric.b += normal * normal.dot(mesh_.positions[a] - means_[cluster]);
+        quadric.b +=
+            normal * normal.dot(mesh_.positions[triangle[0]] - means_[cluster]);
       }
     }
   }

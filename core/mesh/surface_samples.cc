@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include "core/base/error.h"
 #include "core/base/hash.h"
 #include "core/base/parallel.h"
+#include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 namespace {
@@ -19,10 +20,8 @@ std::vector<double> CumulativeAreas(const IndexedMesh& mesh) {
   std::vector<double> cumulative;
   cumulative.reserve(mesh.triangles.size());
   double total = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3d ab = mesh.positions[b] - mesh.positions[a];
-    const Eigen::Vector3d ac = mesh.positions[c] - mesh.positions[a];
-    total += 0.5 * ab.cross(ac).norm();
+  for (const auto& triangle : mesh.triangles) {
+    total += TriangleArea(mesh, triangle);
     cumulative.push_back(total);
   }
   if (!(total > 0) || !std::isfinite(total)) {

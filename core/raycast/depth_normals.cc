@@ -2,10 +2,11 @@
 
 #include <cmath>
 #include <Eigen/Eigenvalues>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <optional>
 
 #include "core/base/parallel.h"
+#include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 namespace {
@@ -86,11 +87,8 @@ DepthAndNormals RenderDepthAndNormals(const IndexedMesh& mesh,
             if (!hit) {
               continue;
             }
-            const auto& [a, b, c] = mesh.triangles[hit->triangle];
-            const Eigen::Vector3d& origin = mesh.positions[a];
             const Eigen::Vector3d normal =
-                (mesh.positions[b] - origin)
-                    .cross(mesh.positions[c] - origin)
+                AreaNormal(mesh, mesh.triangles[hit->triangle])
                     .stableNormalized();
             result.depth.at<float>(y, x) = float(hit->distance);
             result.normals.at<cv::Vec3f>(y, x) =

@@ -1,7 +1,7 @@
 #include "core/raycast/render.h"
 
 #include <algorithm>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <limits>
 #include <opencv2/core.hpp>
 #include <vector>
@@ -11,6 +11,7 @@
 #include "core/base/parallel.h"
 #include "core/base/srgb.h"
 #include "core/mesh/bounding_box.h"
+#include "core/mesh/triangle_normal.h"
 #include "core/raycast/sampling.h"
 #include "core/raycast/tone_curve.h"
 
@@ -45,9 +46,7 @@ Vector3f Decode(const Vector3d& color) {
 std::vector<Vector3f> MeanNormals(const IndexedMesh& mesh) {
   std::vector<Vector3d> sums(mesh.positions.size(), Vector3d::Zero());
   for (const auto& triangle : mesh.triangles) {
-    const Vector3d& a = mesh.positions[triangle[0]];
-    const Vector3d normal = (mesh.positions[triangle[1]] - a)
-                                .cross(mesh.positions[triangle[2]] - a);
+    const Vector3d normal = AreaNormal(mesh, triangle);
     for (const uint32_t corner : triangle) {
       sums[corner] += normal;
     }
@@ -145,10 +144,7 @@ class ShadedRenderer {
                                                      normals[corners[1]],
                                                      normals[corners[2]]);
     Vector3d normal = shaded.cast<double>().normalized();
-    const Vector3d& a = mesh_.positions[corners[0]];
-    Vector3d face = (mesh_.positions[corners[1]] - a)
-                        .cross(mesh_.positions[corners[2]] - a)
-                        .normalized();
+    Vector3d face = AreaNormal(mesh_, corners).normalized();
     if (face.dot(ray) > 0) {  // the back of an open mesh
       face = -face;
       normal = -normal;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <utility>
 
+#include "core/mesh/triangle_normal.h"
 #include "core/texture/triangle_raster.h"
 
 namespace octacut {
@@ -66,7 +67,7 @@ class ChartMaker {
             pose.camera.Project(pose.cam_from_world *
                                 mesh_.positions[mesh_.triangles[f][k]]);
       }
-      area += Normal(f).norm() / 2;
+      area += TriangleArea(mesh_, mesh_.triangles[f]);
       texel_area += std::abs(SignedArea(texels_[f]));
     }
     return area > 0 ? std::sqrt(texel_area / area) : 0;
@@ -78,7 +79,7 @@ class ChartMaker {
       if (planes_[f] != kNoView) {
         continue;
       }
-      const Eigen::Vector3d normal = Normal(f);
+      const Eigen::Vector3d normal = AreaNormal(mesh_, mesh_.triangles[f]);
       int axis = 0;
       normal.cwiseAbs().maxCoeff(&axis);
       const bool negative = normal[axis] < 0;
@@ -92,13 +93,6 @@ class ChartMaker {
             kFilledDensity * density * Eigen::Vector2d(negative ? -x : x, -y);
       }
     }
-  }
-
-  Eigen::Vector3d Normal(size_t f) const {
-    const auto& corners = mesh_.triangles[f];
-    const Eigen::Vector3d& a = mesh_.positions[corners[0]];
-    return (mesh_.positions[corners[1]] - a)
-        .cross(mesh_.positions[corners[2]] - a);
   }
 
   static double SignedArea(const Texels& t) {

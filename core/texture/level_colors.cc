@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
+#include "core/mesh/triangle_normal.h"
 #include "core/texture/solve_channels.h"
 
 namespace octacut {
@@ -56,14 +57,8 @@ class Leveler {
  private:
   // Pixels of a triangle in its best view.
   double PixelArea(size_t f) const {
-    const auto& corners = mesh_.triangles[f];
-    const Eigen::Vector3d& a = mesh_.positions[corners[0]];
-    const double area = (mesh_.positions[corners[1]] - a)
-                            .cross(mesh_.positions[corners[2]] - a)
-                            .norm() /
-                        2;
     const double resolution = chosen_.costs.resolution[f];
-    return area * resolution * resolution;
+    return TriangleArea(mesh_, mesh_.triangles[f]) * resolution * resolution;
   }
 
   void AddVertex(uint32_t v) {

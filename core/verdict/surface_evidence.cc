@@ -1,11 +1,12 @@
 #include "core/verdict/surface_evidence.h"
 
 #include <algorithm>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <optional>
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/mesh/triangle_normal.h"
 #include "core/mesh/vertex_corners.h"
 #include "core/refine/offset_search.h"
 #include "core/refine/seen_surface.h"
@@ -23,11 +24,7 @@ std::vector<float> AreasOfPoints(const IndexedMesh& mesh,
                                  const SurfacePoints& points) {
   std::vector<float> areas(points.vertices.size());
   for (const std::array<uint32_t, 3>& triangle : mesh.triangles) {
-    const Eigen::Vector3d& a = mesh.positions[triangle[0]];
-    const double area = (mesh.positions[triangle[1]] - a)
-                            .cross(mesh.positions[triangle[2]] - a)
-                            .norm() /
-                        2;
+    const double area = TriangleArea(mesh, triangle);
     for (const uint32_t corner : triangle) {
       areas[points.point_of[corner]] += float(area / 3);
     }

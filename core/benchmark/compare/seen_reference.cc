@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <memory>
 #include <numbers>
 
 #include "core/base/check_option.h"
+#include "core/mesh/triangle_normal.h"
 #include "core/raycast/ray_scene.h"
 
 namespace octacut {
@@ -80,11 +81,7 @@ ReferenceFilter SeenByCameras(const IndexedMesh& reference,
                     options.min_views});
   seen->normals.reserve(reference.triangles.size());
   for (const auto& triangle : reference.triangles) {
-    const Eigen::Vector3d& corner = reference.positions[triangle[0]];
-    seen->normals.push_back(
-        (reference.positions[triangle[1]] - corner)
-            .cross(reference.positions[triangle[2]] - corner)
-            .normalized());
+    seen->normals.push_back(AreaNormal(reference, triangle).normalized());
   }
   for (PosedCamera& camera : cameras) {
     const Eigen::Vector3d center = camera.cam_from_world.Inverse().translation;

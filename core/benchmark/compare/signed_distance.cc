@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/cloud.h"
 #include "core/mesh/normals.h"
+#include "core/mesh/triangle_normal.h"
 #include "core/mesh/vertex_corners.h"
 
 namespace octacut {
@@ -39,10 +40,7 @@ class Sides {
 
  private:
   Eigen::Vector3d FaceNormal(uint32_t triangle) const {
-    const auto& [a, b, c] = surface_.triangles[triangle];
-    const Eigen::Vector3d& origin = surface_.positions[a];
-    return (surface_.positions[b] - origin)
-        .cross(surface_.positions[c] - origin)
+    return AreaNormal(surface_, surface_.triangles[triangle])
         .stableNormalized();
   }
 
@@ -64,7 +62,7 @@ class Sides {
     const Eigen::Vector3d& a = surface_.positions[triangle[0]];
     const Eigen::Vector3d& b = surface_.positions[triangle[1]];
     const Eigen::Vector3d& c = surface_.positions[triangle[2]];
-    Eigen::Vector3d normal = (b - a).cross(c - a);
+    Eigen::Vector3d normal = AreaNormal(surface_, triangle);
     const double area = normal.squaredNorm();
     if (!(area > 0)) {
       return vertex_normals_[triangle[0]].cast<double>();

@@ -9,6 +9,7 @@
 #include "core/base/median.h"
 #include "core/base/parallel.h"
 #include "core/mesh/cloud.h"
+#include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 namespace {
@@ -27,12 +28,8 @@ std::vector<SurfaceSample> TakeSamples(const IndexedMesh& mesh,
                        : SampleSurface(mesh, num_wanted, seed, context);
 }
 
-Eigen::Vector3d TriangleNormal(const IndexedMesh& mesh, uint32_t triangle) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  const Eigen::Vector3d& origin = mesh.positions[a];
-  return (mesh.positions[b] - origin)
-      .cross(mesh.positions[c] - origin)
-      .stableNormalized();
+Eigen::Vector3d UnitNormal(const IndexedMesh& mesh, uint32_t triangle) {
+  return AreaNormal(mesh, mesh.triangles[triangle]).stableNormalized();
 }
 
 // The median of the finite distances; 0 where there are none.
@@ -101,8 +98,8 @@ AlignPair SurfaceIcp::PairOfMesh(const SurfaceSample& sample,
           closest.point,
           reference_is_cloud_
               ? Eigen::Vector3d(reference_from_mesh.rotation *
-                                TriangleNormal(mesh_.mesh, sample.triangle))
-              : TriangleNormal(reference_.mesh, closest.triangle),
+                                UnitNormal(mesh_.mesh, sample.triangle))
+              : UnitNormal(reference_.mesh, closest.triangle),
           counts ? closest.distance : std::numeric_limits<double>::infinity(),
           0,
           closest.triangle};
@@ -118,8 +115,8 @@ AlignPair SurfaceIcp::PairOfReference(const SurfaceSample& sample,
           sample.point,
           reference_is_cloud_
               ? Eigen::Vector3d(reference_from_mesh.rotation *
-                                TriangleNormal(mesh_.mesh, closest.triangle))
-              : TriangleNormal(reference_.mesh, sample.triangle),
+                                UnitNormal(mesh_.mesh, closest.triangle))
+              : UnitNormal(reference_.mesh, sample.triangle),
           closest.distance * reference_from_mesh.scale,
           0,
           closest.triangle};

@@ -12,17 +12,15 @@
 #include "core/base/hash.h"
 #include "core/benchmark/protocols/point_tree.h"
 #include "core/mesh/surface_samples.h"
+#include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 namespace {
 
 double AreaOf(const IndexedMesh& mesh) {
   double area = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3d& origin = mesh.positions[a];
-    area +=
-        (mesh.positions[b] - origin).cross(mesh.positions[c] - origin).norm() /
-        2;
+  for (const auto& triangle : mesh.triangles) {
+    area += TriangleArea(mesh, triangle);
   }
   return area;
 }

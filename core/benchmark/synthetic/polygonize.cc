@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include "core/base/check_option.h"
 #include "core/base/parallel.h"
 #include "core/benchmark/synthetic/marching_tetrahedra.h"
+#include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 
@@ -66,9 +67,7 @@ std::vector<Vector3d> SmoothVertices(IndexedMesh& mesh) {
   std::vector<Vector3d> normals(mesh.positions.size(), Vector3d::Zero());
   std::vector<int> counts(mesh.positions.size(), 0);
   for (const auto& triangle : mesh.triangles) {
-    const Vector3d& a = mesh.positions[triangle[0]];
-    const Vector3d normal = (mesh.positions[triangle[1]] - a)
-                                .cross(mesh.positions[triangle[2]] - a);
+    const Vector3d normal = AreaNormal(mesh, triangle);
     for (int k = 0; k < 3; ++k) {
       // Each neighbour is the next corner in exactly one triangle.
       sums[triangle[k]] += mesh.positions[triangle[(k + 1) % 3]];

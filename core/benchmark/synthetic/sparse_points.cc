@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/benchmark/synthetic/noise.h"
+#include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 namespace {
@@ -31,12 +32,7 @@ std::vector<double> CumulateAreas(const IndexedMesh& mesh, const Part& part) {
   std::vector<double> areas;
   double total = 0;
   for (size_t i = part.begin; i < part.end; ++i) {
-    const auto& triangle = mesh.triangles[i];
-    const Eigen::Vector3d& a = mesh.positions[triangle[0]];
-    total += (mesh.positions[triangle[1]] - a)
-                 .cross(mesh.positions[triangle[2]] - a)
-                 .norm() /
-             2;
+    total += TriangleArea(mesh, mesh.triangles[i]);
     areas.push_back(total);
   }
   return areas;

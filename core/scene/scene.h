@@ -32,7 +32,7 @@ struct View {
   double scale = 1;  // pixels of this view a pixel of the photograph
 
   Eigen::Vector3d Center() const {
-    return -(cam_from_world.rotation.transpose() * cam_from_world.translation);
+    return cam_from_world.Inverse().translation;
   }
 };
 

@@ -18,7 +18,7 @@ struct PhotographPose {
   Rigid3d cam_from_world;
 
   Eigen::Vector3d Center() const {
-    return -(cam_from_world.rotation.transpose() * cam_from_world.translation);
+    return cam_from_world.Inverse().translation;
   }
 };
 

@@ -28,11 +28,6 @@ cv::Rect Grown(const cv::Rect& box, int margin, const cv::Size& frame) {
          cv::Rect(cv::Point(), frame);
 }
 
-bool TouchesFrame(const cv::Rect& box, const cv::Size& frame) {
-  return box.x == 0 || box.y == 0 || box.x + box.width == frame.width ||
-         box.y + box.height == frame.height;
-}
-
 // Where no disc that is free of the object reaches; beyond the frame all is as
 // at its border.
 cv::Mat Closed(const cv::Mat& object, double radius) {

@@ -118,10 +118,7 @@ class BiteFinder {
                          row[cv::CC_STAT_TOP],
                          row[cv::CC_STAT_WIDTH],
                          row[cv::CC_STAT_HEIGHT]);
-      const bool is_at_frame = box.x == 0 || box.y == 0 ||
-                               box.br().x == object.cols ||
-                               box.br().y == object.rows;
-      if (is_at_frame || row[cv::CC_STAT_AREA] > most) {
+      if (TouchesFrame(box, object.size()) || row[cv::CC_STAT_AREA] > most) {
         (*unexplained)(box).setTo(0, labels(box) == label);
       }
     }

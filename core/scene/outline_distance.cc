@@ -12,10 +12,7 @@ namespace octacut {
 OutlineDistance::OutlineDistance(const View& view) {
   const cv::Mat object = view.mask >= kObjectThreshold;
   distances_ = DistancesToZero(~object) - DistancesToZero(object);
-  const cv::Rect extent = cv::boundingRect(object);
-  closed_ = extent.x > 0 && extent.y > 0 &&
-            extent.x + extent.width < object.cols &&
-            extent.y + extent.height < object.rows;
+  closed_ = !TouchesFrame(cv::boundingRect(object), object.size());
 }
 
 double OutlineDistance::At(const Eigen::Vector2d& pixel) const {

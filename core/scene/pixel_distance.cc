@@ -16,4 +16,9 @@ cv::Mat PixelsNear(const cv::Mat& marked, double radius) {
   return DistancesToZero(~marked) <= radius;
 }
 
+bool TouchesFrame(const cv::Rect& box, const cv::Size& frame) {
+  return box.x == 0 || box.y == 0 || box.br().x == frame.width ||
+         box.br().y == frame.height;
+}
+
 }  // namespace octacut

@@ -1,4 +1,4 @@
-// Distances between pixels of masks.
+// Distances between pixels of masks, and to their frames.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -12,5 +12,8 @@ cv::Mat DistancesToZero(const cv::Mat& image);
 // CV_8UC1, 255: the pixels that are not 0 in `marked`, and those at most
 // `radius` pixels from one.
 cv::Mat PixelsNear(const cv::Mat& marked, double radius);
+
+// Whether `box` holds pixels at the border of the frame.
+bool TouchesFrame(const cv::Rect& box, const cv::Size& frame);
 
 }  // namespace octacut

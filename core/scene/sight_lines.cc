@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/parallel.h"
+#include "core/scene/pixel_distance.h"
 
 namespace octacut {
 namespace {
@@ -32,7 +33,8 @@ class Denier {
     const cv::Mat object = view.mask >= kObjectThreshold;
     const cv::Rect extent = cv::boundingRect(object);
     slack_ = 1 + kMaskSlack * std::hypot(extent.width, extent.height);
-    closed_ = !TouchesFrame(object);
+    // Without an object, all is background.
+    closed_ = extent.empty() || !TouchesFrame(extent, object.size());
     // Beyond the frame of a closed view all is background, so that its slack
     // may reach there.
     margin_ = closed_ ? int(std::ceil(slack_)) + 1 : 0;
@@ -45,10 +47,7 @@ class Denier {
                        margin_,
                        cv::BORDER_CONSTANT,
                        cv::Scalar(0));
-    cv::Mat distances;
-    cv::distanceTransform(
-        ~wide, distances, cv::DIST_L2, cv::DIST_MASK_PRECISE, CV_32F);
-    near_ = distances <= slack_;
+    near_ = PixelsNear(wide, slack_);
   }
 
   double Slack() const { return slack_; }
@@ -68,13 +67,6 @@ class Denier {
   }
 
  private:
-  static bool TouchesFrame(const cv::Mat& object) {
-    return cv::countNonZero(object.row(0)) > 0 ||
-           cv::countNonZero(object.row(object.rows - 1)) > 0 ||
-           cv::countNonZero(object.col(0)) > 0 ||
-           cv::countNonZero(object.col(object.cols - 1)) > 0;
-  }
-
   const View& view_;
   double slack_ = 0;
   bool closed_ = false;

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <opencv2/imgproc.hpp>
+#include <opencv2/core.hpp>
+
+#include "core/scene/pixel_distance.h"
 
 namespace octacut {
 namespace {
@@ -20,10 +22,8 @@ std::vector<int16_t> SignedDistances(const cv::Mat& mask,
   const cv::Mat object = mask >= kObjectThreshold;
   const cv::Mat known_object =
       unknown.empty() ? object : cv::Mat(object & ~unknown);
-  cv::Mat inside, outside;
-  cv::distanceTransform(object, inside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
-  cv::distanceTransform(
-      ~known_object, outside, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+  const cv::Mat inside = DistancesToZero(object);
+  const cv::Mat outside = DistancesToZero(~known_object);
   std::vector<int16_t> distances;
   distances.reserve(mask.total());
   for (int y = 0; y < mask.rows; ++y) {

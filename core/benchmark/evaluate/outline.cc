@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <opencv2/imgproc.hpp>
 
+#include "core/scene/pixel_distance.h"
 #include "core/scene/scene.h"
 
 namespace octacut {
@@ -39,8 +39,7 @@ Outline::Outline(const cv::Mat& coverage)
   }
   first_.push_back(static_cast<uint32_t>(segments_.size()));
   if (!segments_.empty()) {
-    cv::distanceTransform(
-        is_free, to_nearest_, cv::DIST_L2, cv::DIST_MASK_PRECISE);
+    to_nearest_ = DistancesToZero(is_free);
   }
 }
 

@@ -1,17 +1,16 @@
 #include "core/raycast/depth_normals.h"
 
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <optional>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_pixels.h"
 #include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 namespace {
 
-constexpr size_t kRows = 8;
 constexpr int kLeastPoints = 6;
 // A surface at some 70 degrees falls off by three pixels' sizes a pixel.
 constexpr double kSteepest = 3;
@@ -77,25 +76,19 @@ DepthAndNormals RenderDepthAndNormals(const IndexedMesh& mesh,
                                       const Context& context) {
   DepthAndNormals result = Empty(camera.width, camera.height);
   const Rigid3d world_from_cam = cam_from_world.Inverse();
-  ParallelFor(
-      context, size_t(camera.height), kRows, [&](size_t begin, size_t end) {
-        for (int y = int(begin); y < int(end); ++y) {
-          for (int x = 0; x < camera.width; ++x) {
-            const Eigen::Vector3d ray = camera.Unproject({x + 0.5, y + 0.5});
-            const auto hit = rays.FirstHit(world_from_cam.translation,
-                                           world_from_cam.rotation * ray);
-            if (!hit) {
-              continue;
-            }
-            const Eigen::Vector3d normal =
-                AreaNormal(mesh, mesh.triangles[hit->triangle])
-                    .stableNormalized();
-            result.depth.at<float>(y, x) = float(hit->distance);
-            result.normals.at<cv::Vec3f>(y, x) =
-                FacingCamera(cam_from_world.rotation * normal, ray);
-          }
-        }
-      });
+  ParallelPixels(context, camera.width, camera.height, [&](int x, int y) {
+    const Eigen::Vector3d ray = camera.Unproject({x + 0.5, y + 0.5});
+    const auto hit = rays.FirstHit(world_from_cam.translation,
+                                   world_from_cam.rotation * ray);
+    if (!hit) {
+      return;
+    }
+    const Eigen::Vector3d normal =
+        AreaNormal(mesh, mesh.triangles[hit->triangle]).stableNormalized();
+    result.depth.at<float>(y, x) = float(hit->distance);
+    result.normals.at<cv::Vec3f>(y, x) =
+        FacingCamera(cam_from_world.rotation * normal, ray);
+  });
   return result;
 }
 
@@ -104,21 +97,16 @@ DepthAndNormals FitNormals(const cv::Mat& depth,
                            int radius,
                            const Context& context) {
   DepthAndNormals result = Empty(depth.cols, depth.rows);
-  ParallelFor(
-      context, size_t(depth.rows), kRows, [&](size_t begin, size_t end) {
-        for (int y = int(begin); y < int(end); ++y) {
-          for (int x = 0; x < depth.cols; ++x) {
-            if (!(depth.at<float>(y, x) > 0)) {
-              continue;
-            }
-            if (const auto normal = PlaneNormal(depth, camera, x, y, radius)) {
-              result.depth.at<float>(y, x) = depth.at<float>(y, x);
-              result.normals.at<cv::Vec3f>(y, x) =
-                  FacingCamera(*normal, camera.Unproject({x + 0.5, y + 0.5}));
-            }
-          }
-        }
-      });
+  ParallelPixels(context, depth.cols, depth.rows, [&](int x, int y) {
+    if (!(depth.at<float>(y, x) > 0)) {
+      return;
+    }
+    if (const auto normal = PlaneNormal(depth, camera, x, y, radius)) {
+      result.depth.at<float>(y, x) = depth.at<float>(y, x);
+      result.normals.at<cv::Vec3f>(y, x) =
+          FacingCamera(*normal, camera.Unproject({x + 0.5, y + 0.5}));
+    }
+  });
   return result;
 }
 

@@ -21,6 +21,14 @@ class RayScene {
     double distance;  // along the ray, in units of |direction|
     uint32_t triangle;
     Eigen::Vector2f barycentric;  // of corners 1 and 2
+
+    // Between the values of the triangle's corners.
+    template <typename Value>
+    Value Mix(const Value& a, const Value& b, const Value& c) const {
+      const float u = barycentric.x();
+      const float v = barycentric.y();
+      return (1 - u - v) * a + u * b + v * c;
+    }
   };
   struct Closest {
     Eigen::Vector3d point;

@@ -8,7 +8,7 @@
 
 #include "core/base/check_option.h"
 #include "core/base/hash.h"
-#include "core/base/parallel.h"
+#include "core/base/parallel_pixels.h"
 #include "core/base/srgb.h"
 #include "core/mesh/bounding_box.h"
 #include "core/mesh/triangle_normal.h"
@@ -35,7 +35,6 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
-constexpr size_t kRowsAtOnce = 8;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vector3f Decode(const Vector3d& color) {
@@ -71,19 +70,6 @@ struct PixelRays {
   PinholeCamera camera;
   Rigid3d world_from_cam;
 };
-
-// Calls body(y) for every row of the camera's image.
-template <typename Body>
-void ForRows(const PinholeCamera& camera, const Context& context, Body&& body) {
-  ParallelFor(context,
-              static_cast<size_t>(camera.height),
-              kRowsAtOnce,
-              [&](size_t begin, size_t end) {
-                for (size_t y = begin; y < end; ++y) {
-                  body(static_cast<int>(y));
-                }
-              });
-}
 
 class ShadedRenderer {
  public:
@@ -131,18 +117,11 @@ class ShadedRenderer {
                  int part,
                  uint64_t bits) const {
     const auto& corners = mesh_.triangles[hit.triangle];
-    const float u = hit.barycentric.x();
-    const float v = hit.barycentric.y();
-    const auto mix = [&](const Vector3f& a,
-                         const Vector3f& b,
-                         const Vector3f& c) -> Vector3f {
-      return (1 - u - v) * a + u * b + v * c;
-    };
     const auto& normals = own_normals_.empty() ? mesh_.normals : own_normals_;
     const Vector3f shaded = options_.normal_at ? options_.normal_at(hit)
-                                               : mix(normals[corners[0]],
-                                                     normals[corners[1]],
-                                                     normals[corners[2]]);
+                                               : hit.Mix(normals[corners[0]],
+                                                         normals[corners[1]],
+                                                         normals[corners[2]]);
     Vector3d normal = shaded.cast<double>().normalized();
     Vector3d face = AreaNormal(mesh_, corners).normalized();
     if (face.dot(ray) > 0) {  // the back of an open mesh
@@ -158,7 +137,7 @@ class ShadedRenderer {
     if (key > 0 && IsLit(lifted, part, bits)) {
       light += 0.75 * key;
     }
-    return static_cast<float>(light) * SurfaceColor(corners, mix);
+    return static_cast<float>(light) * SurfaceColor(hit);
   }
 
   double Openness(const Vector3d& point,
@@ -191,17 +170,15 @@ class ShadedRenderer {
         point, AxisFrame(key_light_).Disc(disc), 0, kInfinity);
   }
 
-  template <typename Mix>
-  Vector3f SurfaceColor(const std::array<uint32_t, 3>& corners,
-                        const Mix& mix) const {
+  Vector3f SurfaceColor(const RayScene::Hit& hit) const {
     if (!options_.use_vertex_colors || mesh_.colors.empty()) {
       return clay_;
     }
     const auto color = [&](int k) -> Vector3f {
-      const auto& bytes = mesh_.colors[corners[k]];
+      const auto& bytes = mesh_.colors[mesh_.triangles[hit.triangle][k]];
       return Vector3f(bytes[0], bytes[1], bytes[2]) / 255.0f;
     };
-    const Vector3f mixed = mix(color(0), color(1), color(2));
+    const Vector3f mixed = hit.Mix(color(0), color(1), color(2));
     return Decode(mixed.cast<double>());
   }
 
@@ -231,10 +208,8 @@ cv::Mat RenderShaded(const IndexedMesh& mesh,
   const PixelRays pixel_rays(camera, cam_from_world);
   const ShadedRenderer renderer(mesh, rays, pixel_rays, options);
   cv::Mat image(camera.height, camera.width, CV_8UC3);
-  ForRows(camera, context, [&](int y) {
-    for (int x = 0; x < camera.width; ++x) {
-      image.at<cv::Vec3b>(y, x) = renderer.Pixel(x, y);
-    }
+  ParallelPixels(context, camera.width, camera.height, [&](int x, int y) {
+    image.at<cv::Vec3b>(y, x) = renderer.Pixel(x, y);
   });
   return image;
 }
@@ -245,12 +220,10 @@ cv::Mat RenderDepth(const RayScene& rays,
                     const Context& context) {
   const PixelRays pixel_rays(camera, cam_from_world);
   cv::Mat depth(camera.height, camera.width, CV_32FC1);
-  ForRows(camera, context, [&](int y) {
-    for (int x = 0; x < camera.width; ++x) {
-      const auto hit = rays.FirstHit(pixel_rays.Origin(),
-                                     pixel_rays.Direction(x + 0.5, y + 0.5));
-      depth.at<float>(y, x) = hit ? static_cast<float>(hit->distance) : 0.0f;
-    }
+  ParallelPixels(context, camera.width, camera.height, [&](int x, int y) {
+    const auto hit = rays.FirstHit(pixel_rays.Origin(),
+                                   pixel_rays.Direction(x + 0.5, y + 0.5));
+    depth.at<float>(y, x) = hit ? static_cast<float>(hit->distance) : 0.0f;
   });
   return depth;
 }

@@ -4,12 +4,11 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_pixels.h"
 
 namespace octacut {
 namespace {
 
-constexpr size_t kSilhouetteRows = 8;
 constexpr int kSamples = 4;  // along a side of a pixel at the outline
 
 // Whether rays through places of a picture hit the mesh.
@@ -47,21 +46,6 @@ class PixelHits {
   const Rigid3d world_from_cam_;
 };
 
-// Sets each pixel of `pixels` to what `value` has for it, or leaves it.
-template <typename Value>
-void SetPixels(const Context& context, const Value& value, cv::Mat* pixels) {
-  ParallelFor(context,
-              size_t(pixels->rows),
-              kSilhouetteRows,
-              [&](size_t begin, size_t end) {
-                for (int y = int(begin); y < int(end); ++y) {
-                  for (int x = 0; x < pixels->cols; ++x) {
-                    value(x, y, &pixels->at<uint8_t>(y, x));
-                  }
-                }
-              });
-}
-
 // `is_hit` is 255 for pixels whose centre shows the mesh.
 cv::Mat SampleOutline(const PixelHits& hits,
                       cv::Mat is_hit,
@@ -70,14 +54,11 @@ cv::Mat SampleOutline(const PixelHits& hits,
   cv::Mat least;
   cv::dilate(is_hit, most, cv::Mat::ones(3, 3, CV_8U));
   cv::erode(is_hit, least, cv::Mat::ones(3, 3, CV_8U));
-  SetPixels(
-      context,
-      [&](int x, int y, uint8_t* coverage) {
-        if (most.at<uint8_t>(y, x) != least.at<uint8_t>(y, x)) {
-          *coverage = hits.Coverage(x, y);
-        }
-      },
-      &is_hit);
+  ParallelPixels(context, is_hit.cols, is_hit.rows, [&](int x, int y) {
+    if (most.at<uint8_t>(y, x) != least.at<uint8_t>(y, x)) {
+      is_hit.at<uint8_t>(y, x) = hits.Coverage(x, y);
+    }
+  });
   return is_hit;
 }
 
@@ -90,12 +71,9 @@ cv::Mat RenderSilhouette(const RayScene& rays,
                          const Context& context) {
   const PixelHits hits(rays, ray_of, cam_from_world);
   cv::Mat is_hit(size, CV_8UC1);
-  SetPixels(
-      context,
-      [&](int x, int y, uint8_t* pixel) {
-        *pixel = hits.IsHit(x + 0.5, y + 0.5) ? 255 : 0;
-      },
-      &is_hit);
+  ParallelPixels(context, size.width, size.height, [&](int x, int y) {
+    is_hit.at<uint8_t>(y, x) = hits.IsHit(x + 0.5, y + 0.5) ? 255 : 0;
+  });
   return SampleOutline(hits, is_hit, context);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/median.h"
 #include "core/base/parallel.h"
+#include "core/base/parallel_pixels.h"
 
 namespace octacut {
 namespace {
@@ -101,22 +102,18 @@ cv::Mat Scatter(std::span<const cv::Mat> labs,
                 const StillBackground& background,
                 const Context& context) {
   cv::Mat scatter(background.color.size(), CV_32F);
-  ParallelFor(context, size_t(scatter.rows), 8, [&](size_t begin, size_t end) {
-    for (int y = int(begin); y < int(end); ++y) {
-      for (int x = 0; x < scatter.cols; ++x) {
-        float sum = 0;
-        int count = 0;
-        for (const cv::Mat& lab : labs) {
-          const float distance = Distance(lab.at<cv::Vec3b>(y, x),
-                                          background.color.at<cv::Vec3f>(y, x));
-          if (distance < background.tolerance) {
-            sum += distance * distance;
-            ++count;
-          }
-        }
-        scatter.at<float>(y, x) = std::sqrt(sum / float(std::max(count, 1)));
+  ParallelPixels(context, scatter.cols, scatter.rows, [&](int x, int y) {
+    float sum = 0;
+    int count = 0;
+    for (const cv::Mat& lab : labs) {
+      const float distance = Distance(lab.at<cv::Vec3b>(y, x),
+                                      background.color.at<cv::Vec3f>(y, x));
+      if (distance < background.tolerance) {
+        sum += distance * distance;
+        ++count;
       }
     }
+    scatter.at<float>(y, x) = std::sqrt(sum / float(std::max(count, 1)));
   });
   cv::boxFilter(scatter, scatter, CV_32F, {kStillWindow, kStillWindow});
   return scatter;
@@ -149,13 +146,9 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
   StillBackground background;
   background.tolerance = Tolerance(labs);
   background.color.create(size, CV_32FC3);
-  ParallelFor(context, size_t(size.height), 8, [&](size_t begin, size_t end) {
-    for (int y = int(begin); y < int(end); ++y) {
-      for (int x = 0; x < size.width; ++x) {
-        background.color.at<cv::Vec3f>(y, x) =
-            MostFrequent(labs, y, x, background.tolerance);
-      }
-    }
+  ParallelPixels(context, size.width, size.height, [&](int x, int y) {
+    background.color.at<cv::Vec3f>(y, x) =
+        MostFrequent(labs, y, x, background.tolerance);
   });
   std::vector<cv::Mat> shown(labs.size());
   std::vector<cv::Mat> widely_shown(labs.size());

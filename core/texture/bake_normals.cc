@@ -161,11 +161,9 @@ class FullSurface {
   Eigen::Vector3f NormalAt(const RayScene::Hit& hit) const {
     const auto& normals = mesh_.normals.empty() ? own_normals_ : mesh_.normals;
     const auto& corners = mesh_.triangles[hit.triangle];
-    const float u = hit.barycentric.x();
-    const float v = hit.barycentric.y();
-    return UnitOr((1 - u - v) * normals[corners[0]] + u * normals[corners[1]] +
-                      v * normals[corners[2]],
-                  {0, 0, 0});
+    return UnitOr(
+        hit.Mix(normals[corners[0]], normals[corners[1]], normals[corners[2]]),
+        {0, 0, 0});
   }
 
   const IndexedMesh& mesh_;

@@ -3,7 +3,7 @@
 #include <functional>
 #include <opencv2/core.hpp>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_pixels.h"
 #include "core/base/srgb.h"
 #include "core/raycast/render.h"
 #include "core/texture/bake_normals.h"
@@ -12,7 +12,6 @@
 namespace octacut {
 namespace {
 
-constexpr size_t kRowsPerTask = 8;
 constexpr int kPixelSamplesASide = 2;
 
 Eigen::Vector3f HitWeights(const RayScene::Hit& hit) {
@@ -31,7 +30,7 @@ UnlitPicture Render(
   picture.color = cv::Mat(camera.height, camera.width, CV_8UC3, cv::Scalar());
   picture.covered =
       cv::Mat(camera.height, camera.width, CV_8UC1, cv::Scalar(0));
-  const auto pixel = [&](int x, int y) {
+  ParallelPixels(context, camera.width, camera.height, [&](int x, int y) {
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     int count = 0;
     for (int j = 0; j < kPixelSamplesASide; ++j) {
@@ -53,17 +52,7 @@ UnlitPicture Render(
     }
     picture.covered.at<uint8_t>(y, x) =
         count == kPixelSamplesASide * kPixelSamplesASide ? 255 : 0;
-  };
-  ParallelFor(context,
-              size_t(camera.height),
-              kRowsPerTask,
-              [&](size_t begin, size_t end) {
-                for (size_t y = begin; y < end; ++y) {
-                  for (int x = 0; x < camera.width; ++x) {
-                    pixel(x, int(y));
-                  }
-                }
-              });
+  });
   return picture;
 }
 

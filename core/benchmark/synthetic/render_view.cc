@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/parallel.h"
+#include "core/base/parallel_pixels.h"
 #include "core/benchmark/synthetic/surface_shader.h"
 #include "core/mesh/bounding_box.h"
 #include "core/raycast/tone_curve.h"
@@ -81,24 +81,21 @@ class ViewRenderer {
     FindObjectRectangle(cam_from_world);
   }
 
-  void RenderRow(int y, cv::Mat& image, cv::Mat& mask) const {
-    auto* pixels = image.ptr<cv::Vec3b>(y);
-    uint8_t* coverage = mask.ptr<uint8_t>(y);
-    for (int x = 0; x < image.cols; ++x) {
-      const bool near_object =
-          x >= min_x_ && x <= max_x_ && y >= min_y_ && y <= max_y_;
-      Covered covered;
-      Vector3f color = Vector3f::Zero();
-      if (near_object) {
-        covered = ShadePixel(x, y, color);
-      }
-      if (covered.by_all < 1) {
-        color =
-            covered.by_all * color + (1 - covered.by_all) * Background(x, y);
-      }
-      pixels[x] = {tone_(color.z()), tone_(color.y()), tone_(color.x())};
-      coverage[x] = static_cast<uint8_t>(std::lround(255 * covered.by_object));
+  void RenderPixel(int x, int y, RenderedView* view) const {
+    const bool near_object =
+        x >= min_x_ && x <= max_x_ && y >= min_y_ && y <= max_y_;
+    Covered covered;
+    Vector3f color = Vector3f::Zero();
+    if (near_object) {
+      covered = ShadePixel(x, y, color);
     }
+    if (covered.by_all < 1) {
+      color = covered.by_all * color + (1 - covered.by_all) * Background(x, y);
+    }
+    view->image.at<cv::Vec3b>(y, x) = {
+        tone_(color.z()), tone_(color.y()), tone_(color.x())};
+    view->mask.at<uint8_t>(y, x) =
+        static_cast<uint8_t>(std::lround(255 * covered.by_object));
   }
 
  private:
@@ -254,15 +251,10 @@ RenderedView RenderView(const RenderSubject& subject,
   RenderedView view;
   view.image.create(lens.camera.height, lens.camera.width, CV_8UC3);
   view.mask.create(lens.camera.height, lens.camera.width, CV_8UC1);
-  ParallelFor(context,
-              static_cast<size_t>(lens.camera.height),
-              8,
-              [&](size_t begin, size_t end) {
-                for (size_t y = begin; y < end; ++y) {
-                  renderer.RenderRow(
-                      static_cast<int>(y), view.image, view.mask);
-                }
-              });
+  ParallelPixels(
+      context, lens.camera.width, lens.camera.height, [&](int x, int y) {
+        renderer.RenderPixel(x, y, &view);
+      });
   return view;
 }
 

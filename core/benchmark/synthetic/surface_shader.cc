@@ -60,11 +60,7 @@ template <typename Values>
 auto SurfaceShader::Interpolate(const Values& values,
                                 const RayScene::Hit& hit) const {
   const auto& corners = subject_.mesh.triangles[hit.triangle];
-  const float u = hit.barycentric.x();
-  const float v = hit.barycentric.y();
-  using Value = typename Values::value_type;
-  return Value((1 - u - v) * values[corners[0]] + u * values[corners[1]] +
-               v * values[corners[2]]);
+  return hit.Mix(values[corners[0]], values[corners[1]], values[corners[2]]);
 }
 
 SurfaceShader::SurfacePoint SurfaceShader::PointAt(const RayScene::Hit& hit,

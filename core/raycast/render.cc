@@ -6,7 +6,6 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "core/base/check_option.h"
 #include "core/base/hash.h"
 #include "core/base/parallel_pixels.h"
 #include "core/base/srgb.h"
@@ -16,26 +15,14 @@
 #include "core/raycast/tone_curve.h"
 
 namespace octacut {
-
-void RenderOptions::Check() const {
-  CheckOption(num_occlusion_samples >= 0,
-              "num_occlusion_samples",
-              num_occlusion_samples,
-              "must not be negative");
-  for (const auto& [name, color] :
-       {std::pair("clay_color", clay_color),
-        std::pair("background_color", background_color)}) {
-    CheckOption(color.minCoeff() >= 0, name, color.minCoeff(), "must be >= 0");
-    CheckOption(color.maxCoeff() <= 1, name, color.maxCoeff(), "must be <= 1");
-  }
-}
-
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Rays for the sky's light in hollows, of each of a pixel's four samples.
+constexpr int kSkyRays = 6;
 
 Vector3f Decode(const Vector3d& color) {
   return color.unaryExpr(&DecodeSrgb).cast<float>();
@@ -82,8 +69,7 @@ class ShadedRenderer {
         pixel_rays_(pixel_rays),
         options_(options),
         clay_(Decode(options.clay_color)),
-        background_(Decode(options.background_color)),
-        pattern_(4 * ((std::max(1, options.num_occlusion_samples) + 3) / 4)) {
+        pattern_(4 * kSkyRays) {
     if (mesh.normals.empty()) {
       own_normals_ = MeanNormals(mesh);
     }
@@ -104,7 +90,7 @@ class ShadedRenderer {
       const Vector3d ray =
           pixel_rays_.Direction(x + kOffsets[k][0], y + kOffsets[k][1]);
       const auto hit = rays_.FirstHit(pixel_rays_.Origin(), ray);
-      color += hit ? Shade(*hit, ray, k, bits) : background_;
+      color += hit ? Shade(*hit, ray, k, bits) : Vector3f::Ones();
     }
     color /= 4;
     return {tone_(color.z()), tone_(color.y()), tone_(color.x())};
@@ -144,25 +130,18 @@ class ShadedRenderer {
                   const Vector3d& normal,
                   int part,
                   uint64_t bits) const {
-    const int count = (options_.num_occlusion_samples + 3) / 4;
-    if (count == 0) {
-      return 1;
-    }
     const AxisFrame frame(normal);
     const Eigen::Matrix2d turn = DiscPattern::Turn(bits);
     int num_free = 0;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < kSkyRays; ++i) {
       const Eigen::Vector2d disc = turn * pattern_[4 * i + part];
       num_free +=
           !rays_.IsOccluded(point, frame.Hemisphere(disc), 0, 0.5 * size_);
     }
-    return static_cast<double>(num_free) / count;
+    return static_cast<double>(num_free) / kSkyRays;
   }
 
   bool IsLit(const Vector3d& point, int part, uint64_t bits) const {
-    if (!options_.cast_shadow) {
-      return true;
-    }
     constexpr double kLightRadius = 0.08;
     const Eigen::Vector2d disc =
         kLightRadius * (DiscPattern::Turn(HashBits(bits, 7)) * pattern_[part]);
@@ -187,7 +166,6 @@ class ShadedRenderer {
   const PixelRays& pixel_rays_;
   const RenderOptions& options_;
   const Vector3f clay_;
-  const Vector3f background_;
   const ToneCurve tone_;
   const DiscPattern pattern_;
   std::vector<Vector3f> own_normals_;
@@ -204,7 +182,6 @@ cv::Mat RenderShaded(const IndexedMesh& mesh,
                      const Rigid3d& cam_from_world,
                      const RenderOptions& options,
                      const Context& context) {
-  options.Check();
   const PixelRays pixel_rays(camera, cam_from_world);
   const ShadedRenderer renderer(mesh, rays, pixel_rays, options);
   cv::Mat image(camera.height, camera.width, CV_8UC3);

@@ -17,22 +17,16 @@ struct RenderOptions {
   bool use_vertex_colors = false;
   // sRGB in [0, 1]: red, green, blue.
   Eigen::Vector3d clay_color{0.80, 0.76, 0.70};
-  Eigen::Vector3d background_color{1, 1, 1};
-  // Rays a pixel for the sky's light in hollows; 0: none.
-  int num_occlusion_samples = 24;
-  // A main light from the upper left behind the camera casts a shadow.
-  bool cast_shadow = true;
-
   // If set, the unit normal that is shaded at a point, such as that of a normal
   // map, instead of the interpolated one.
   std::function<Eigen::Vector3f(const RayScene::Hit&)> normal_at;
-
-  void Check() const;  // throws OptionError
 };
 
 // The mesh of `rays` in smooth shading (vertex normals of the mesh, or means
-// of the triangles' where it has none), 2 x 2 samples per pixel. CV_8UC3, BGR,
-// of the camera's size. The same bytes for any number of threads.
+// of the triangles' where it has none), 2 x 2 samples per pixel, on white. A
+// main light from the upper left behind the camera casts a shadow; less of the
+// sky's light reaches hollows. CV_8UC3, BGR, of the camera's size. The same
+// bytes for any number of threads.
 cv::Mat RenderShaded(const IndexedMesh& mesh,
                      const RayScene& rays,
                      const PinholeCamera& camera,

@@ -37,15 +37,14 @@ PositionedSurface PositionVertices(ExtractedSurface surface,
       positions[v] += offsets[surface.octants[v]];
     }
   });
-  const WithdrawSummary withdrawn =
-      Untangle(result.corners,
-               options.min_height * surface.voxel_size,
-               context,
-               &result.mesh);
-  result.summary.num_withdrawn = withdrawn.num_withdrawn;
-  if (withdrawn.num_thin > 0) {
-    throw InvariantError(fmt::format(
-        "{} triangles are degenerate at voxel corners", withdrawn.num_thin));
+  const size_t num_thin = Untangle(result.corners,
+                                   options.min_height * surface.voxel_size,
+                                   context,
+                                   &result.mesh)
+                              .num_thin;
+  if (num_thin > 0) {
+    throw InvariantError(
+        fmt::format("{} triangles are degenerate at voxel corners", num_thin));
   }
   return result;
 }

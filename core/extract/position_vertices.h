@@ -7,7 +7,6 @@
 // voxel's diagonal away, and unbiased.
 #pragma once
 
-#include <cstddef>
 #include <Eigen/Core>
 #include <vector>
 
@@ -27,16 +26,11 @@ struct PositionVerticesOptions {
   void Check() const;
 };
 
-struct PositionVerticesSummary {
-  size_t num_withdrawn = 0;  // vertices that stay closer to their corners
-};
-
 struct PositionedSurface {
   IndexedMesh mesh;
   // The voxel corner (or the middle of a grid edge, or the centre of a voxel)
   // where each vertex was before, in world coordinates.
   std::vector<Eigen::Vector3d> corners;
-  PositionVerticesSummary summary;
 };
 
 // No triangles of the mesh intersect.

@@ -77,14 +77,13 @@ KeptComponents KeepLargestComponents(IndexedMesh mesh, double min_fraction) {
       std::max_element(volumes.begin(), volumes.end(), [](double a, double b) {
         return std::abs(a) < std::abs(b);
       });
-  result.summary.num_components = components.count;
   std::vector<uint8_t> keep(components.count);
   for (size_t c = 0; c < components.count; ++c) {
     keep[c] = std::abs(volumes[c]) >= min_fraction * std::abs(*largest) &&
               (min_fraction < 1 || c == size_t(largest - volumes.begin()));
-    result.summary.num_removed += !keep[c];
+    result.num_removed += !keep[c];
   }
-  if (result.summary.num_removed > 0) {
+  if (result.num_removed > 0) {
     std::vector<uint8_t> keep_vertex(mesh.positions.size());
     std::vector<uint8_t> is_removed(mesh.positions.size());
     for (size_t v = 0; v < keep_vertex.size(); ++v) {

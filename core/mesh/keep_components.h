@@ -7,16 +7,11 @@
 
 namespace octacut {
 
-struct KeepComponentsSummary {
-  size_t num_components = 0;
-  size_t num_removed = 0;
-};
-
 struct KeptComponents {
   IndexedMesh mesh;
   // Those that were removed and are no cavities.
   IndexedMesh removed;
-  KeepComponentsSummary summary;
+  size_t num_removed = 0;  // with cavities
 };
 
 // Keeps the components (connected through vertices) whose volume is at least

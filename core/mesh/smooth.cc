@@ -1,8 +1,6 @@
 #include "core/mesh/smooth.h"
 
-#include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 #include "core/base/check_option.h"
@@ -52,23 +50,6 @@ void Step(const VertexCorners& neighbors,
       });
 }
 
-void Summarize(const Positions& anchors,
-               const Positions& positions,
-               double voxel_size,
-               double bound,
-               SmoothSummary& summary) {
-  double sum = 0;
-  for (size_t v = 0; v < positions.size(); ++v) {
-    const double displacement = (positions[v] - anchors[v]).norm() / voxel_size;
-    sum += displacement;
-    summary.max_displacement = std::max(summary.max_displacement, displacement);
-    summary.num_bounded += displacement >= bound * (1 - 1e-9);
-  }
-  if (!positions.empty()) {
-    summary.mean_displacement = sum / double(positions.size());
-  }
-}
-
 }  // namespace
 
 void SmoothOptions::Check() const {
@@ -88,21 +69,19 @@ void SmoothOptions::Check() const {
               "must be in [0, 0.4]");
 }
 
-SmoothedSurface SmoothSurface(IndexedMesh mesh,
-                              double voxel_size,
-                              const SmoothOptions& options,
-                              const Context& context) {
+IndexedMesh SmoothSurface(IndexedMesh mesh,
+                          double voxel_size,
+                          const SmoothOptions& options,
+                          const Context& context) {
   options.Check();
   CheckOption(voxel_size > 0, "voxel_size", voxel_size, "must be positive");
-  SmoothedSurface result;
-  result.mesh = std::move(mesh);
-  result.mesh.normals.clear();
-  Positions& positions = result.mesh.positions;
+  mesh.normals.clear();
+  Positions& positions = mesh.positions;
   const Positions anchors = positions;
   const double bound = options.max_displacement * voxel_size;
   {
     const VertexCorners neighbors =
-        FindVertexNeighbors(positions.size(), result.mesh.triangles);
+        FindVertexNeighbors(positions.size(), mesh.triangles);
     Positions buffer(positions.size());
     const auto step = [&](double weight) {
       Step(neighbors, {anchors, bound}, weight, context, positions, buffer);
@@ -115,13 +94,8 @@ SmoothedSurface SmoothSurface(IndexedMesh mesh,
       }
     }
   }
-  const WithdrawSummary withdrawn =
-      Untangle(anchors, options.min_height * voxel_size, context, &result.mesh);
-  result.summary.num_withdrawn = withdrawn.num_withdrawn;
-  result.summary.num_thin = withdrawn.num_thin;
-  Summarize(
-      anchors, positions, voxel_size, options.max_displacement, result.summary);
-  return result;
+  Untangle(anchors, options.min_height * voxel_size, context, &mesh);
+  return mesh;
 }
 
 }  // namespace octacut

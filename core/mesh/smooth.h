@@ -1,8 +1,6 @@
 // Bounded smoothing of a closed mesh [HK06 section 5, step 9 of the method].
 #pragma once
 
-#include <cstddef>
-
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
 
@@ -28,26 +26,13 @@ struct SmoothOptions {
   void Check() const;
 };
 
-struct SmoothSummary {
-  double max_displacement = 0;   // in voxels
-  double mean_displacement = 0;  // in voxels
-  size_t num_bounded = 0;        // vertices at the bound
-  size_t num_withdrawn = 0;      // vertices moved back
-  size_t num_thin = 0;           // triangles that were too thin from the first
-};
-
-struct SmoothedSurface {
-  IndexedMesh mesh;  // without normals: they no longer hold
-  SmoothSummary summary;
-};
-
 // `voxel_size` is the unit of the options, in world units. All vertices of an
 // iteration move at once (Jacobi). The mesh is to be closed and oriented;
 // vertices without triangles stay. No triangles intersect but those that did
-// before.
-SmoothedSurface SmoothSurface(IndexedMesh mesh,
-                              double voxel_size,
-                              const SmoothOptions& options,
-                              const Context& context);
+// before. Normals no longer hold: the result is without.
+IndexedMesh SmoothSurface(IndexedMesh mesh,
+                          double voxel_size,
+                          const SmoothOptions& options,
+                          const Context& context);
 
 }  // namespace octacut

@@ -109,7 +109,7 @@ FinishedMesh FinalMesh(const ViewSet& views,
         "are not covered without them.",
         num_needed));
   }
-  summary.num_removed_components = kept.summary.num_removed;
+  summary.num_removed_components = kept.num_removed;
   // Below a pixel the images cannot tell a handle from none.
   const double pixel =
       cube.edge * PixelSize(views, Eigen::Vector3f::Constant(0.5f));
@@ -128,17 +128,15 @@ FinishedMesh FinalMesh(const ViewSet& views,
       context);
   summary.handles = cleaned.summary;
   std::vector<Eigen::Vector3d> before = cleaned.mesh.positions;
-  SmoothedSurface smoothed = SmoothSurface(
+  IndexedMesh smoothed = SmoothSurface(
       std::move(cleaned.mesh), voxel_size, options.smoothing, context);
   // Smoothing leaves nothing that intersects, but in doubles.
   RoundToFloats(&before);
-  RoundToFloats(&smoothed.mesh.positions);
-  UntangleFloats(before,
-                 options.smoothing.min_height * voxel_size,
-                 context,
-                 &smoothed.mesh);
-  smoothed.mesh.normals = ComputeVertexNormals(smoothed.mesh, context);
-  return {std::move(smoothed.mesh), std::move(kept.removed), summary};
+  RoundToFloats(&smoothed.positions);
+  UntangleFloats(
+      before, options.smoothing.min_height * voxel_size, context, &smoothed);
+  smoothed.normals = ComputeVertexNormals(smoothed, context);
+  return {std::move(smoothed), std::move(kept.removed), summary};
 }
 
 }  // namespace octacut

@@ -145,7 +145,7 @@ size_t RestoreNeededComponents(const ViewSet& views,
     }
   }
   kept->removed = std::move(removed);
-  kept->summary.num_removed -= num_restored;
+  kept->num_removed -= num_restored;
   return num_restored;
 }
 

@@ -52,7 +52,6 @@ TEST(PositionVertices, PutsAFlatCutIntoTheMiddleOfItsVoxels) {
 
 TEST(PositionVertices, StaysWithinHalfAVoxelDiagonalAndKeepsTrianglesApart) {
   std::mt19937 random(4);
-  size_t num_withdrawn = 0;
   for (int round = 0; round < 600; ++round) {
     const LabelledCrust block =
         LabelRandomBlock(2 + round % 4, round % 2 != 0, random);
@@ -72,9 +71,7 @@ TEST(PositionVertices, StaysWithinHalfAVoxelDiagonalAndKeepsTrianglesApart) {
     ExpectClosedManifold(AuditMesh(positioned.mesh));
     EXPECT_GE(SmallestHeight(positioned.mesh), 0.02 - 1e-12);
     EXPECT_EQ(NumIntersections(positioned.mesh), 0u);
-    num_withdrawn += positioned.summary.num_withdrawn;
   }
-  EXPECT_GT(num_withdrawn, 1000);
 }
 
 TEST(PositionVertices, SingleFaceKeepsItsArea) {
@@ -82,7 +79,6 @@ TEST(PositionVertices, SingleFaceKeepsItsArea) {
   const LabelledCrust block = LabelBlock(
       2, {1, 1, 1}, {2, 1, 1}, false, [](int, int, int, int) { return true; });
   const PositionedSurface positioned = Place(block, UnitVoxels(2));
-  EXPECT_EQ(positioned.summary.num_withdrawn, 4);  // the corners
   const MeshAudit audit = AuditMesh(positioned.mesh);
   EXPECT_EQ(audit.DescribeFailure(), "");
 }

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "tests/core/extract/label_crust.h"
+#include "tests/core/mesh/simple_meshes.h"
 #include "tests/core/mesh/test_shapes.h"
 
 namespace octacut {
@@ -29,6 +30,13 @@ TEST(Untangle, TakesBackSpikesThroughTheOtherSide) {
   EXPECT_GE(Untangle(start.positions, 1e-4, Context(2), &mesh).num_withdrawn,
             3u);
   EXPECT_EQ(NumIntersections(mesh), 0u);
+}
+
+TEST(Untangle, ReportsTrianglesThatWereThinFromTheFirst) {
+  IndexedMesh mesh = MakeTetrahedron();
+  mesh.positions[3] = {0.5, 0, 0};
+  const std::vector<Eigen::Vector3d> start = mesh.positions;
+  EXPECT_EQ(Untangle(start, 0.02, Context(1), &mesh).num_thin, 1u);
 }
 
 // Voxels at random, whose vertices move by up to a voxel each way: thin walls

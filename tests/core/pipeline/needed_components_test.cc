@@ -31,7 +31,7 @@ struct SmallBall {
 
   void Remove(const IndexedMesh& part) {
     Append(part, &kept.removed);
-    ++kept.summary.num_removed;
+    ++kept.num_removed;
   }
 
   size_t Restore() {
@@ -52,7 +52,7 @@ TEST(NeededComponents, AreThoseThatSilhouettesMiss) {
   ball.Remove(needed);
   ball.Remove(BallAt(0.3 * ball.up, 0.08));  // covered
   EXPECT_EQ(ball.Restore(), 1u);
-  EXPECT_EQ(ball.kept.summary.num_removed, 2u);
+  EXPECT_EQ(ball.kept.num_removed, 2u);
   EXPECT_EQ(ball.kept.mesh.triangles.size(),
             num_triangles + needed.triangles.size());
   EXPECT_EQ(ball.kept.removed.triangles.size(), 2 * needed.triangles.size());
@@ -68,7 +68,7 @@ TEST(NeededComponents, OneOfThoseThatCoverTheSamePixels) {
   ball.Remove(BallAt(0.85 * ball.up, 0.07));
   ball.Remove(larger);
   EXPECT_EQ(ball.Restore(), 1u);
-  EXPECT_EQ(ball.kept.summary.num_removed, 1u);
+  EXPECT_EQ(ball.kept.num_removed, 1u);
   EXPECT_EQ(ball.kept.mesh.triangles.size(),
             num_triangles + larger.triangles.size());
 }

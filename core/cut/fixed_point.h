@@ -7,7 +7,7 @@
 namespace octacut {
 
 inline constexpr int kCutFractionBits = 20;
-inline constexpr double kCutScale = double(1 << kCutFractionBits);
+inline constexpr double kFixedOne = double(1 << kCutFractionBits);
 
 // Largest capacity of one arc or one voxel's share of a face's evidence: a
 // residual is at most twice that and a face sums two shares, both of which
@@ -22,14 +22,14 @@ inline constexpr float kMaxEvidence = 6 * kMaxCutWeight;
 inline int32_t FixedWeight(float weight) {
   // Weights are positive, and std::lround is a function call.
   // NOLINTNEXTLINE(bugprone-incorrect-roundings)
-  const int32_t fixed = int32_t(double(weight) * kCutScale + 0.5);
+  const int32_t fixed = int32_t(double(weight) * kFixedOne + 0.5);
   return fixed < 1 ? 1 : fixed;
 }
 
 // A voxel's share in the evidence of each of its six faces, signed;
 // |evidence| at most kMaxEvidence.
 inline int32_t FixedFaceEvidence(float evidence) {
-  const double share = double(evidence) / 6 * kCutScale;
+  const double share = double(evidence) / 6 * kFixedOne;
   return int32_t(share + (share < 0 ? -0.5 : 0.5));
 }
 
@@ -55,6 +55,6 @@ struct CutScale {
   }
 };
 
-inline double FromFixed(int64_t value) { return double(value) / kCutScale; }
+inline double FromFixed(int64_t value) { return double(value) / kFixedOne; }
 
 }  // namespace octacut

@@ -26,10 +26,10 @@ VertexCorners FindVertexCorners(
     end += offset;
     offset = end;
   }
-  result.corners.resize(end);
+  result.entries.resize(end);
   for (size_t t = triangles.size(); t-- > 0;) {
     for (int i = 3; i-- > 0;) {
-      result.corners[--result.offsets[triangles[t][i]]] = uint32_t(3 * t + i);
+      result.entries[--result.offsets[triangles[t][i]]] = uint32_t(3 * t + i);
     }
   }
   return result;
@@ -39,8 +39,8 @@ VertexCorners FindVertexNeighbors(
     size_t num_vertices, std::span<const std::array<uint32_t, 3>> triangles) {
   VertexCorners result = FindVertexCorners(num_vertices, triangles);
   // Each neighbour follows the vertex in exactly one triangle.
-  for (uint32_t& corner : result.corners) {
-    corner = triangles[corner / 3][(corner + 1) % 3];
+  for (uint32_t& entry : result.entries) {
+    entry = triangles[entry / 3][(entry + 1) % 3];
   }
   return result;
 }
@@ -48,8 +48,8 @@ VertexCorners FindVertexNeighbors(
 VertexCorners FindVertexFaces(
     size_t num_vertices, std::span<const std::array<uint32_t, 3>> triangles) {
   VertexCorners result = FindVertexCorners(num_vertices, triangles);
-  for (uint32_t& corner : result.corners) {
-    corner /= 3;
+  for (uint32_t& entry : result.entries) {
+    entry /= 3;
   }
   return result;
 }

@@ -11,14 +11,14 @@
 namespace octacut {
 
 // A corner of a triangle: 3 * triangle + position in it. Those of vertex v
-// are corners[offsets[v]] .. corners[offsets[v + 1] - 1], ascending.
+// are entries[offsets[v]] .. entries[offsets[v + 1] - 1], ascending.
 struct VertexCorners {
   std::vector<uint32_t> offsets;
-  std::vector<uint32_t> corners;
+  std::vector<uint32_t> entries;
 
   std::span<const uint32_t> Of(size_t vertex) const {
-    return {corners.data() + offsets[vertex],
-            corners.data() + offsets[vertex + 1]};
+    return {entries.data() + offsets[vertex],
+            entries.data() + offsets[vertex + 1]};
   }
 };
 

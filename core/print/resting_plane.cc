@@ -28,7 +28,7 @@ constexpr double kMinTolerance = 0.001;
 constexpr double kMaxTolerance = 0.01;
 // Fewer may be on a plane by chance.
 constexpr size_t kMinPoints = 20;
-constexpr size_t kMinShare = 10;  // one of so many candidates
+constexpr size_t kPointDivisor = 10;  // one of so many candidates
 // If a tenth of the points are on the plane, three of them are all on it in one
 // of 1000 trials: 4000 miss it once in 50 runs, and one with a fifth never.
 constexpr uint64_t kTrials = 4000;
@@ -82,7 +82,7 @@ class StandSearch {
 
   size_t NumCandidates() const { return candidates_.size(); }
   size_t LeastPoints() const {
-    return std::max(kMinPoints, candidates_.size() / kMinShare);
+    return std::max(kMinPoints, candidates_.size() / kPointDivisor);
   }
   // From the plane to the lowest of some vertices.
   double Gap(const Plane& plane) const { return LeastHeight(plane, vertices_); }

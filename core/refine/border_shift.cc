@@ -8,7 +8,7 @@ namespace octacut {
 namespace {
 
 constexpr size_t kMinContourTargets = 100;
-constexpr size_t kMinShare = 10;  // one in so many of all occluding contours
+constexpr size_t kContourDivisor = 10;  // one in so many occluding contours
 constexpr double kShareOfBites = 0.01;
 
 struct ContourExcess {
@@ -61,7 +61,7 @@ std::optional<BorderExcess> MeasureExcess(
     }
   }
   if (excesses.size() <
-      std::max(kMinContourTargets, contours.size() / kMinShare)) {
+      std::max(kMinContourTargets, contours.size() / kContourDivisor)) {
     return std::nullopt;
   }
   const float median = WeightedQuantile(excesses, 0.5);

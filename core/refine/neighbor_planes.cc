@@ -46,8 +46,8 @@ std::vector<float> WeighNeighbors(const std::vector<LocalSurface>& surfaces,
 NeighborPlanes FitNeighborPlanes(const std::vector<LocalSurface>& surfaces,
                                  const VertexCorners& neighbors) {
   NeighborPlanes planes;
-  planes.shares.reserve(neighbors.corners.size());
-  planes.slopes.reserve(neighbors.corners.size());
+  planes.shares.reserve(neighbors.entries.size());
+  planes.slopes.reserve(neighbors.entries.size());
   planes.spacings.reserve(surfaces.size());
   std::vector<Eigen::Vector3f> rows;  // 1, x, y; lengths in mean distances
   for (size_t i = 0; i < surfaces.size(); ++i) {
@@ -88,7 +88,7 @@ std::vector<Eigen::Vector3f> NeighborPlanes::Slopes(
   std::vector<Eigen::Vector3f> sums(values.size(), Eigen::Vector3f::Zero());
   for (size_t i = 0; i < sums.size(); ++i) {
     for (uint32_t k = neighbors.offsets[i]; k < neighbors.offsets[i + 1]; ++k) {
-      sums[i] += float(values[neighbors.corners[k]]) * slopes[k];
+      sums[i] += float(values[neighbors.entries[k]]) * slopes[k];
     }
   }
   return sums;

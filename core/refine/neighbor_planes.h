@@ -13,7 +13,7 @@
 namespace octacut {
 
 struct NeighborPlanes {
-  // The share of each neighbour's value, in the order of neighbors.corners, in
+  // The share of each neighbour's value, in the order of neighbors.entries, in
   // the plane's value at the point (they sum to 1) and in its slope there.
   std::vector<float> shares;
   std::vector<Eigen::Vector3f> slopes;

@@ -37,7 +37,7 @@ double MeanSpacing(const IndexedMesh& mesh, const SurfacePoints& points) {
                  .norm();
     }
   }
-  return sum / double(std::max<size_t>(points.neighbors.corners.size(), 1));
+  return sum / double(std::max<size_t>(points.neighbors.entries.size(), 1));
 }
 
 // Returns how many views the last step has aligned.

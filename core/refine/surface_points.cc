@@ -64,7 +64,7 @@ VertexCorners JoinPoints(const VertexCorners& neighbors,
   result.offsets.assign(num_points + 1, 0);
   for (const auto& [from, to] : joints) {
     ++result.offsets[from + 1];
-    result.corners.push_back(to);
+    result.entries.push_back(to);
   }
   for (size_t point = 0; point < num_points; ++point) {
     result.offsets[point + 1] += result.offsets[point];

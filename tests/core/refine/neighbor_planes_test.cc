@@ -21,7 +21,7 @@ TEST(NeighborPlanes, ContinueWhatTiltsEvenly) {
   const std::vector<LocalSurface> surfaces =
       FitLocalSurfaces(mesh, neighbors, points.vertices, 0.1, Context(1));
   const NeighborPlanes planes = FitNeighborPlanes(surfaces, points.neighbors);
-  ASSERT_EQ(planes.shares.size(), points.neighbors.corners.size());
+  ASSERT_EQ(planes.shares.size(), points.neighbors.entries.size());
   ASSERT_EQ(planes.spacings.size(), surfaces.size());
   const Eigen::Vector3f tilt(0.3f, -0.5f, 0.2f);
   std::vector<double> values;
@@ -58,10 +58,10 @@ VertexCorners NeighborsWithin(float radius,
     for (size_t k = 0; k < surfaces.size(); ++k) {
       const float distance = (surfaces[k].center - surface.center).norm();
       if (distance > 0 && distance <= radius) {
-        neighbors.corners.push_back(uint32_t(k));
+        neighbors.entries.push_back(uint32_t(k));
       }
     }
-    neighbors.offsets.push_back(uint32_t(neighbors.corners.size()));
+    neighbors.offsets.push_back(uint32_t(neighbors.entries.size()));
   }
   return neighbors;
 }

@@ -79,7 +79,7 @@ SurfaceEvidence ThreePoints(const std::vector<PointEvidence>& values) {
   triangle.triangles = {{0, 1, 2}};
   SurfaceEvidence evidence{RayScene(triangle), {}, values, 0.01};
   evidence.points.neighbors.offsets = {0, 1, 3, 4};
-  evidence.points.neighbors.corners = {1, 0, 2, 1};
+  evidence.points.neighbors.entries = {1, 0, 2, 1};
   for (size_t i = 0; i < 3; ++i) {
     evidence.values[i].position = Eigen::Vector3f(0.04f * float(i), 0, 0);
   }

@@ -72,10 +72,9 @@ void AdoptCut(const std::vector<FaceLabels>& labels,
               const Context& context,
               Crust* crust);
 
-// Roughly, the voxels of a level that the surface passes through, and those of
-// the crust around them: the surface in a tight cube has some 2.5 times the
-// area of one of its sides.
-size_t EstimateSurfaceVoxels(int level, double layers = 1);
-size_t EstimateCrustVoxels(int level, const CrustOptions& options);
+// Roughly, the vertices of the mesh of a level, and the voxels of the crust,
+// for a surface of that area in unit coordinates.
+size_t EstimateVertices(int level, double area);
+size_t EstimateCrustVoxels(int level, double area, const CrustOptions& options);
 
 }  // namespace octacut

@@ -110,11 +110,12 @@ SolvedLevel SolveFinerLevel(const LevelInputs& inputs,
   }
 }
 
-size_t EstimateLevelBytes(int level, const ReconstructionOptions& options) {
+size_t EstimateLevelBytes(double area, const ReconstructionOptions& options) {
   // Grid, ties, prior, phi, weights, evidence, normals and depth maps. The
   // state of a cut is there beside them while its crust may grow.
   constexpr size_t kBytesPerVoxel = 48;
-  const size_t num_voxels = EstimateCrustVoxels(level, options.crust);
+  const size_t num_voxels =
+      EstimateCrustVoxels(options.target_level, area, options.crust);
   return num_voxels * kBytesPerVoxel +
          EstimateOctahedralCutBytes(num_voxels, true, options.cut.lean);
 }

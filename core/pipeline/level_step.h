@@ -20,7 +20,8 @@ SolvedLevel SolveFinerLevel(const LevelInputs& inputs,
                             const LabelHierarchy& hierarchy,
                             LevelSummary* summary);
 
-// Bytes that a level will need at its peak, roughly.
-size_t EstimateLevelBytes(int level, const ReconstructionOptions& options);
+// Bytes that the last level will need at its peak, roughly, for a surface of
+// that area in unit coordinates.
+size_t EstimateLevelBytes(double area, const ReconstructionOptions& options);
 
 }  // namespace octacut

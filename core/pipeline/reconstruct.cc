@@ -19,6 +19,7 @@
 #include "core/pipeline/level_step.h"
 #include "core/pipeline/prepare_scene.h"
 #include "core/pipeline/shown_surface.h"
+#include "core/scene/surface_area.h"
 #include "core/views/view_set.h"
 
 namespace octacut {
@@ -312,14 +313,16 @@ Reconstruction Reconstruct(const Scene& scene,
 }
 
 size_t EstimateReconstructionBytes(const Scene& scene,
+                                   const BoundingCube& cube,
                                    const ReconstructionOptions& options,
                                    const Context& context) {
+  const double area = EstimateSurfaceArea(scene.views, cube);
   const size_t refinement_bytes =
-      options.refine
-          ? EstimateRefinementBytes(EstimateSurfaceVoxels(options.target_level))
-          : 0;
+      options.refine ? EstimateRefinementBytes(
+                           EstimateVertices(options.target_level, area))
+                     : 0;
   return EstimateViewBytes(scene) +
-         std::max({EstimateLevelBytes(options.target_level, options),
+         std::max({EstimateLevelBytes(area, options),
                    refinement_bytes,
                    EstimateSweepBytes(scene.views.size(),
                                       options.hull.hull_level,

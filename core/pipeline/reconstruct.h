@@ -38,8 +38,10 @@ Reconstruction Reconstruct(const Scene& scene,
                            const Context& context,
                            const LevelObserver& observer = nullptr);
 
-// Bytes that Reconstruct will need at its peak besides the scene, roughly.
+// Bytes that Reconstruct will need at its peak besides the scene, roughly: the
+// silhouettes tell how large the surface in the cube is.
 size_t EstimateReconstructionBytes(const Scene& scene,
+                                   const BoundingCube& cube,
                                    const ReconstructionOptions& options,
                                    const Context& context);
 

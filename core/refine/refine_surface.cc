@@ -207,7 +207,7 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
 
 size_t EstimateRefinementBytes(size_t num_vertices) {
   // Mesh, boxes, rays, points and their equations, as measured.
-  constexpr size_t kBytesPerVertex = 700;
+  constexpr size_t kBytesPerVertex = 1000;
   return num_vertices * kBytesPerVertex;
 }
 

@@ -40,8 +40,9 @@ double PixelSize(const ViewSet& views, const Eigen::Vector3f& point) {
 size_t EstimateViewBytes(const Scene& scene) {
   size_t bytes = 0;
   for (const View& view : scene.views) {
-    // Pyramid (4 bytes per pixel and a third), summed areas and distances.
-    bytes += view.mask.total() * 12;
+    // Pyramid (4 bytes per pixel and a third), distances to borders of masks
+    // and edges, depths of the surface.
+    bytes += view.mask.total() * 14;
   }
   return bytes;
 }

@@ -174,8 +174,8 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   context.Info(fmt::format(
       "The reconstruction needs about {:.1f} GB of memory in addition to the "
       "images.",
-      double(EstimateReconstructionBytes(loaded.scene, meshing_, context)) /
-          1e9));
+      1e-9 * double(EstimateReconstructionBytes(
+                 loaded.scene, loaded.region.cube, meshing_, context))));
   const Reconstruction result =
       Reconstruct(loaded.scene, loaded.region, meshing_, context, observer);
   IndexedMesh mesh = ToIndexedMesh(result.mesh);

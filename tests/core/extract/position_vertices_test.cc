@@ -81,6 +81,7 @@ TEST(PositionVertices, SingleFaceKeepsItsArea) {
   const PositionedSurface positioned = Place(block, UnitVoxels(2));
   const MeshAudit audit = AuditMesh(positioned.mesh);
   EXPECT_EQ(audit.DescribeFailure(), "");
+  EXPECT_GE(SmallestHeight(positioned.mesh), 0.02 - 1e-12);
 }
 
 TEST(PositionVertices, VolumeOfASphereIsUnbiased) {

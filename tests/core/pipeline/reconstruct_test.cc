@@ -219,42 +219,62 @@ TEST(Reconstruct, RefusesScenesItCannotUse) {
               AnyOf(HasSubstr("hull is empty"), HasSubstr("surface vanished")));
 }
 
-TEST(EstimateReconstructionBytes, GrowsWithLevelCrustAndViews) {
-  Scene scene;
-  ReconstructionOptions options;
-  options.target_level = 9;
-  const auto bytes_of = [](const auto& of, const auto& with) {
-    return EstimateReconstructionBytes(of, with, Context(1));
-  };
-  const size_t bytes = bytes_of(scene, options);
-  // At 512^3: most of what the vertices need in refinement, and less than the
-  // 4 GB that a run of that size may take.
-  EXPECT_GT(bytes, size_t(300) << 20);
-  EXPECT_LT(bytes, size_t(4) << 30);
-  options.target_level = 10;
-  EXPECT_GT(bytes_of(scene, options), 3 * bytes);
-  options.target_level = 9;
-  options.crust.crust_dilation = 4;
-  EXPECT_GT(bytes_of(scene, options), bytes);
-  options.crust.crust_dilation = 2;
-  options.cut.lean = true;
-  EXPECT_LT(bytes_of(scene, options), bytes);
-  options.cut.lean = false;
+// Views of a ball whose surface has `area` squares of the cube's faces; few
+// pixels, so that they need little memory themselves.
+Scene SceneOfArea(double area, int num_views = 3) {
   View view;
-  view.mask = cv::Mat::zeros(100, 200, CV_8UC1);
-  scene.views.push_back(view);
-  // Image and silhouette sums: at least 8 bytes per pixel.
-  EXPECT_GE(bytes_of(scene, options), bytes + size_t{8} * 100 * 200);
+  view.camera = {100, 100, 100, 100, 50, 50};
+  view.cam_from_world.translation = {0, 0, 2};
+  // 4 * (pixels of the disc) * (2 / 100)^2 = area
+  view.mask = cv::Mat::zeros(100, 100, CV_8UC1);
+  view.mask.rowRange(0, int(std::lround(area * 6.25))).setTo(255);
+  return {std::vector<View>(size_t(num_views), view), {}};
 }
 
-// Where cuts are thin and lean, refinement needs more than they.
-TEST(EstimateReconstructionBytes, CountsRefinement) {
+size_t BytesOf(const Scene& scene,
+               const ReconstructionOptions& options,
+               int num_threads = 1) {
+  const BoundingCube cube{Eigen::Vector3d::Constant(-0.5), 1};
+  return EstimateReconstructionBytes(
+      scene, cube, options, Context(num_threads));
+}
+
+TEST(EstimateReconstructionBytes, GrowsWithSurfaceLevelAndViews) {
+  const Scene scene = SceneOfArea(2.56);
   ReconstructionOptions options;
-  options.crust.crust_dilation = 1;
-  options.cut.lean = true;
-  const size_t refined = EstimateReconstructionBytes({}, options, Context(1));
+  options.target_level = 9;
+  const size_t bytes = BytesOf(scene, options);
+  // 0.9 million vertices, of 1000 bytes each in refinement.
+  EXPECT_GT(bytes, 850'000'000u);
+  EXPECT_LT(bytes, 900'000'000u);
+  EXPECT_GT(BytesOf(SceneOfArea(5.12), options), bytes + bytes * 9 / 10);
+  options.target_level = 10;
+  EXPECT_GT(BytesOf(scene, options), 3 * bytes);
+  options.target_level = 9;
+  // Image and silhouette sums: at least 8 bytes per pixel.
+  EXPECT_GE(BytesOf(SceneOfArea(2.56, 13), options),
+            bytes + size_t{8} * 10 * 100 * 100);
+}
+
+TEST(EstimateReconstructionBytes, CountsCrustAndCut) {
+  const Scene scene = SceneOfArea(2.56);
+  ReconstructionOptions options;
+  options.target_level = 9;
   options.refine = false;
-  EXPECT_GT(refined, EstimateReconstructionBytes({}, options, Context(1)));
+  const size_t bytes = BytesOf(scene, options);
+  options.crust.crust_dilation = 4;
+  EXPECT_GT(BytesOf(scene, options), bytes + bytes / 2);
+  options.crust.crust_dilation = 2;
+  options.cut.lean = true;
+  EXPECT_LT(BytesOf(scene, options), bytes);
+}
+
+TEST(EstimateReconstructionBytes, CountsRefinement) {
+  const Scene scene = SceneOfArea(2.56);
+  ReconstructionOptions options;
+  const size_t refined = BytesOf(scene, options);
+  options.refine = false;
+  EXPECT_GT(refined, BytesOf(scene, options));
 }
 
 // Where the target is coarse the depth sweep needs more than the cut.
@@ -262,8 +282,8 @@ TEST(EstimateReconstructionBytes, CountsTheDepthSweepOfEveryThread) {
   ReconstructionOptions options;
   options.target_level = options.hull.hull_level = 8;
   options.refine = false;
-  const size_t one = EstimateReconstructionBytes({}, options, Context(1));
-  const size_t four = EstimateReconstructionBytes({}, options, Context(4));
+  const size_t one = BytesOf({}, options);
+  const size_t four = BytesOf({}, options, 4);
   // Scores of 512^2 rays on 256 planes.
   EXPECT_EQ(four, size_t(4) * 512 * 512 * 256 * sizeof(float));
   EXPECT_LT(one, four);

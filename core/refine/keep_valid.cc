@@ -83,9 +83,9 @@ size_t WithdrawIntoHull(const ViewSet& views,
 }
 
 // Smooths where vertices are not where they were `wanted`, and a ring around:
-// moved back one by one they stand out of a surface that has moved on, and with
-// normals so odd that no view or point speaks of them any more. What was to
-// stay where it was stays.
+// moved back one by one they make a rough surface, or stand out of one that has
+// moved on, with normals so odd that no view or point speaks of them any more.
+// What was to stay where it was stays.
 void RelaxMoved(const std::vector<Eigen::Vector3d>& before,
                 const std::vector<Eigen::Vector3d>& wanted,
                 const VertexCorners& neighbors,
@@ -124,18 +124,18 @@ size_t KeepValid(const ViewSet& views,
                  IndexedMesh* mesh) {
   const auto& [start, before, tolerance, pixel] = moves;
   const Phase phase(context, "refinement: validity check");
-  const size_t num_withdrawn =
-      WithdrawIntoHull(views, start, before, tolerance, context, mesh);
   const std::vector<Eigen::Vector3d> wanted = mesh->positions;
-  const size_t num_tangled =
+  size_t num_withdrawn =
+      WithdrawIntoHull(views, start, before, tolerance, context, mesh);
+  num_withdrawn +=
       Untangle(before, kMinHeight * pixel, context, mesh).num_withdrawn;
-  if (num_tangled > 0) {
+  if (num_withdrawn > 0) {
     const std::vector<Eigen::Vector3d> valid = mesh->positions;
     RelaxMoved(before, wanted, neighbors, mesh);
     WithdrawIntoHull(views, start, valid, tolerance, context, mesh);
     Untangle(valid, kMinHeight * pixel, context, mesh);
   }
-  return num_withdrawn + num_tangled;
+  return num_withdrawn;
 }
 
 size_t KeepFloatsValid(const std::vector<Eigen::Vector3d>& before,

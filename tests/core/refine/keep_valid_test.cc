@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
 #include "tests/core/refine/refine_scene.h"
@@ -91,7 +94,11 @@ TEST(KeepValid, SmoothsWhatIsLeftBehind) {
 TEST(KeepValid, KeepsVerticesInTheHull) {
   const testing::RefineScene scene = testing::MakeRefineScene();
   const IndexedMesh start = scene.Larger(24, -1);
-  IndexedMesh mesh = scene.Larger(24, 7);
+  // 4 to 8 pixels out, ruffled.
+  IndexedMesh mesh =
+      scene.ToUnitMesh(scene.Mesh(24, [&](const Eigen::Vector3d& direction) {
+        return (6 + 2 * std::sin(200 * direction.x())) * scene.Pixel();
+      }));
   const double pixel = scene.Pixel() / scene.test.region.cube.edge;
   EXPECT_GT(Keep(scene.test.views,
                  start.positions,
@@ -100,15 +107,24 @@ TEST(KeepValid, KeepsVerticesInTheHull) {
                  pixel,
                  &mesh),
             mesh.positions.size() / 2);
-  double largest = 0;
+  std::vector<double> heights;
   for (const Eigen::Vector3d& position : mesh.positions) {
-    largest =
-        std::max(largest,
-                 testing::ToWorld(scene.test.region.cube, position).norm() -
-                     testing::RefineScene::kRadius);
+    heights.push_back(
+        (testing::ToWorld(scene.test.region.cube, position).norm() -
+         testing::RefineScene::kRadius) /
+        scene.Pixel());
   }
   // The tolerance, and what the masks round to whole pixels.
-  EXPECT_LT(largest, 2 * scene.Pixel());
+  EXPECT_LT(*std::max_element(heights.begin(), heights.end()), 2);
+  // What is moved back is smooth, unlike what it was to become.
+  const VertexCorners neighbors = testing::RefineScene::Neighbors(mesh);
+  double step = 0;
+  for (size_t v = 0; v < heights.size(); ++v) {
+    for (const uint32_t next : neighbors.Of(v)) {
+      step = std::max(step, std::abs(heights[v] - heights[next]));
+    }
+  }
+  EXPECT_LT(step, 0.5);
 }
 
 // What a first move took into a mask that is too small may come out again.

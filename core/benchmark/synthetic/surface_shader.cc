@@ -126,7 +126,7 @@ Vector3f SurfaceShader::Sent(const SurfacePoint& point, int num_bounces) const {
   }
   const Vector3f fresnel =
       Fresnel(finish.reflectance, point.normal.dot(point.to_eye));
-  const Vector3f mirrored =
+  Vector3f mirrored =
       fresnel.cwiseProduct(Mirrored(point, num_bounces)).cwiseMin(kBrightest);
   if (finish.is_metal) {
     return mirrored;

@@ -50,7 +50,7 @@ TEST(RenderShaded, PaintsVertexColors) {
   options.use_vertex_colors = true;
   const cv::Mat image =
       RenderShaded(mesh, RayScene(mesh), TestCamera(), {}, options, Context(2));
-  const cv::Vec3b pixel = image.at<cv::Vec3b>(24, 32);
+  const cv::Vec3b& pixel = image.at<cv::Vec3b>(24, 32);
   EXPECT_GT(pixel[2], 100);
   EXPECT_EQ(pixel[1], 0);
 }

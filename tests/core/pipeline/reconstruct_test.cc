@@ -219,8 +219,8 @@ TEST(Reconstruct, RefusesScenesItCannotUse) {
               AnyOf(HasSubstr("hull is empty"), HasSubstr("surface vanished")));
 }
 
-// Views of a ball whose surface has `area` squares of the cube's faces; few
-// pixels, so that they need little memory themselves.
+// Views whose silhouettes are those of a surface as large as `area` faces of
+// the cube; of few pixels, so that they need little memory themselves.
 Scene SceneOfArea(double area, int num_views = 3) {
   View view;
   view.camera = {100, 100, 100, 100, 50, 50};

@@ -99,6 +99,7 @@ TEST(KeepLargestComponents, RemovesCrumbsAndSmallCavities) {
     mesh.colors.push_back({uint8_t(v), 0, 0});
   }
 
+  ASSERT_EQ(AuditMesh(mesh).num_components, 3u);
   const KeptComponents all = KeepLargestComponents(mesh, 0);
   EXPECT_EQ(all.num_removed, 0);
   EXPECT_EQ(all.mesh.triangles, mesh.triangles);

@@ -117,7 +117,7 @@ void WriteExampleWorkspace(const SyntheticScene& scene,
   for (const char* part : {"images", "masks", "sparse", "gt"}) {
     CreateFolder(folder / part);
   }
-  const Phase phase(context, "Writing the workspace");
+  const Phase phase(context, "writing of the workspace");
   ParallelFor(context, scene.views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const SyntheticView& view = scene.views[i];

@@ -114,8 +114,8 @@ ExportScale ExportScaleOptions::FromMarkers(const Workspace& workspace,
     return MeasureMarkerScale(sightings, aruco_side_);
   });
   context.Info(fmt::format(
-      "ArUco markers: {} measured, sides agree to {:.2f} %, corners to {:.2f} "
-      "pixels; a unit of the mesh is {:.6g} mm",
+      "{} ArUco markers were measured. Their sides agree to {:.2f} % and their "
+      "corners to {:.2f} pixels; one unit of the mesh is {:.6g} mm.",
       scale.markers.size(),
       100 * scale.side_rms,
       scale.reprojection_rms,

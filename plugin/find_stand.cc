@@ -106,7 +106,8 @@ void FindStand(const SparseModel& model,
   });
   MarkPoints(sparse_points, files);
   context.Info(
-      fmt::format("The object stands on a plane with {} sparse points.",
+      fmt::format("The object stands on a plane that {} sparse points show. "
+                  "The plane and everything below it are background.",
                   sparse_points.size()));
 }
 

@@ -17,12 +17,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path TemporaryFolder() {
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  if (error) {
+    throw Error(
+        "--log_path: there is no folder for temporary files (TMPDIR), so a "
+        "folder or file is needed here");
+  }
+  return folder;
+}
+
 fs::path MakeLogFilePath(const fs::path& log_path, std::string_view run_name) {
   if (LowerExtension(log_path) == ".log") {
     return log_path;
   }
-  const fs::path folder =
-      log_path.empty() ? fs::temp_directory_path() : log_path;
+  const fs::path folder = log_path.empty() ? TemporaryFolder() : log_path;
   return folder / fmt::format("octacut-{}-{:%Y%m%d-%H%M%S}-{}.log",
                               run_name,
                               fmt::localtime(std::time(nullptr)),

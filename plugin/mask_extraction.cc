@@ -255,10 +255,10 @@ void DeclareMaskExtractionOptions(OptionManager& options,
       "prior (docs/masks.md). Default: none.");
   options.Add("on_stand",
               &extraction->on_stand,
-              "Whether to leave out the plane on which the object stands, as "
-              "estimated from the sparse points, and everything below it: 1 "
-              "always, 0 never, -1 if the photographs show an object that "
-              "stands on it.");
+              "Whether the plane on which the object stands (estimated from "
+              "the sparse points) and everything below it are background in "
+              "the masks: 1 always, 0 never, -1 if the photographs show an "
+              "object that stands on a plane.");
 }
 
 MaskList ExtractMasks(const Workspace& workspace,

@@ -50,7 +50,7 @@ MeasuredMesh MeasureMesh(const fs::path& path,
                          bool self_intersections,
                          const Context& context,
                          AllowClouds clouds) {
-  const Phase phase(context, fmt::format("Examine {}", name));
+  const Phase phase(context, fmt::format("audit of {}", name));
   MeshFile file = ReadMeshAndLog(path, context);
   if (file.mesh.triangles.empty() &&
       (clouds == AllowClouds::kNo || file.mesh.positions.empty())) {

@@ -14,9 +14,9 @@ namespace {
 
 std::string FilesWritten(const WorkspaceArguments& workspace) {
   std::string text =
-      fmt::format("Wrote the report: {}", workspace.report_path.string());
+      fmt::format("Wrote the report to {}", workspace.report_path.string());
   for (const auto& [path, what] : workspace.FilesBesideMesh()) {
-    text += fmt::format("; {}: {}", what, path.string());
+    text += fmt::format(", {} to {}", what, path.string());
   }
   return text;
 }
@@ -51,6 +51,19 @@ void WriteMeshReport(const CommandEnvironment& environment,
   WriteReport(workspace.report_path, report);
   environment.context.Info(FilesWritten(workspace));
   environment.context.Info(ResourcesUsed(report));
+}
+
+void PrintMesh(const CommandEnvironment& environment,
+               const WorkspaceArguments& workspace,
+               const MeshAudit& audit) {
+  environment.out << fmt::format(
+      "{}: {} vertices, {} triangles, closed 2-manifold with {} {}, genus {}\n",
+      workspace.output_path.string(),
+      audit.num_vertices,
+      audit.num_triangles,
+      audit.num_components,
+      audit.num_components == 1 ? "component" : "components",
+      audit.genus);
 }
 
 }  // namespace octacut

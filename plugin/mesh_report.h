@@ -26,4 +26,9 @@ void WriteMeshReport(const CommandEnvironment& environment,
                      const WorkspaceArguments& workspace,
                      const MeshResult& result);
 
+// Writes one line about the new mesh to the output of the command.
+void PrintMesh(const CommandEnvironment& environment,
+               const WorkspaceArguments& workspace,
+               const MeshAudit& audit);
+
 }  // namespace octacut

@@ -42,9 +42,10 @@ void DeclareMainOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.min_handle",
       &meshing->finish.min_handle,
-      "Remove bridges up to this circumference and fill tunnels up to twice "
-      "it, in voxels or, if larger, pixels. Where no silhouette shows them, "
-      "the limit is four times this value for both. 0 keeps all.");
+      "Remove bridges up to this circumference, and fill tunnels up to twice "
+      "this circumference, in voxels or, if larger, pixels. The limit is up to "
+      "four times this value where no silhouette shows the handle. 0 keeps "
+      "all.");
 }
 
 void DeclareExpertOptions(OptionManager& options,

@@ -42,8 +42,8 @@ SharedCameraAlignment AlignBySharedViews(const SparseModel& model,
       alignment.rms);
   if (alignment.rms > kLargestDisagreement * alignment.spread) {
     context.Warn(figures +
-                 ". The models hardly have the same cameras; the comparison "
-                 "may be meaningless.");
+                 ". The cameras of the two models probably differ; the "
+                 "comparison may be meaningless.");
   } else {
     context.Info(figures + ".");
   }

@@ -113,8 +113,10 @@ Json AddNormalMap(const IndexedMesh& full,
     return BakeNormals(full, result->layout, context, &result->textured);
   });
   context.Info(fmt::format(
-      "Normal map: normals of the full mesh differ by {:.2f} degrees on "
-      "average; {:.2f} % of the texels are further than {:.4g} from it.",
+      "Normal map: the normals of the denser mesh differ from those of the "
+      "textured mesh by {:.2f} degrees on average. {:.2f} % of the texels are "
+      "farther than {:.4g} units from the denser mesh and keep the normals of "
+      "the textured mesh.",
       summary.mean_angle,
       100 * double(summary.num_missed) /
           double(std::max<size_t>(1, summary.num_texels)),
@@ -216,7 +218,8 @@ void TexturingArguments::Declare(OptionManager& options) {
   options.Add("picture_path",
               &picture_path,
               "Picture to write (.png or .jpg): a photograph, the textured "
-              "mesh, and the mesh under another light. Default: none.");
+              "mesh from the same camera, and the textured mesh rendered with "
+              "a different light. Default: none.");
   options.Add("normal_map_from",
               &normal_map_path,
               "Denser mesh of which mesh_path is a simplified version; its "

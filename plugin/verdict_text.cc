@@ -14,7 +14,7 @@
 namespace octacut {
 namespace {
 
-// The share of the pixels that are certainly object that may be missed: as many
+// The share of the certain object pixels that may be missed: as many
 // as smoothing takes from the tips of a good mesh.
 constexpr double kMaxMissed = 0.001;
 // The share of them that may be missed because components were removed.
@@ -130,8 +130,8 @@ class Writer {
       shares.push_back(Percent(counts.missed, counts.Sure()));
     }
     text_.warnings.push_back(
-        fmt::format("The mesh leaves {:.2f} % of the pixels uncovered that are "
-                    "certainly object, most of them in {}.{}",
+        fmt::format("The mesh does not cover {:.2f} % of the certain object "
+                    "pixels, most of them in {}.{}",
                     Percent(total.missed, total.Sure()),
                     NameLargest(shares, views_, true),
                     HelpForMissed(check)));
@@ -170,9 +170,9 @@ class Writer {
     const double sum = std::accumulate(pixels.begin(), pixels.end(), 0.0);
     if (sum > kMaxRemoved * double(verdict_.repaired_masks.total.Sure())) {
       text_.warnings.push_back(fmt::format(
-          "Small components were removed, which leaves {} pixels uncovered "
-          "that are certainly object, most of them in {}. A smaller "
-          "`min_component` of octahedral_mesher keeps these components.",
+          "Small components were removed. Therefore {} certain object pixels, "
+          "most of them in {}, are not covered. A smaller `min_component` of "
+          "octahedral_mesher keeps these components.",
           sum,
           NameLargest(pixels, views_, false)));
     }
@@ -198,8 +198,9 @@ class Writer {
         shares.push_back(Percent(counts.surely_exceeded, counts.object));
       }
       text_.warnings.push_back(fmt::format(
-          "The mesh extends beyond the original masks by {:.2f} %, even if "
-          "masks that are too small are allowed for. Check the masks of {}.",
+          "The mesh extends beyond the original masks and their tolerance: it "
+          "covers background pixels that amount to {:.2f} % of the object "
+          "pixels. Check the masks of {}.",
           Percent(given.total.surely_exceeded, given.total.object),
           NameLargest(shares, views_, true)));
     }

@@ -62,11 +62,12 @@ void DeclareLoadingOptions(OptionManager& options,
                            fs::path* workspace_path,
                            LoadSceneOptions* loading) {
   DeclareImageOptions(options, workspace_path, loading);
-  options.Add("skip_missing_masks",
-              &loading->skip_missing_masks,
-              "If 1, leave out images whose mask is missing, all background or "
-              "all object instead of stopping. Images that masks.json lists as "
-              "unsure need no mask.");
+  options.Add(
+      "skip_missing_masks",
+      &loading->skip_missing_masks,
+      "If 1, leave out images whose mask is missing, all background, or "
+      "all object; if 0, stop. Images for which mask_extractor found "
+      "no reliable mask, as masks.json says, are always left out.");
 }
 
 void DeclareMaskTolerance(OptionManager& options, double* mask_tolerance) {

@@ -65,15 +65,16 @@ BadViewSummary DecideOnBadViews(const Contradictions& contradictions,
   }
   if (num_grave * kMaxLeftOutDivisor > judged.size()) {
     throw InputError(fmt::format(
-        "{} of {} views contradict the others, which is more than a tenth: {}. "
-        "In brackets: the share of the mask's object that lies where the other "
-        "masks allow none, and the share of the object in the other masks that "
-        "this mask excludes. Such a mask is wrong (shifted, mirrored, of "
-        "another view or object), or the pose of its image is. Use "
-        "--image_list_path to select images, or --keep_all_views 1 to use all "
-        "views",
+        "{} of {} views contradict the others, {} of them seriously, which is "
+        "more than a tenth: {}. The percentages in brackets are the share of "
+        "the mask's object that lies where the other masks allow none, and the "
+        "share of the object in the other masks that this mask excludes. Such "
+        "a mask is wrong (shifted, mirrored, of another view or object), or "
+        "the pose of its image is. Use --image_list_path to select images, or "
+        "--keep_all_views 1 to use all views",
         num_bad,
         judged.size(),
+        num_grave,
         ListOf(summary.views)));
   }
   for (const BadView& view : summary.views) {

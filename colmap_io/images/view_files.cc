@@ -96,8 +96,8 @@ FoundViewFiles FindViewFiles(const Workspace& workspace,
   masks.Report(options.skip_missing_masks, num_images, context);
   if (num_unsure_masks > 0) {
     context.Info(fmt::format(
-        "{} of {} images are left out, since {} says that no sure mask was "
-        "found for them.",
+        "{} of {} images are left out: according to {}, mask_extractor found "
+        "no reliable mask for them.",
         num_unsure_masks,
         num_images,
         (workspace.mask_path / kMaskListName).string()));

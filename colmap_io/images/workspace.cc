@@ -74,7 +74,7 @@ SparseModel LargestModel(const std::vector<fs::path>& folders,
   if (folders.size() > 1) {
     context.Info(
         fmt::format("Found {} sparse models. Using {}, which has the most "
-                    "images ({}); name its folder to use another one.",
+                    "images ({}). To use another one, pass its folder.",
                     folders.size(),
                     chosen->string(),
                     most));

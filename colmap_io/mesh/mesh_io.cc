@@ -97,8 +97,8 @@ MeshFormat MeshFormatOf(const std::filesystem::path& path) {
   if (extension == ".3mf") return MeshFormat::k3mf;
   if (extension == ".glb") return MeshFormat::kGlb;
   throw OptionError(fmt::format(
-      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off, .stl, "
-      ".3mf or .glb",
+      "{}: unknown mesh extension \"{}\": must be .ply, .obj, .off or .stl (or "
+      ".3mf or .glb, which are only written)",
       path.string(),
       extension));
 }
@@ -127,8 +127,9 @@ MeshFile ReadMesh(std::istream& stream,
 void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   const MeshFormat format = MeshFormatOf(path);
   CheckSizes(mesh);
-  WriteFile(path,
-            [&](std::ostream& stream) { WriteMesh(stream, format, mesh); });
+  WriteFile(path, [&](std::ostream& stream) {
+    NamingErrors(path.string(), [&] { WriteMesh(stream, format, mesh); });
+  });
 }
 
 void WriteMeshWithValues(const std::filesystem::path& path,

@@ -43,7 +43,7 @@ void CheckSize(const IndexedMesh& mesh) {
     return;
   }
   if (box.sizes().maxCoeff() < kLeast) {
-    throw Error(
+    throw InputError(
         fmt::format("3MF has six decimals of a millimetre, and the mesh has a "
                     "size of {:g} mm: it must be at least {:g}",
                     box.sizes().maxCoeff(),
@@ -52,7 +52,7 @@ void CheckSize(const IndexedMesh& mesh) {
   const double farthest =
       box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
   if (farthest > kLargest) {
-    throw Error(
+    throw InputError(
         fmt::format("the mesh has coordinates up to {:g} mm: 3MF files of "
                     "lib3mf hold at most {:g}",
                     farthest,

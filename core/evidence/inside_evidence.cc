@@ -40,12 +40,14 @@ void WarnOfNoDepths(const std::vector<std::vector<int>>& neighbors,
                     const InsideEvidenceOptions& options,
                     const Context& context) {
   context.Warn(
-      fmt::format("No depth is confirmed by {} other views, so concavities "
-                  "stay filled. {} of {} views have fewer neighbouring views "
-                  "at angles of {} to {} degrees.",
+      fmt::format("No depth that a view found is confirmed by {} other views, "
+                  "so concavities may stay filled. {} of {} views have fewer "
+                  "than {} neighbours whose viewing directions differ from "
+                  "theirs by {} to {} degrees.",
                   options.min_agreeing_views,
                   CountLonely(neighbors, options.min_agreeing_views),
                   neighbors.size(),
+                  options.min_agreeing_views,
                   options.sweep.min_angle,
                   options.sweep.max_angle));
 }

@@ -81,8 +81,8 @@ SolvedLevel DeepenLevel(const LevelInputs& inputs,
     return solved;
   }
   inputs.context.Info(
-      fmt::format("Level {}: depths measured near the surface lead into it; "
-                  "its crust grows from {} to {} voxels.",
+      fmt::format("Level {}: the finer depth sweep found depths below the "
+                  "surface, so the crust is enlarged from {} to {} voxels.",
                   present.voxels.Level(),
                   present.voxels.Size(),
                   finer.voxels.Size()));

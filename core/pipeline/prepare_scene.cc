@@ -56,9 +56,9 @@ void WarnOfSingleMasks(std::vector<MaskShift> shifts,
                          DescribeShift(shifts[i].pixels));
   }
   context.Warn(fmt::format(
-      "{} of {} masks are too large or too small, by their photographs and in "
-      "comparison with the other masks: {}{}. Their borders are moved to "
-      "where the photographs show the object's outline.",
+      "The photographs indicate that {} of {} masks are too large or too "
+      "small, unlike the other masks: {}{}. Their borders are moved to where "
+      "the photographs show the object's outline.",
       shifts.size(),
       views.size(),
       named,
@@ -103,8 +103,8 @@ void MoveBorders(const BoundingCube& cube,
     }
     MoveMasks(all, cube, options, context, prepared);
     context.Warn(fmt::format(
-        "By the photographs, all masks are about {}. Their borders are moved "
-        "to where the photographs show the object's outline.",
+        "The photographs indicate that all masks are about {}. Their borders "
+        "are moved to where the photographs show the object's outline.",
         DescribeShift(*large.shift)));
     edges = MeasureBorderEdges(views, context);
   }

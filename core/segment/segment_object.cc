@@ -237,7 +237,7 @@ bool Segmenter::IsObjectSaid() const {
 }
 
 bool Segmenter::FindObject(double middle) {
-  Phase phase(context_, "finding the object", kCoarseRounds + kFineRounds);
+  Phase phase(context_, "search for the object", kCoarseRounds + kFineRounds);
   const bool is_said = IsObjectSaid();
   ForEachView([&](size_t i) {
     const cv::Mat& proposal = input_.views[i].proposal;

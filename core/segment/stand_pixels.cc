@@ -193,7 +193,7 @@ std::vector<cv::Mat> FindStandPixels(std::span<const cv::Mat> images,
     cv::cvtColor(images[i], grey, cv::COLOR_BGR2GRAY);
     grey.convertTo(greys[i], CV_32F);
   }
-  Phase phase(context, "finding the stand", images.size());
+  Phase phase(context, "search for the stand", images.size());
   std::vector<cv::Mat> result(images.size());
   ParallelFor(context, images.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

@@ -71,7 +71,7 @@ class TurntableSegmenter {
       : input_(input), context_(context), result_(input.images.size()) {}
 
   std::vector<TurntableView> Run() {
-    Phase phase(context_, "finding what turns");
+    Phase phase(context_, "search for the turning object");
     const std::vector<cv::Mat> labs = Labs(input_.images);
     const std::vector<cv::Mat> empty_labs = Labs(input_.empty_set);
     const StillBackground of_all = FindStillBackground(labs, context_);

@@ -85,7 +85,7 @@ std::vector<Eigen::Vector3f> FillColors(const IndexedMesh& mesh,
                                         const VertexCorners& vertex_faces,
                                         const FaceChoice& chosen,
                                         const Context& context) {
-  const Phase phase(context, "unseen parts");
+  const Phase phase(context, "colours of unseen parts");
   SeenColors seen = FindSeenColors(vertex_faces, chosen, mesh.positions.size());
   if (seen.num_unknown > 0) {
     const Eigen::MatrixX3d filled = Continue(mesh, seen, context);

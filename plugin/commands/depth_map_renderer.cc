@@ -191,7 +191,7 @@ void DepthMapRenderer::RenderMesh(const Workspace& workspace,
   CheckIsSeen(mesh, workspace.model);
   WriteOrigin(workspace.model);
   const RayScene rays(mesh);
-  Phase phase(context, "Depth maps of the mesh", images.size());
+  Phase phase(context, "depth maps of the mesh", images.size());
   for (const SparseImage* image : images) {
     const PinholeCamera camera =
         UndistortedCamera(*workspace.model.FindCamera(image->camera_id));
@@ -231,7 +231,7 @@ void DepthMapRenderer::Sweep(const Workspace& workspace,
   const std::vector<cv::Mat> depths = SweepDenseDepths(
       loaded.scene, loaded.region.cube, loaded.region.box, sweep_, context);
   WriteOrigin(workspace.model);
-  Phase phase(context, "Depth maps of the sweep", images.size());
+  Phase phase(context, "depth maps of the sweep", images.size());
   for (const SparseImage* image : images) {
     const PinholeCamera camera =
         UndistortedCamera(*workspace.model.FindCamera(image->camera_id));

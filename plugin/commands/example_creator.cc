@@ -277,7 +277,7 @@ void ExampleCreator::Run(const CommandEnvironment& environment) {
     scene_.mesh = ReadClosedMesh(mesh_path_, context);
   }
   const SyntheticScene scene = [&] {
-    const Phase phase(context, "Creating the scene");
+    const Phase phase(context, "creation of the scene");
     return MakeScene(scene_, context);
   }();
   PrepareExampleFolder(output_path_, workspace_);

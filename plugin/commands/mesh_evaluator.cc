@@ -160,8 +160,8 @@ std::vector<JudgedMesh> MeshEvaluator::Judge(const std::vector<View>& views,
     JudgedMesh mesh;
     mesh.measured = MeasureMesh(
         path, NameAmong(path, mesh_paths_), self_intersections_, context);
-    const Phase phase(context,
-                      fmt::format("Evaluate {}", mesh.measured.result.name));
+    const Phase phase(
+        context, fmt::format("evaluation of {}", mesh.measured.result.name));
     mesh.evaluation =
         EvaluateMesh(mesh.measured.mesh, views, evaluate_, context);
     CheckIsSeen(path, mesh.evaluation.silhouettes);

@@ -208,8 +208,8 @@ Eigen::Vector3d MeshExporter::FindUp(const IndexedMesh& mesh,
         });
     up = stand.up;
     context.Info(fmt::format(
-        "stand: {} of {} sparse points around the object lie in its plane, up "
-        "is {:.4f}, {:.4f}, {:.4f}",
+        "{} of {} sparse points around the object lie in the plane of the "
+        "stand. The upward direction is {:.4f}, {:.4f}, {:.4f}.",
         stand.num_points,
         stand.num_candidates,
         up.x(),

@@ -191,14 +191,7 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
   WriteMeshReport(environment,
                   workspace_,
                   {loaded, result.audit, result.verdict, std::move(members)});
-  environment.out << fmt::format(
-      "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s), "
-      "genus {}\n",
-      workspace_.output_path.string(),
-      result.audit.num_vertices,
-      result.audit.num_triangles,
-      result.audit.num_components,
-      result.audit.genus);
+  PrintMesh(environment, workspace_, result.audit);
 }
 
 }  // namespace

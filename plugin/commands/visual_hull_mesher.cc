@@ -45,12 +45,7 @@ void VisualHullMesher::Run(const CommandEnvironment& environment) {
   WriteMesh(workspace_.output_path, ToIndexedMesh(result.mesh));
   WriteMeshReport(
       environment, workspace_, {loaded, result.audit, result.verdict});
-  environment.out << fmt::format(
-      "{}: {} vertices, {} triangles, closed 2-manifold, {} component(s)\n",
-      workspace_.output_path.string(),
-      result.audit.num_vertices,
-      result.audit.num_triangles,
-      result.audit.num_components);
+  PrintMesh(environment, workspace_, result.audit);
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ void WriteComparisonPage(const fs::path& html_path,
                          const ComparisonPage& page,
                          const std::vector<View>& photographs,
                          const Context& context) {
-  const Phase phase(context, "Page");
+  const Phase phase(context, "HTML page");
   const std::string three_js = ReadThreeJs(ThreeJsPath());
   PageBlobs blobs;
   Json json = PageToJson(page, &blobs);

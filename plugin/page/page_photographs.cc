@@ -98,7 +98,7 @@ Json PhotographToJson(const View& view, size_t index, const cv::Size& size) {
 Json PagePhotographsToJson(const std::vector<View>& views,
                            const Context& context,
                            PageBlobs* blobs) {
-  const Phase phase(context, "Photographs of the page");
+  const Phase phase(context, "photographs of the page");
   const std::vector<size_t> chosen = ViewsToShow(views);
   int longest = kLongestPhotograph;
   std::vector<Bytes> files = EncodeAll(views, chosen, longest, context);

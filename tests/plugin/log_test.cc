@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
 #include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
 #include "tests/plugin/run_octacut.h"
@@ -12,6 +16,7 @@ namespace {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
+using ::testing::ThrowsMessage;
 
 std::string FileTextOf(const LogOptions& options) {
   std::filesystem::path path;
@@ -74,6 +79,17 @@ TEST(Log, RefusesWhatItCannotDo) {
   options.target = LogTarget::kFile;
   options.path = "/dev/null/folder";
   EXPECT_THROW(Log(options, "x"), Error);
+}
+
+TEST(Log, RefusesToWriteWithoutAFolder) {
+  const char* const given = getenv("TMPDIR");
+  const std::string before = given == nullptr ? "/tmp" : given;
+  setenv("TMPDIR", "/dev/null/folder", 1);
+  LogOptions options;
+  options.target = LogTarget::kFile;
+  EXPECT_THAT([&] { Log(options, "x"); },
+              ThrowsMessage<Error>(HasSubstr("--log_path")));
+  setenv("TMPDIR", before.c_str(), 1);
 }
 
 }  // namespace

@@ -183,7 +183,7 @@ TEST_F(TurntableModeTest, MasksOfWhatTurnsLeadToMasksOfTheObject) {
                                         "--on_stand",
                                         "1"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("The object stands on a plane with"));
+  EXPECT_THAT(result.err, HasSubstr("The object stands on a plane that"));
   for (int i = 0; i < kSmallViews; ++i) {
     EXPECT_GT(
         OverlapOf(ReadGrey(found / Mask(i).filename()), ReadGrey(Mask(i))),

@@ -200,6 +200,8 @@ TEST_F(MeshExporterTest, MistakesAreNamed) {
       {{"--output_path", Path("mesh.ply")}, "--output_path = "},
       {{"--output_path", Path("x.glc")}, "unknown mesh extension"},
       {{"--output_path", Path("x.glb")}, "units are metres"},
+      {{"--output_path", Path("x.3mf"), "--scale_factor", "1e-9"},
+       "x.3mf: 3MF has six decimals"},
       {{"--aruco_side",
         "25",
         "--aruco_dictionary",

@@ -50,7 +50,7 @@ TEST_F(OctahedralMesher, LeavesMeshReportAndPicture) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("meshed-octahedral.ply: "));
   EXPECT_THAT(result.out,
-              HasSubstr("closed 2-manifold, 1 component(s), genus 1"));
+              HasSubstr("closed 2-manifold with 1 component, genus 1"));
 
   const IndexedMesh mesh = ReadMesh(Result(".ply")).mesh;
   EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
@@ -228,7 +228,7 @@ TEST_F(OctahedralMesher, EveryConsistencyReconstructs) {
                                          "--OctahedralMeshing.consistency",
                                          kind});
     EXPECT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.out, HasSubstr("1 component(s), genus 1")) << kind;
+    EXPECT_THAT(result.out, HasSubstr("with 1 component, genus 1")) << kind;
   }
 }
 
@@ -262,8 +262,8 @@ TEST_F(OctahedralMesher, LogIsShortAndSaysWhatWasChosen) {
               HasSubstr("images of the sparse model " +
                         (Workspace() / "sparse" / "0").string()));
   EXPECT_THAT(result.err,
-              HasSubstr("Wrote the report: " + Result(".json").string() +
-                        "; the picture: " + Result(".png").string()));
+              HasSubstr("Wrote the report to " + Result(".json").string() +
+                        ", the picture to " + Result(".png").string()));
   EXPECT_THAT(result.err, ContainsRegex("The run took [0-9.]+ s and at most "));
   const Json report = Json::parse(ReadFile(Result(".json")));
   EXPECT_EQ(report["options"]["quality"], "low");

@@ -51,8 +51,9 @@ void ReportDoubts(const MeshAlignment& alignment,
                     problem));
   } else if (!alignment.converged) {
     context.Warn(
-        fmt::format("Alignment: not converged after {} iterations; the root "
-                    "mean square of the distances is {:.2g} % of the diagonal",
+        fmt::format("The alignment did not converge within {} iterations; the "
+                    "root mean square of the distances is {:.2g} % of the "
+                    "diagonal.",
                     alignment.num_iterations,
                     100 * alignment.rms_after / diagonal));
   }
@@ -116,7 +117,7 @@ MeshAlignment AlignMeshes(const MeshWithScene& mesh,
             kAmbiguous * found.median,
             found.median + kSameMedian * DiagonalOf(icp.ReferenceSamples()));
   }
-  const Phase phase(context, "Align");
+  const Phase phase(context, "alignment");
   const IcpResult result = icp.Run(
       start,
       {options.max_iterations, options.estimate_scale, options.tolerance},

@@ -61,8 +61,8 @@ class Measurement {
     std::vector<double> distances(points.size());
     Phase phase(context_,
                 direction == Direction::kToReference
-                    ? "Distances to the reference"
-                    : "Distances from the reference",
+                    ? "distances to the reference"
+                    : "distances from the reference",
                 points.size());
     ParallelFor(
         context_, points.size(), kSampleGrain, [&](size_t begin, size_t end) {

@@ -219,7 +219,7 @@ GlobalAlignment FindGlobalAlignment(const MeshWithScene& mesh,
   const RayScene coarse_mesh_scene(coarse_mesh);
   const RayScene coarse_reference_scene(coarse_reference);
   const ReferenceFilter all;
-  Phase phase(context, "Search for the alignment", total);
+  Phase phase(context, "search for the alignment", total);
   std::vector<Candidate> candidates;
   GlobalAlignment result;
   for (const Stage& stage : kStages) {

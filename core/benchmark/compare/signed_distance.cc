@@ -101,7 +101,7 @@ std::vector<float> SignedDistances(const std::vector<Eigen::Vector3d>& points,
                                    const ReferenceFilter& filter) {
   const Sides sides(surface, context);
   std::vector<float> distances(points.size());
-  Phase phase(context, "Signed distances", points.size());
+  Phase phase(context, "signed distances", points.size());
   ParallelFor(
       context, points.size(), kVertexGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {

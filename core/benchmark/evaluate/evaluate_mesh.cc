@@ -15,7 +15,7 @@ MeshEvaluation EvaluateMesh(const IndexedMesh& mesh,
   const RayScene rays(mesh);
   std::vector<cv::Mat> depths;
   {
-    Phase phase(context, "Depths", views.size());
+    Phase phase(context, "depths of the mesh", views.size());
     for (const View& view : views) {
       depths.push_back(
           RenderDepth(rays, view.camera, view.cam_from_world, context));

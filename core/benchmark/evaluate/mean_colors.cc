@@ -94,7 +94,7 @@ std::vector<std::array<uint8_t, 3>> MeanColors(
     centers.push_back(view.Center());
   }
   std::vector<std::array<uint8_t, 3>> colors(points.size());
-  Phase phase(context, "Colours from the photographs", points.size());
+  Phase phase(context, "colours from the photographs", points.size());
   ParallelFor(
       context, points.size(), kColorGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {

@@ -137,7 +137,7 @@ std::vector<float> SupportOfPoints(const std::vector<Eigen::Vector3d>& points,
                                    const std::vector<cv::Mat>& maps,
                                    const Context& context) {
   std::vector<float> support(points.size());
-  Phase phase(context, "Photo support", points.size());
+  Phase phase(context, "support by the photographs", points.size());
   const auto support_of = [&](const Eigen::Vector3d& point) {
     double sum = 0;
     int count = 0;

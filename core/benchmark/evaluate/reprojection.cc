@@ -150,7 +150,7 @@ Reprojection MeasureReprojection(const std::vector<View>& views,
   const auto neighbors = ReprojectionNeighbors(views, middle, options);
   std::vector<ViewSums> sums(views.size());
   std::vector<cv::Mat> maps(options.keep_maps ? views.size() : 0);
-  Phase phase(context, "Reprojection", views.size());
+  Phase phase(context, "reprojection", views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       cv::Mat compared = cv::Mat::zeros(depths[i].size(), CV_8UC1);

@@ -87,7 +87,7 @@ SilhouetteAgreement MeasureSilhouettes(const RayScene& rays,
   SilhouetteAgreement agreement;
   agreement.views.resize(views.size());
   std::vector<OutlineDistances> distances(views.size());
-  Phase phase(context, "Silhouettes", views.size());
+  Phase phase(context, "comparison of mesh and masks", views.size());
   ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
     const Context alone(1);  // views are measured side by side
     for (size_t i = begin; i < end; ++i) {

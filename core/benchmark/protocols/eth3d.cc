@@ -125,7 +125,7 @@ std::vector<double> MeasureAccuracy(const Points& points,
                                     const std::vector<double>& tolerances,
                                     const Context& context) {
   std::vector<PointClass> classes(points.size(), {tolerances.size(), false});
-  Phase phase(context, "Accuracy", scans.size() * points.size());
+  Phase phase(context, "accuracy (ETH3D)", scans.size() * points.size());
   for (const LaserScan& scan : scans) {
     const ScanRays rays(scan);
     ParallelFor(

@@ -64,7 +64,7 @@ Side MeasureSide(const IndexedMesh& from,
     return side;
   }
   side.max = *std::max_element(at_vertices.begin(), at_vertices.end());
-  Phase phase(context, "Metro", num_samples);
+  Phase phase(context, "distances (Metro)", num_samples);
   for (size_t done = 0, batch = 0; done < num_samples; ++batch) {
     const size_t count = std::min(kBatch, num_samples - done);
     std::vector<Eigen::Vector3d> points;

@@ -31,7 +31,7 @@ std::vector<double> MeasureVertices(const IndexedMesh& from,
     filled.emplace(*filler);
   }
   std::vector<double> distances(points.size());
-  Phase phase(context, "Middlebury", points.size());
+  Phase phase(context, "distances (Middlebury)", points.size());
   ParallelFor(
       context, points.size(), kMiddleburyGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {

@@ -90,7 +90,7 @@ std::vector<double> ClosestDistances(
     const PointTree& tree,
     const Context& context) {
   std::vector<double> distances(queries.size());
-  Phase phase(context, "Distances between points", queries.size());
+  Phase phase(context, "distances between points", queries.size());
   ParallelFor(
       context, queries.size(), kQueryGrain, [&](size_t begin, size_t end) {
         for (size_t i = begin; i < end; ++i) {

@@ -84,7 +84,7 @@ std::vector<Eigen::Vector3d> ThinPoints(std::vector<Eigen::Vector3d> points,
   std::vector<bool> kept(order.size(), true);
   // In portions, so that progress is shown and the run can be interrupted.
   constexpr size_t kPortion = 4096;
-  Phase phase(context, "Thin points", order.size());
+  Phase phase(context, "thinning of the points", order.size());
   for (size_t begin = 0; begin < order.size(); begin += kPortion) {
     const size_t end = std::min(begin + kPortion, order.size());
     for (size_t i = begin; i < end; ++i) {

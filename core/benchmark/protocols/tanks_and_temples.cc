@@ -90,7 +90,7 @@ Registration RunIcp(Points source,
                     const PointTree& target,
                     double max_distance,
                     const Context& context) {
-  Phase phase(context, "Align points", kMaxIterations);
+  Phase phase(context, "alignment of the points", kMaxIterations);
   Registration result;
   for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
     std::vector<PointTree::Closest> closest(source.size());

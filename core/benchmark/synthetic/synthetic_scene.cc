@@ -160,7 +160,7 @@ void AddViews(const RenderSubject& subject,
               SyntheticScene* scene,
               const Context& context) {
   const SceneSpec& spec = scene->spec;
-  Phase phase(context, "Rendering", rig.size());
+  Phase phase(context, "rendering", rig.size());
   for (size_t i = 0; i < rig.size(); ++i) {
     SyntheticView view;
     view.name = fmt::format("view_{:03}{}", i, spec.image_extension);

@@ -217,9 +217,6 @@ void Extractor::Judge() {
       listed.mask =
           fs::path(file.given_mask).lexically_relative(options_.output_path);
       listed.hash = HashOfBytes(ReadFile(file.given_mask));
-    } else {
-      listed.mask = file.image->name + ".png";
-      listed.hash = HashOfPng(encoded_[i]);
     }
   }
 }

@@ -235,9 +235,6 @@ void TurntableFolder::Extract(MaskList* list,
     } else if (!found[i].doubt.empty()) {
       listed.status = MaskStatus::kUnsure;
       listed.doubt = found[i].doubt;
-    } else {
-      listed.mask = listed.image + ".png";
-      listed.hash = HashOfPng(encoded[i]);
     }
     UnsegmentedView& view = views->emplace_back();
     view.image = input.images[i];

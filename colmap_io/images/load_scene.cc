@@ -236,8 +236,8 @@ bool Loader::ShowsGivenRegion(const Candidate& candidate) const {
       .has_value();
 }
 
-// A given box may be that of one of several objects: what others explain is not
-// to be taken for bites, so they are found where the region is.
+// Only without a given box, which may be that of one of several objects: a mask
+// lacks the other objects for good reason.
 void Loader::FillReducedMasks() {
   std::vector<View> views;
   for (const Candidate& candidate : candidates_) {

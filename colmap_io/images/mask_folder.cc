@@ -73,10 +73,6 @@ std::vector<uchar> EncodeMask(const cv::Mat& mask) {
   return png;
 }
 
-std::string HashOfPng(const std::vector<uchar>& png) {
-  return HashOfBytes({reinterpret_cast<const char*>(png.data()), png.size()});
-}
-
 void RequireFolderForMasks(const fs::path& folder, const fs::path& image_path) {
   std::error_code error;
   if (fs::equivalent(folder, image_path, error)) {
@@ -133,7 +129,7 @@ void RequireOnlyOwnMasks(const fs::path& folder, const fs::path& image_path) {
 }
 
 void WriteMaskFolder(const fs::path& folder,
-                     const MaskList& list,
+                     MaskList list,
                      const std::vector<std::vector<uchar>>& pngs,
                      const cv::Mat& contact_sheet) {
   const std::optional<MaskList> before = ReadMaskList(folder);
@@ -142,7 +138,11 @@ void WriteMaskFolder(const fs::path& folder,
   AtomicFiles files;
   for (size_t i = 0; i < pngs.size(); ++i) {
     if (!pngs[i].empty()) {
-      WriteBytes(&files, folder / list.views[i].mask, pngs[i]);
+      ListedMask& listed = list.views[i];
+      listed.mask = listed.image + ".png";
+      listed.hash = HashOfBytes(
+          {reinterpret_cast<const char*>(pngs[i].data()), pngs[i].size()});
+      WriteBytes(&files, folder / listed.mask, pngs[i]);
     }
   }
   if (!contact_sheet.empty()) {

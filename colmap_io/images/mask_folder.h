@@ -18,9 +18,6 @@ inline constexpr std::string_view kContactSheetName = "contact_sheet.jpg";
 // A mask as a PNG file.
 std::vector<uchar> EncodeMask(const cv::Mat& mask);
 
-// The hash of such a file, as the list has it.
-std::string HashOfPng(const std::vector<uchar>& png);
-
 // Throws InputError unless masks can be written to the folder, which need not
 // exist yet, and must not be that of the photographs: to be asked before the
 // work.
@@ -35,12 +32,13 @@ void RequireOnlyOwnMasks(const std::filesystem::path& folder,
                          const std::filesystem::path& image_path);
 
 // Writes, all together: the PNG file of every view in the list that has one in
-// `pngs` (in the same order; the others are left as they are), the list, and
-// the contact sheet unless it is empty. Earlier masks of octacut's are removed
+// `pngs` (in the same order; the others are left as they are), the list with
+// the names and hashes of these files, and the contact sheet unless it is
+// empty. Earlier masks of octacut's are removed
 // where the view is unsure now. What an earlier list of the folder says of
 // other images is kept, as far as their masks are there. Throws InputError.
 void WriteMaskFolder(const std::filesystem::path& folder,
-                     const MaskList& list,
+                     MaskList list,
                      const std::vector<std::vector<uchar>>& pngs,
                      const cv::Mat& contact_sheet);
 

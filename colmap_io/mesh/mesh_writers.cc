@@ -4,6 +4,7 @@
 #include <string>
 
 #include "colmap_io/mesh/output_buffer.h"
+#include "core/mesh/triangle_normal.h"
 
 namespace octacut {
 
@@ -114,7 +115,7 @@ void WriteStl(const IndexedMesh& mesh, std::ostream& stream) {
     const Eigen::Vector3d& a = mesh.positions[triangle[0]];
     const Eigen::Vector3d& b = mesh.positions[triangle[1]];
     const Eigen::Vector3d& c = mesh.positions[triangle[2]];
-    Eigen::Vector3d normal = (b - a).cross(c - a);
+    Eigen::Vector3d normal = AreaNormal(mesh, triangle);
     normal.stableNormalize();
     for (const Eigen::Vector3d& vector : {normal, a, b, c}) {
       for (int axis = 0; axis < 3; ++axis) {

@@ -15,10 +15,14 @@ void DepthSweepOptions::Check() const {
               "depth_sweep.num_neighbors",
               num_neighbors,
               "must be in 2 .. 8");
-  CheckOption(min_angle >= 0 && min_angle < max_angle && max_angle <= 90,
+  CheckOption(min_angle >= 0 && min_angle < max_angle,
+              "depth_sweep.min_angle",
+              min_angle,
+              "must be at least 0 and less than max_angle");
+  CheckOption(max_angle <= 90,
               "depth_sweep.max_angle",
               max_angle,
-              "must be greater than min_angle and at most 90");
+              "must be at most 90");
   CheckOption(samples_per_voxel >= 0.5 && samples_per_voxel <= 4,
               "depth_sweep.samples_per_voxel",
               samples_per_voxel,

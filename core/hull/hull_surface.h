@@ -17,8 +17,7 @@ LabeledVoxels ComputeHullSurface(const ViewSet& views,
                                  const HullOctree& octree,
                                  const Context& context);
 
-// The same at options.hull_level. Throws
-// InputError when the hull is empty.
+// The same at options.hull_level. Throws InputError when the hull is empty.
 LabeledVoxels ComputeHullSurface(const ViewSet& views,
                                  const Eigen::AlignedBox3f& box,
                                  const VisualHullOptions& options,

@@ -133,8 +133,11 @@ void CheckScene(const Scene& scene, bool needs_images) {
                     std::numeric_limits<uint16_t>::max()));
   }
   for (const View& view : scene.views) {
-    if ((needs_images && view.image.empty()) || view.mask.empty()) {
-      throw InputError(view.name + ": the view has no image or no mask");
+    if (needs_images && view.image.empty()) {
+      throw InputError(view.name + ": the view has no image");
+    }
+    if (view.mask.empty()) {
+      throw InputError(view.name + ": the view has no mask");
     }
   }
 }

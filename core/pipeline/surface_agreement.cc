@@ -32,12 +32,12 @@ MeasuredSurface MeasureSurface(const ViewSet& views,
       FindVertexNeighbors(mesh.positions.size(), mesh.triangles);
   measured.agreement = MeasureAgreement({.views = views,
                                          .neighbors = neighbors,
-                                         .pixel = pixel,
                                          .options = options,
-                                         .scale = std::max(1.0, width / pixel),
-                                         .phase = phase},
+                                         .pixel = pixel,
+                                         .scale = std::max(1.0, width / pixel)},
                                         context,
-                                        &mesh);
+                                        &mesh,
+                                        phase);
   return measured;
 }
 

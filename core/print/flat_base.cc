@@ -13,6 +13,7 @@
 #include "core/mesh/audit.h"
 #include "core/mesh/mean_edge.h"
 #include "core/mesh/self_intersections.h"
+#include "core/mesh/triangle_normal.h"
 #include "core/mesh/untangle.h"
 #include "core/print/polygon_triangles.h"
 
@@ -137,12 +138,9 @@ class Cutter {
       points[i] = {out_.positions[i].y(), out_.positions[i].x()};
     }
     const auto triangles = TrianglesOfLoops(points, loops);
-    for (const auto& [a, b, c] : triangles) {
-      base->area += (out_.positions[b] - out_.positions[a])
-                        .cross(out_.positions[c] - out_.positions[a])
-                        .norm() /
-                    2;
-      out_.triangles.push_back({a, b, c});
+    for (const auto& triangle : triangles) {
+      base->area += TriangleArea(out_, triangle);
+      out_.triangles.push_back(triangle);
     }
     // A polygon of n corners and h holes has n + 2 h - 2 triangles.
     size_t num_corners = 0;

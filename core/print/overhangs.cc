@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/mesh/triangle_normal.h"
+
 namespace octacut {
 namespace {
 
@@ -32,10 +34,9 @@ Overhangs MeasureOverhangs(const IndexedMesh& mesh,
   const double limit = std::sin(max_angle * std::numbers::pi / 180);
   Overhangs result;
   double total = 0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    const Eigen::Vector3d& p = mesh.positions[a];
-    const Eigen::Vector3d twice_area =
-        (mesh.positions[b] - p).cross(mesh.positions[c] - p);
+  for (const auto& triangle : mesh.triangles) {
+    const Eigen::Vector3d& p = mesh.positions[triangle[0]];
+    const Eigen::Vector3d twice_area = AreaNormal(mesh, triangle);
     const double area = twice_area.norm() / 2;
     total += area;
     // The sine of the inclination from the vertical, downwards.

@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/bounding_box.h"
 #include "core/mesh/surface_samples.h"
+#include "core/mesh/triangle_normal.h"
 #include "core/raycast/ray_scene.h"
 
 namespace octacut {
@@ -23,10 +24,7 @@ constexpr double kMinDistance = 1e-6;
 constexpr double kPlaceSpacing = 0.05;
 
 Eigen::Vector3d UnitNormal(const IndexedMesh& mesh, uint32_t triangle) {
-  const auto& [a, b, c] = mesh.triangles[triangle];
-  return (mesh.positions[b] - mesh.positions[a])
-      .cross(mesh.positions[c] - mesh.positions[a])
-      .normalized();
+  return AreaNormal(mesh, mesh.triangles[triangle]).normalized();
 }
 
 std::optional<double> ThicknessAt(const SurfaceSample& sample,

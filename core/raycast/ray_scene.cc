@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/mesh/bounding_box.h"
 #include "core/raycast/triangle.h"
 
 namespace octacut {
@@ -56,12 +57,7 @@ struct RayScene::Impl {
   explicit Impl(const IndexedMesh& mesh)
       : positions(mesh.positions), triangles(mesh.triangles) {
     // Vertices of no triangle do not count.
-    Eigen::AlignedBox3d box;
-    for (const auto& triangle : triangles) {
-      for (const uint32_t corner : triangle) {
-        box.extend(positions[corner]);
-      }
-    }
+    const Eigen::AlignedBox3d box = BoxOfTriangles(mesh);
     center = box.center();
     scale = std::max(box.sizes().maxCoeff() / 2,
                      std::numeric_limits<double>::min());

@@ -35,10 +35,10 @@ constexpr Limits kGains = {0, 0.02f};
 std::vector<float> SharesOfRise(const SurfaceAgreement& less,
                                 const SurfaceAgreement& more,
                                 const Limits& limits,
-                                const AgreementInputs& inputs,
+                                const Look& look,
                                 const Context& context) {
   // Patches overlap, so that the rises of so many points are one observation.
-  const double width = 2 * inputs.options.patch.radius + 1;
+  const double width = 2 * look.options.patch.radius + 1;
   const double overlap = width * width / (kSpacing * kSpacing);
   std::vector<float> shares(less.scores.size(), 0);
   ParallelFor(
@@ -74,7 +74,7 @@ std::vector<float> SharesOfRise(const SurfaceAgreement& less,
 TakenBack MoveBack(const std::vector<Eigen::Vector3d>& positions,
                    const SurfacePoints& points,
                    const std::vector<float>& shares,
-                   const AgreementInputs& inputs,
+                   const Look& look,
                    IndexedMesh* mesh) {
   TakenBack taken_back;
   taken_back.of_vertices.reserve(positions.size());
@@ -90,7 +90,7 @@ TakenBack MoveBack(const std::vector<Eigen::Vector3d>& positions,
     share /= float(points.neighbors.Of(own).size() + 1);
     mesh->positions[v] += double(share) * (positions[v] - mesh->positions[v]);
     taken_back.of_vertices.push_back(share);
-    if (inputs.part.empty() || inputs.part[v]) {
+    if (look.part.empty() || look.part[v]) {
       sum += share;
       ++count;
     }
@@ -100,27 +100,16 @@ TakenBack MoveBack(const std::vector<Eigen::Vector3d>& positions,
 }
 
 SurfaceAgreement MeasureAt(SurfacePoints points,
-                           const AgreementInputs& inputs,
+                           const Look& look,
                            const Context& context,
-                           IndexedMesh* mesh) {
-  SeenSurface seen = LookAtPoints(std::move(points),
-                                  {.views = inputs.views,
-                                   .neighbors = inputs.neighbors,
-                                   .options = inputs.options,
-                                   .pixel = inputs.pixel,
-                                   .scale = inputs.scale,
-                                   .part = inputs.part},
-                                  context,
-                                  mesh);
-  Phase phase(context, inputs.phase, seen.surfaces.size());
-  const OffsetSearch search = MakeOffsetSearch(inputs.options, 0, inputs.scale);
+                           IndexedMesh* mesh,
+                           const char* phase_name = kAgreementPhase) {
+  SeenSurface seen = LookAtPoints(std::move(points), look, context, mesh);
+  Phase phase(context, phase_name, seen.surfaces.size());
+  const OffsetSearch search = MakeOffsetSearch(look.options, 0, look.scale);
   SurfaceAgreement agreement;
-  for (const OffsetMeasurement& measurement : SearchOffsets(inputs.views,
-                                                            seen.surfaces,
-                                                            seen.choices,
-                                                            search,
-                                                            context,
-                                                            &phase)) {
+  for (const OffsetMeasurement& measurement : SearchOffsets(
+           look.views, seen.surfaces, seen.choices, search, context, &phase)) {
     agreement.scores.push_back(measurement.score_before);
     agreement.is_measured.push_back(measurement.is_measured);
     agreement.mattness.push_back(measurement.mattness);
@@ -174,44 +163,43 @@ double SurfaceAgreement::UpperDecile() const {
   return *decile;
 }
 
-SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
+SurfaceAgreement MeasureAgreement(const Look& look,
                                   const Context& context,
-                                  IndexedMesh* mesh) {
+                                  IndexedMesh* mesh,
+                                  const char* phase) {
   return MeasureAt(
-      SpreadPoints(
-          *mesh, inputs.neighbors, kSpacing * inputs.scale * inputs.pixel),
-      inputs,
+      SpreadPoints(*mesh, look.neighbors, kSpacing * look.scale * look.pixel),
+      look,
       context,
-      mesh);
+      mesh,
+      phase);
 }
 
-TakenBack TakeBackHarm(const AgreementInputs& inputs,
+TakenBack TakeBackHarm(const Look& look,
                        const std::vector<Eigen::Vector3d>& positions,
                        const SurfaceAgreement& before,
                        const Context& context,
                        IndexedMesh* mesh) {
-  const SurfaceAgreement after =
-      MeasureAt(before.points, inputs, context, mesh);
+  const SurfaceAgreement after = MeasureAt(before.points, look, context, mesh);
   return MoveBack(positions,
                   after.points,
-                  SharesOfRise(after, before, kLosses, inputs, context),
-                  inputs,
+                  SharesOfRise(after, before, kLosses, look, context),
+                  look,
                   mesh);
 }
 
-TakenBack KeepGains(const AgreementInputs& inputs,
+TakenBack KeepGains(const Look& look,
                     const std::vector<Eigen::Vector3d>& positions,
                     const SurfaceAgreement& before,
                     const Context& context,
                     IndexedMesh* mesh) {
-  const SurfaceAgreement after =
-      MeasureAt(before.points, inputs, context, mesh);
+  const SurfaceAgreement after = MeasureAt(before.points, look, context, mesh);
   std::vector<float> shares =
-      SharesOfRise(before, after, kGains, inputs, context);
+      SharesOfRise(before, after, kGains, look, context);
   for (float& share : shares) {
     share = 1 - share;
   }
-  return MoveBack(positions, after.points, shares, inputs, mesh);
+  return MoveBack(positions, after.points, shares, look, mesh);
 }
 
 }  // namespace octacut

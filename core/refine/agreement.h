@@ -4,29 +4,14 @@
 
 #include <cstdint>
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
 #include "core/base/context.h"
 #include "core/mesh/indexed_mesh.h"
-#include "core/mesh/vertex_corners.h"
-#include "core/refine/refine_options.h"
+#include "core/refine/seen_surface.h"
 #include "core/refine/surface_points.h"
-#include "core/views/view_set.h"
 
 namespace octacut {
-
-// What is looked at, and how; unit coordinates.
-struct AgreementInputs {
-  const ViewSet& views;
-  const VertexCorners& neighbors;  // those of FindVertexNeighbors
-  double pixel;                    // of the views, at the surface
-  const RefineOptions& options;
-  double scale = 1;  // pixels between the samples of a patch
-  // Vertices around which it is measured, one element each; empty: all.
-  std::span<const uint8_t> part = {};
-  const char* phase = "refinement: agreement of the views";
-};
 
 // At that scale; one element per point.
 struct SurfaceAgreement {
@@ -49,10 +34,14 @@ struct SurfaceAgreement {
   double UpperDecile() const;
 };
 
+inline constexpr const char* kAgreementPhase =
+    "refinement: agreement of the views";
+
 // At points four samples apart. `mesh` is given normals.
-SurfaceAgreement MeasureAgreement(const AgreementInputs& inputs,
+SurfaceAgreement MeasureAgreement(const Look& look,
                                   const Context& context,
-                                  IndexedMesh* mesh);
+                                  IndexedMesh* mesh,
+                                  const char* phase = kAgreementPhase);
 
 // The shares of their moves by which vertices have moved back.
 struct TakenBack {
@@ -65,7 +54,7 @@ struct TakenBack {
 // is smoothed coarsely loses its narrow folds, which photographs see. What
 // scatters about no change is kept (docs/experiments/refinement_folds.md). The
 // mesh may intersect itself.
-TakenBack TakeBackHarm(const AgreementInputs& inputs,
+TakenBack TakeBackHarm(const Look& look,
                        const std::vector<Eigen::Vector3d>& positions,
                        const SurfaceAgreement& before,
                        const Context& context,
@@ -73,7 +62,7 @@ TakenBack TakeBackHarm(const AgreementInputs& inputs,
 
 // Moves vertices back in the same way, and returns the same, but wherever the
 // views do not agree significantly better than at `positions`.
-TakenBack KeepGains(const AgreementInputs& inputs,
+TakenBack KeepGains(const Look& look,
                     const std::vector<Eigen::Vector3d>& positions,
                     const SurfaceAgreement& before,
                     const Context& context,

@@ -134,7 +134,8 @@ Vector7d SolveCommonMotion(const std::vector<PoseEquations>& equations,
     products += equations[v].common;
     right += equations[v].common_by_own * steps[v];
   }
-  return products.ldlt().solve(right);
+  const Vector7d common = products.ldlt().solve(right);
+  return common.allFinite() ? common : Vector7d(Vector7d::Zero());
 }
 
 // Moves the image of every point by `step`, and the view along with a frame

@@ -40,15 +40,15 @@ TakenBack RunPass(const RoundInputs& inputs,
                   ViewSet* views,
                   IndexedMesh* mesh,
                   std::vector<RoundSummary>* rounds) {
-  const AgreementInputs agreeing{.views = *views,
-                                 .neighbors = inputs.neighbors,
-                                 .pixel = inputs.pixel,
-                                 .options = inputs.options,
-                                 .part = inputs.part};
+  const Look look{.views = *views,
+                  .neighbors = inputs.neighbors,
+                  .options = inputs.options,
+                  .pixel = inputs.pixel,
+                  .part = inputs.part};
   const std::vector<Eigen::Vector3d> before = mesh->positions;
   double seconds = 0;
-  const SurfaceAgreement agreement = Timed(
-      &seconds, [&] { return MeasureAgreement(agreeing, context, mesh); });
+  const SurfaceAgreement agreement =
+      Timed(&seconds, [&] { return MeasureAgreement(look, context, mesh); });
   for (int i = 0; i < pass.num_rounds; ++i) {
     rounds->push_back(
         RefineOnce(inputs, pass.plan, nullptr, context, views, mesh));
@@ -56,7 +56,7 @@ TakenBack RunPass(const RoundInputs& inputs,
   RoundSummary& last = rounds->back();
   last.agreement_seconds = seconds;
   TakenBack taken_back = Timed(&last.agreement_seconds, [&] {
-    return KeepGains(agreeing, before, agreement, context, mesh);
+    return KeepGains(look, before, agreement, context, mesh);
   });
   last.taken_back = taken_back.mean;
   last.num_withdrawn += Timed(&last.validity_seconds, [&] {

@@ -215,7 +215,7 @@ RoundSummary RefineOnce(const RoundInputs& inputs,
   if (plan.CanHarm()) {
     summary.taken_back = Timed(&summary.agreement_seconds, [&] {
       return TakeBackHarm(
-                 {*views, inputs.neighbors, inputs.pixel, inputs.options},
+                 {*views, inputs.neighbors, inputs.options, inputs.pixel},
                  before,
                  *agreement,
                  context,

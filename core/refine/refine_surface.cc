@@ -120,11 +120,10 @@ void RefineInRounds(const RoundInputs& inputs,
                     RefineSummary* summary) {
   std::vector<RoundPlan> rounds = PlanRounds(inputs.options);
   Phase phase(context, "refinement", rounds.size() + 1);
-  const AgreementInputs agreeing{
-      *views, inputs.neighbors, inputs.pixel, inputs.options};
+  const Look look{*views, inputs.neighbors, inputs.options, inputs.pixel};
   double agreement_seconds = 0;
   SurfaceAgreement agreement = Timed(&agreement_seconds, [&] {
-    return MeasureAgreement(agreeing, context, mesh);
+    return MeasureAgreement(look, context, mesh);
   });
   summary->agreement_before = agreement.Mean();
   const double edge_shift = views->front().border_shift;
@@ -142,9 +141,8 @@ void RefineInRounds(const RoundInputs& inputs,
     plan.edge_shift_slack = edge_shift_slack;
     plan.border_shift = summary->border_shift;
     if (plan.CanHarm() && !summary->rounds.empty()) {
-      agreement = Timed(&agreement_seconds, [&] {
-        return MeasureAgreement(agreeing, context, mesh);
-      });
+      agreement = Timed(&agreement_seconds,
+                        [&] { return MeasureAgreement(look, context, mesh); });
     }
     RoundSummary round =
         RefineOnce(inputs, plan, &agreement, context, views, mesh);
@@ -161,7 +159,7 @@ void RefineInRounds(const RoundInputs& inputs,
   for (const RoundSummary& round : summary->rounds) {
     summary->num_withdrawn += round.num_withdrawn;
   }
-  summary->agreement_after = MeasureAgreement(agreeing, context, mesh).Mean();
+  summary->agreement_after = MeasureAgreement(look, context, mesh).Mean();
 }
 
 }  // namespace

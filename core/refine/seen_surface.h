@@ -29,8 +29,8 @@ struct Look {
   const VertexCorners& neighbors;  // those of FindVertexNeighbors
   const RefineOptions& options;
   double pixel;        // of the views, at the surface
-  double scale;        // pixels between the samples of a patch
-  double spacing = 0;  // between points that are spread for it
+  double scale = 1;    // pixels between the samples of a patch
+  double spacing = 0;  // between the points of LookAtSurface
   // Vertices that count, one element each; no other points have views. Empty:
   // all do.
   std::span<const uint8_t> part = {};
@@ -53,7 +53,7 @@ SeenSurface LookAtSurface(const Look& look,
                           IndexedMesh* mesh);
 
 // The same at points of another look at the mesh, whose vertices may have moved
-// since; `look.spacing` has no effect.
+// since.
 SeenSurface LookAtPoints(SurfacePoints points,
                          const Look& look,
                          const Context& context,

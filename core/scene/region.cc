@@ -182,7 +182,7 @@ void RegionOptions::Check() const {
   CheckOption(mask_tolerance >= 0 && mask_tolerance <= kMaxMaskTolerance,
               "mask_tolerance",
               mask_tolerance,
-              fmt::format("must be in [0, {}]", kMaxMaskTolerance));
+              fmt::format("must be in 0 .. {}", kMaxMaskTolerance));
 }
 
 Eigen::AlignedBox3d BoundingBoxFromNumbers(const std::vector<double>& numbers) {

@@ -7,6 +7,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/bounding_box.h"
 #include "core/mesh/mean_edge.h"
+#include "core/mesh/triangle_normal.h"
 #include "core/texture/face_neighbors.h"
 #include "core/texture/occlusion_guard.h"
 #include "core/texture/pixel_sampler.h"
@@ -72,10 +73,7 @@ struct Surface {
 Surface MakeSurface(const IndexedMesh& mesh, const RayScene& rays) {
   Surface surface{mesh, rays, FindFaceNeighbors(mesh), {}};
   for (const auto& triangle : mesh.triangles) {
-    const Eigen::Vector3d& a = mesh.positions[triangle[0]];
-    const Eigen::Vector3d& b = mesh.positions[triangle[1]];
-    const Eigen::Vector3d& c = mesh.positions[triangle[2]];
-    surface.normals.push_back((b - a).cross(c - a).cast<float>());
+    surface.normals.push_back(AreaNormal(mesh, triangle).cast<float>());
   }
   surface.mean_edge = MeanEdge(mesh);
   // Embree's floats resolve a millionth of the size.

@@ -9,6 +9,7 @@
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/mesh/normals.h"
+#include "core/mesh/triangle_normal.h"
 #include "core/raycast/ray_scene.h"
 #include "core/texture/atlas_layout.h"
 #include "core/texture/blend_weights.h"
@@ -28,15 +29,6 @@ namespace {
 // best view.
 constexpr float kBorderCost = 1;
 
-double AreaOf(const IndexedMesh& mesh, size_t f) {
-  const auto& corners = mesh.triangles[f];
-  const Eigen::Vector3d& a = mesh.positions[corners[0]];
-  return (mesh.positions[corners[1]] - a)
-             .cross(mesh.positions[corners[2]] - a)
-             .norm() /
-         2;
-}
-
 // The problem of the triangles that some view shows; `node_of_face` tells
 // which.
 LabelingProblem MakeProblem(
@@ -54,7 +46,8 @@ LabelingProblem MakeProblem(
     }
     (*node_of_face)[f] = uint32_t(problem.NumNodes());
     const float resolution = costs.resolution[f];
-    const float pixels = float(AreaOf(mesh, f)) * resolution * resolution;
+    const float pixels =
+        float(TriangleArea(mesh, mesh.triangles[f])) * resolution * resolution;
     for (size_t i = 0; i < candidates.size(); ++i) {
       problem.choices.push_back(
           {candidates[i].view, pixels * costs.costs[f][i]});
@@ -108,7 +101,7 @@ void Summarize(const IndexedMesh& mesh,
   summary->num_triangles = mesh.triangles.size();
   double area = 0;
   for (size_t f = 0; f < chosen.size(); ++f) {
-    const double own = AreaOf(mesh, f);
+    const double own = TriangleArea(mesh, mesh.triangles[f]);
     area += own;
     if (chosen[f] == kNoView) {
       ++summary->num_unseen;

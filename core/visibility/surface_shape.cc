@@ -166,21 +166,16 @@ std::vector<SurfaceShape> EstimateSurfaceShape(
                   }
                 });
   };
-  std::vector<float> values;
-  if (wanted.empty()) {
-    values = SmoothPrior(voxels, ties, prior, blur_steps, context);
-  } else {
-    values = prior;
-    std::vector<float> blurred(values.size());
-    // What is k steps away is needed until there are k - 1 steps left, since
-    // curvature looks at the normals beside a voxel.
-    for (int step = 0; step < blur_steps; ++step) {
-      for_all_within(blur_steps + 1 - step, [&](size_t, const VoxelSlot& slot) {
-        blurred[slot.index] = MeanWith(values[slot.index],
-                                       ValuesAcross(values, ties, walk, slot));
-      });
-      values.swap(blurred);
-    }
+  std::vector<float> values = prior;
+  std::vector<float> blurred(values.size());
+  // What is k steps away is needed until there are k - 1 steps left, since
+  // curvature looks at the normals beside a voxel.
+  for (int step = 0; step < blur_steps; ++step) {
+    for_all_within(blur_steps + 1 - step, [&](size_t, const VoxelSlot& slot) {
+      blurred[slot.index] =
+          MeanWith(values[slot.index], ValuesAcross(values, ties, walk, slot));
+    });
+    values.swap(blurred);
   }
   std::vector<Eigen::Vector3f> normals(values.size());
   for_all_within(1, [&](size_t, const VoxelSlot& slot) {

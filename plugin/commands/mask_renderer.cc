@@ -59,7 +59,9 @@ void MaskRenderer::Run(const CommandEnvironment& environment) {
   const Workspace workspace =
       OpenWorkspace(workspace_path_, workspace_, context);
   RequireOnlyOwnMasks(output_path_, workspace.image_path);
-  const RayScene rays(ReadMeshAndLog(mesh_path_, context).mesh);
+  const IndexedMesh mesh = ReadMeshAndLog(mesh_path_, context).mesh;
+  const auto rays =
+      NamingErrors(mesh_path_.string(), [&] { return RayScene(mesh); });
   MaskList list;
   std::vector<std::vector<uchar>> pngs;
   size_t num_empty = 0;
@@ -79,8 +81,6 @@ void MaskRenderer::Run(const CommandEnvironment& environment) {
     pngs.push_back(EncodeMask(mask));
     ListedMask& listed = list.views.emplace_back();
     listed.image = image.name;
-    listed.mask = image.name + ".png";
-    listed.hash = HashOfPng(pngs.back());
     listed.confidence = 1;
     phase.Advance();
   }

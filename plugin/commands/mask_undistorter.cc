@@ -141,8 +141,6 @@ void MaskUndistorter::Run(const CommandEnvironment& environment) {
         const ListedMask* const source =
             before ? before->Find(view.image->name) : nullptr;
         listed.image = view.image->name;
-        listed.mask = view.image->name + ".png";
-        listed.hash = HashOfPng(pngs[i]);
         listed.confidence = source == nullptr ? 1 : source->confidence;
       });
   // That these views have no mask is still known.

@@ -32,10 +32,10 @@ std::array<double, 2> TakeBack(const RefineScene& scene,
   const RefineOptions options;
   const BoundingCube& cube = scene.test.region.cube;
   const double pixel = scene.Pixel() / cube.edge;
-  const AgreementInputs inputs{scene.test.views, neighbors, pixel, options};
-  const SurfaceAgreement agreement = MeasureAgreement(inputs, context, &before);
+  const Look look{scene.test.views, neighbors, options, pixel};
+  const SurfaceAgreement agreement = MeasureAgreement(look, context, &before);
   IndexedMesh mesh = after;
-  rule(inputs, before.positions, agreement, context, &mesh);
+  rule(look, before.positions, agreement, context, &mesh);
   std::array<double, 2> way = {0, 0};
   std::array<double, 2> taken = {0, 0};
   for (size_t v = 0; v < mesh.positions.size(); ++v) {

@@ -120,7 +120,7 @@ RoundSummary RunRound(const RefineScene& scene,
   const std::vector<Eigen::Vector3d> start = mesh->positions;
   ViewSet views = scene.test.views;
   const SurfaceAgreement agreement =
-      MeasureAgreement({views, neighbors, pixel, options}, Context(2), mesh);
+      MeasureAgreement({views, neighbors, options, pixel}, Context(2), mesh);
   return RefineOnce({start, neighbors, pixel, options},
                     plan,
                     &agreement,

@@ -20,7 +20,7 @@
 #include "plugin/judged_part.h"
 #include "plugin/measured_mesh.h"
 #include "plugin/mesh_json.h"
-#include "plugin/page/comparison_protocol.h"
+#include "plugin/page/comparison_procedure.h"
 #include "plugin/page/distance_page.h"
 #include "plugin/page/page_builder.h"
 #include "plugin/protocol_options.h"
@@ -65,7 +65,7 @@ class MeshComparer : public Command {
   bool HasScores() const {
     return reference_is_truth_ && !protocol_run_->IsActive();
   }
-  std::vector<std::string> Protocol(
+  std::vector<std::string> Procedure(
       const CommandEnvironment& environment) const;
 
   ComparerPaths paths_;
@@ -244,9 +244,9 @@ void MeshComparer::PrintTables(const ComparedMesh& reference,
   }
 }
 
-std::vector<std::string> MeshComparer::Protocol(
+std::vector<std::string> MeshComparer::Procedure(
     const CommandEnvironment& environment) const {
-  std::vector<std::string> lines = ProtocolOfRun(environment);
+  std::vector<std::string> lines = ProcedureOfRun(environment);
   if (protocol_run_->IsActive()) {
     lines.push_back(ProtocolRules(protocol_));
     lines.emplace_back(
@@ -293,7 +293,7 @@ void MeshComparer::WritePage(const CommandEnvironment& environment,
   for (const SparseImage& image : views.images) {
     page.cameras.push_back(image.CamFromWorld());
   }
-  page.protocol = Protocol(environment);
+  page.procedure = Procedure(environment);
   page.command_line = CommandLineOf(environment);
   page.report = report;
   WriteComparisonPage(paths_.page, page, {}, environment.context);

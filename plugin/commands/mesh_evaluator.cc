@@ -213,14 +213,14 @@ void MeshEvaluator::WritePage(const CommandEnvironment& environment,
   page_.title = names + (evaluate_.photometric ? ": judged by photographs"
                                                : ": judged by masks");
   page_.compared_with = page_.meshes.front().name;
-  page_.protocol = ProtocolOfRun(environment);
-  page_.protocol.push_back(
+  page_.procedure = ProcedureOfRun(environment);
+  page_.procedure.push_back(
       fmt::format("Views: {} of {}, at the resolution of (2^{})^3 voxels.",
                   views.size(),
                   workspace_path_.string(),
                   image_level_));
   if (evaluate_.photometric) {
-    page_.protocol.push_back(fmt::format(
+    page_.procedure.push_back(fmt::format(
         "Photographs: each is compared with up to {} neighbours at {:g} to "
         "{:g} degrees by zero-mean normalised cross-correlation in windows of "
         "{} x {} pixels.",
@@ -229,16 +229,16 @@ void MeshEvaluator::WritePage(const CommandEnvironment& environment,
         evaluate_.reprojection.max_angle,
         2 * evaluate_.reprojection.window_radius + 1,
         2 * evaluate_.reprojection.window_radius + 1));
-    page_.protocol.emplace_back(
+    page_.procedure.emplace_back(
         "Colours of the photographs: mean over the three views that see a "
         "vertex most from the front, for every mesh alike. The difference to a "
         "photograph is to these colours.");
   }
-  page_.protocol.emplace_back(
+  page_.procedure.emplace_back(
       "Alignment: none, the meshes are in the frame of the sparse model. Crop: "
       "none.");
   if (page_.meshes.size() > 1) {
-    page_.protocol.push_back(fmt::format(
+    page_.procedure.push_back(fmt::format(
         "Distances: {} points on each surface; to {}, and of {} to {}. None of "
         "them is declared to be the truth.",
         CompareMeshesOptions().num_samples,

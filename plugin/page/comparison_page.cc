@@ -82,7 +82,7 @@ Json PageToJson(const ComparisonPage& page, PageBlobs* blobs) {
   json["diagonal"] = page.diagonal;
   json["compared_with"] = page.compared_with;
   AddOrientation(page.cameras, &json);
-  json["protocol"] = page.protocol;
+  json["procedure"] = page.procedure;
   json["command_line"] = page.command_line;
   json["meshes"] = Json::array();
   for (const PageMesh& mesh : page.meshes) {

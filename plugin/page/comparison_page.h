@@ -31,7 +31,7 @@ struct ComparisonPage {
   // In the order of the report; the reference last.
   std::vector<PageMesh> meshes;
   // Lines that state how the figures came about.
-  std::vector<std::string> protocol;
+  std::vector<std::string> procedure;
   std::string command_line;
   Json report;
 };

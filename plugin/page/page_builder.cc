@@ -167,7 +167,7 @@ std::string CommandLineOf(const CommandEnvironment& environment) {
   return line;
 }
 
-std::vector<std::string> ProtocolOfRun(const CommandEnvironment& environment) {
+std::vector<std::string> ProcedureOfRun(const CommandEnvironment& environment) {
   return {fmt::format("Program: octacut {}, command {}, random seed {}.",
                       OctacutVersion(),
                       environment.command_name,

@@ -44,7 +44,7 @@ void PaintFromPhotographs(const IndexedMesh& mesh,
 // "octacut COMMAND --option value ...": what the user has set.
 std::string CommandLineOf(const CommandEnvironment& environment);
 
-// Version and seed, as lines of the protocol.
-std::vector<std::string> ProtocolOfRun(const CommandEnvironment& environment);
+// Version and seed, as lines of the procedure.
+std::vector<std::string> ProcedureOfRun(const CommandEnvironment& environment);
 
 }  // namespace octacut

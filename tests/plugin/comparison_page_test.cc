@@ -182,7 +182,7 @@ TEST_F(ComparisonPageTest, ShowsCloudsAndTheFiguresOfABenchmark) {
   const auto shown = nlohmann::json::parse(Embedded(ReadFile(Page()), "page"));
   EXPECT_EQ(shown["meshes"][1]["triangles"], 0);
   EXPECT_EQ(shown["meshes"][1]["full_points"], cloud.positions.size());
-  EXPECT_THAT(shown["protocol"][1].get<std::string>(),
+  EXPECT_THAT(shown["procedure"][1].get<std::string>(),
               HasSubstr("Benchmark protocol metro: Cignoni"));
   LookAt("benchmark");
 }

@@ -278,7 +278,7 @@
         + 'manifold, edges whose triangles disagree about the outside.'));
   };
 
-  Octacut.protocolCard = function () {
+  Octacut.procedureCard = function () {
     const download = make('button', { type: 'button', id: 'download', onclick: () => {
       const url = URL.createObjectURL(new Blob(
         [JSON.stringify(report, null, 2) + '\n'], { type: 'application/json' }));
@@ -288,9 +288,9 @@
       link.remove();
       setTimeout(() => URL.revokeObjectURL(url), 1000);
     } }, 'Download the report (JSON)');
-    return card('protocol-card', 'Protocol',
-      make('ul', { class: 'sentences', id: 'protocol' },
-        ...page.protocol.map(line => make('li', {}, line))),
+    return card('procedure-card', 'Procedure',
+      make('ul', { class: 'sentences', id: 'procedure' },
+        ...page.procedure.map(line => make('li', {}, line))),
       make('h3', {}, 'Command'),
       make('pre', { tabindex: 0 }, page.command_line),
       download);

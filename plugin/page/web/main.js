@@ -77,7 +77,7 @@
     });
     const cards = document.getElementById('cards');
     for (const build of [Octacut.benchmarkCard, Octacut.photographCard, Octacut.distanceCard, Octacut.placesCard,
-      Octacut.viewsCard, Octacut.auditCard, Octacut.protocolCard]) {
+      Octacut.viewsCard, Octacut.auditCard, Octacut.procedureCard]) {
       const element = build(viewer);
       if (element) {
         cards.append(element);

@@ -1,4 +1,4 @@
-// Lines of a comparison's protocol, and checks of what is compared.
+// How meshes were compared, in lines for the page, and checks of them.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "plugin/page/comparison_protocol.h"
+#include "plugin/page/comparison_procedure.h"
 
 #include <fmt/format.h>
 

@@ -44,8 +44,8 @@ Overhangs MeasureOverhangs(const IndexedMesh& mesh,
       continue;
     }
     const bool is_base = axis.dot(p) <= base_top &&
-                         axis.dot(mesh.positions[b]) <= base_top &&
-                         axis.dot(mesh.positions[c]) <= base_top;
+                         axis.dot(mesh.positions[triangle[1]]) <= base_top &&
+                         axis.dot(mesh.positions[triangle[2]]) <= base_top;
     (is_base ? result.base_area : result.area) += area;
   }
   result.share = total > 0 ? result.area / total : 0;

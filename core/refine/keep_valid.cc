@@ -13,8 +13,12 @@ namespace {
 constexpr size_t kValidityGrain = 4096;
 // The least height of a triangle, pixels.
 constexpr double kMinHeight = 0.01;
-// Averagings with the neighbours.
+// Averagings with the neighbours, their weight, and that of the step after
+// each, which gives back what averaging takes from ridges (Taubin, SIGGRAPH
+// 1995).
 constexpr int kRelaxations = 5;
+constexpr double kAveraging = 0.5;
+constexpr double kGivingBack = -0.53;
 // Pixels out of a mask at which one point is as bad as another, and the steps
 // to there: a twentieth of a pixel, and five per cent.
 constexpr float kMaxReach = 200;
@@ -104,13 +108,16 @@ void RelaxMoved(const std::vector<Eigen::Vector3d>& before,
   }
   std::vector<Eigen::Vector3d> relaxed(vertices.size());
   for (int i = 0; i < kRelaxations; ++i) {
-    for (size_t k = 0; k < vertices.size(); ++k) {
-      const uint32_t v = vertices[k];
-      relaxed[k] =
-          0.5 * (positions[v] + MeanPosition(neighbors.Of(v), positions));
-    }
-    for (size_t k = 0; k < vertices.size(); ++k) {
-      positions[vertices[k]] = relaxed[k];
+    for (const double weight : {kAveraging, kGivingBack}) {
+      for (size_t k = 0; k < vertices.size(); ++k) {
+        const uint32_t v = vertices[k];
+        relaxed[k] =
+            positions[v] +
+            weight * (MeanPosition(neighbors.Of(v), positions) - positions[v]);
+      }
+      for (size_t k = 0; k < vertices.size(); ++k) {
+        positions[vertices[k]] = relaxed[k];
+      }
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
@@ -116,7 +117,11 @@ TEST(KeepValid, KeepsVerticesInTheHull) {
   }
   // The tolerance, and what the masks round to whole pixels.
   EXPECT_LT(*std::max_element(heights.begin(), heights.end()), 2);
-  // What is moved back is smooth, unlike what it was to become.
+  // Averaging alone would leave 0.66: it takes ridges inward.
+  const double mean = std::accumulate(heights.begin(), heights.end(), 0.0) /
+                      double(heights.size());
+  EXPECT_GT(mean, 0.8);
+  // What is moved back is smooth: one by one, vertices would be 2.8 apart.
   const VertexCorners neighbors = testing::RefineScene::Neighbors(mesh);
   double step = 0;
   for (size_t v = 0; v < heights.size(); ++v) {
@@ -124,7 +129,7 @@ TEST(KeepValid, KeepsVerticesInTheHull) {
       step = std::max(step, std::abs(heights[v] - heights[next]));
     }
   }
-  EXPECT_LT(step, 0.5);
+  EXPECT_LT(step, 1);
 }
 
 // What a first move took into a mask that is too small may come out again.

@@ -118,14 +118,12 @@ void WriteExampleWorkspace(const SyntheticScene& scene,
     CreateFolder(folder / part);
   }
   const Phase phase(context, "writing of the workspace");
-  ParallelFor(context, scene.views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const SyntheticView& view = scene.views[i];
-      WriteImage(folder / "images" / view.name,
-                 view.image,
-                 {cv::IMWRITE_JPEG_QUALITY, options.jpeg_quality});
-      WriteImage(folder / "masks" / (view.name + ".png"), view.mask);
-    }
+  ParallelEach(context, scene.views.size(), 1, [&](size_t i) {
+    const SyntheticView& view = scene.views[i];
+    WriteImage(folder / "images" / view.name,
+               view.image,
+               {cv::IMWRITE_JPEG_QUALITY, options.jpeg_quality});
+    WriteImage(folder / "masks" / (view.name + ".png"), view.mask);
   });
   for (size_t i = 0; i < scene.empty_set.size(); ++i) {
     CreateFolder(folder / "background");

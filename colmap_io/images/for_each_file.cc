@@ -23,15 +23,14 @@ void ForEachFile(const FileLoop& loop,
   for (size_t first = 0; first < loop.count; first += batch) {
     const size_t count = std::min(batch, loop.count - first);
     const size_t grain = (count + in_flight - 1) / in_flight;
-    ParallelFor(context, count, grain, [&](size_t begin, size_t end) {
-      for (size_t i = first + begin; i < first + end; ++i) {
-        try {
-          body(i);
-        } catch (const InputError& error) {
-          errors[i] = error.what();
-        }
-        phase.Advance();
+    ParallelEach(context, count, grain, [&](size_t k) {
+      const size_t i = first + k;
+      try {
+        body(i);
+      } catch (const InputError& error) {
+        errors[i] = error.what();
       }
+      phase.Advance();
     });
     for (const auto& error : errors) {
       if (error) {

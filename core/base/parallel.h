@@ -22,6 +22,19 @@ void ParallelFor(const Context& context,
                  size_t grain,
                  const std::function<void(size_t begin, size_t end)>& body);
 
+// Calls body(i) for each index of those chunks, in their order within a chunk.
+template <typename Body>
+void ParallelEach(const Context& context,
+                  size_t count,
+                  size_t grain,
+                  Body&& body) {
+  ParallelFor(context, count, grain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      body(i);
+    }
+  });
+}
+
 // Number of chunks that ParallelFor makes of `count` with `grain`; chunk k
 // begins at k * grain.
 inline size_t NumChunks(size_t count, size_t grain) {

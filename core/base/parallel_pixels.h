@@ -15,11 +15,9 @@ void ParallelPixels(const Context& context,
                     int height,
                     const Body& body) {
   constexpr size_t kRows = 8;
-  ParallelFor(context, size_t(height), kRows, [&](size_t begin, size_t end) {
-    for (int y = int(begin); y < int(end); ++y) {
-      for (int x = 0; x < width; ++x) {
-        body(x, y);
-      }
+  ParallelEach(context, size_t(height), kRows, [&](size_t y) {
+    for (int x = 0; x < width; ++x) {
+      body(x, int(y));
     }
   });
 }

@@ -28,22 +28,20 @@ VoxelValues ConfidenceInSpace(const ViewSet& views,
   const size_t num_bricks = hull.Bricks().size();
   std::vector<float> sums(num_bricks);
   std::vector<float> counts(num_bricks);
-  ParallelFor(context, num_bricks, kSpaceGrain, [&](size_t begin, size_t end) {
-    for (size_t b = begin; b < end; ++b) {
-      hull.ForEachInBricks(b, b + 1, [&](VoxelGrid::Index, MortonCode code) {
-        const Eigen::Vector3f center =
-            VoxelCenter(DecodeMorton(code), hull.Level());
-        for (size_t i = 0; i < views.size(); ++i) {
-          const std::optional<ProjectedPoint> p =
-              views[i].projection.Project(center);
-          const float depth = p ? depths.maps[i].DepthAt(p->u, p->v) : 0;
-          if (depth > 0 && std::abs(depth - p->depth) < reach) {
-            sums[b] += depths.maps[i].ValueAt(depths.confidence[i], p->u, p->v);
-            counts[b] += 1;
-          }
+  ParallelEach(context, num_bricks, kSpaceGrain, [&](size_t b) {
+    hull.ForEachInBricks(b, b + 1, [&](VoxelGrid::Index, MortonCode code) {
+      const Eigen::Vector3f center =
+          VoxelCenter(DecodeMorton(code), hull.Level());
+      for (size_t i = 0; i < views.size(); ++i) {
+        const std::optional<ProjectedPoint> p =
+            views[i].projection.Project(center);
+        const float depth = p ? depths.maps[i].DepthAt(p->u, p->v) : 0;
+        if (depth > 0 && std::abs(depth - p->depth) < reach) {
+          sums[b] += depths.maps[i].ValueAt(depths.confidence[i], p->u, p->v);
+          counts[b] += 1;
         }
-      });
-    }
+      }
+    });
   });
   const VoxelWalk walk(hull, context);
   for (int step = 0; step < kBrickSteps; ++step) {

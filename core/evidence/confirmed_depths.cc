@@ -31,25 +31,23 @@ std::vector<std::vector<uint8_t>> CountAgreeing(
     float voxel,
     const Context& context) {
   std::vector<std::vector<uint8_t>> counts(maps.size());
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      counts[i].resize(maps[i].depths.size());
-      const ViewProjection& projection = views[i].projection;
-      ForEachDepth(maps[i],
-                   projection,
-                   [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
-                     const Eigen::Vector3f point =
-                         projection.center + depth * ray;
-                     uint8_t& count = counts[i][size_t(y) * maps[i].width + x];
-                     for (const int j : neighbors[i]) {
-                       const std::optional<ProjectedPoint> p =
-                           views[j].projection.Project(point);
-                       const float other = p ? maps[j].DepthAt(p->u, p->v) : 0;
-                       count += other > 0 && std::abs(other - p->depth) <=
-                                                 kDepthAgreement * voxel;
-                     }
-                   });
-    }
+  ParallelEach(context, maps.size(), 1, [&](size_t i) {
+    counts[i].resize(maps[i].depths.size());
+    const ViewProjection& projection = views[i].projection;
+    ForEachDepth(maps[i],
+                 projection,
+                 [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
+                   const Eigen::Vector3f point =
+                       projection.center + depth * ray;
+                   uint8_t& count = counts[i][size_t(y) * maps[i].width + x];
+                   for (const int j : neighbors[i]) {
+                     const std::optional<ProjectedPoint> p =
+                         views[j].projection.Project(point);
+                     const float other = p ? maps[j].DepthAt(p->u, p->v) : 0;
+                     count += other > 0 && std::abs(other - p->depth) <=
+                                               kDepthAgreement * voxel;
+                   }
+                 });
   });
   return counts;
 }
@@ -76,26 +74,23 @@ std::vector<SweptDepthMap> KeepPlausible(const ViewSet& views,
                                          const Context& context) {
   const float tolerance = kDepthAgreement / float(hull.Resolution());
   std::vector<SweptDepthMap> kept = maps;
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const ViewProjection& projection = views[i].projection;
-      ForEachDepth(
-          maps[i],
-          projection,
-          [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
-            if (CountLike(maps[i], x, y, depth, tolerance) < min_like ||
-                AnyVoxelBefore(hull,
-                               projection.center,
-                               ray,
-                               depth,
-                               kDepthAgreement,
-                               [&](VoxelGrid::Index index) {
-                                 return bool(solid[index]);
-                               })) {
-              kept[i].depths[size_t(y) * maps[i].width + x] = 0;
-            }
-          });
-    }
+  ParallelEach(context, maps.size(), 1, [&](size_t i) {
+    const ViewProjection& projection = views[i].projection;
+    ForEachDepth(maps[i],
+                 projection,
+                 [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
+                   if (CountLike(maps[i], x, y, depth, tolerance) < min_like ||
+                       AnyVoxelBefore(hull,
+                                      projection.center,
+                                      ray,
+                                      depth,
+                                      kDepthAgreement,
+                                      [&](VoxelGrid::Index index) {
+                                        return bool(solid[index]);
+                                      })) {
+                     kept[i].depths[size_t(y) * maps[i].width + x] = 0;
+                   }
+                 });
   });
   return kept;
 }

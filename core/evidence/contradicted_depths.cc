@@ -162,10 +162,8 @@ std::vector<JudgedMap> JudgeDepths(const ViewSet& views,
                                    const Context& context) {
   const SurfaceCounts counts = CountSurfaces(views, hull, maps, context);
   std::vector<JudgedMap> judged(maps.size());
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      judged[i] = JudgeMap(views[i].projection, hull, counts, maps[i]);
-    }
+  ParallelEach(context, maps.size(), 1, [&](size_t i) {
+    judged[i] = JudgeMap(views[i].projection, hull, counts, maps[i]);
   });
   return judged;
 }

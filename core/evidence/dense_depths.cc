@@ -88,10 +88,8 @@ std::vector<cv::Mat> SweepDenseDepths(const Scene& scene,
   // Samples half a voxel apart on a surface that turns away by 70 degrees.
   const float tolerance = kDepthAgreement * voxel;
   std::vector<cv::Mat> depths(maps.size());
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      depths[i] = DepthsOfView(scene.views[i], maps[i], tolerance, cube.edge);
-    }
+  ParallelEach(context, maps.size(), 1, [&](size_t i) {
+    depths[i] = DepthsOfView(scene.views[i], maps[i], tolerance, cube.edge);
   });
   return depths;
 }

@@ -150,29 +150,22 @@ ReliableDepths EstimateDepthConfidence(const ViewSet& views,
   std::vector<size_t> num_depths(maps.size());
   std::vector<size_t> num_nearly_contradicted(maps.size());
   std::vector<size_t> num_samples(maps.size());
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      num_samples[i] = CountObjectSamples(views[i].silhouette, maps[i]);
-      num_depths[i] = size_t(cv::countNonZero(judged[i].is_depth));
-      num_nearly_contradicted[i] =
-          size_t(cv::countNonZero(judged[i].is_nearly_contradicted));
-    }
+  ParallelEach(context, maps.size(), 1, [&](size_t i) {
+    num_samples[i] = CountObjectSamples(views[i].silhouette, maps[i]);
+    num_depths[i] = size_t(cv::countNonZero(judged[i].is_depth));
+    num_nearly_contradicted[i] =
+        size_t(cv::countNonZero(judged[i].is_nearly_contradicted));
   });
   result.contradicted_share = ShareOf(num_nearly_contradicted, num_depths);
   result.found_share = ShareOf(num_depths, num_samples);
   result.scene_confidence = ConfidenceOfScene(
       result.contradicted_share, result.found_share, surrounded_share, shown);
   result.is_mirror = shown == 0 && result.scene_confidence == 0;
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      result.confidence[i] = ConfidenceOfRegions(views[i].projection,
-                                                 hull,
-                                                 maps[i],
-                                                 judged[i],
-                                                 result.scene_confidence);
-      for (float& value : result.confidence[i]) {
-        value *= result.scene_confidence;
-      }
+  ParallelEach(context, maps.size(), 1, [&](size_t i) {
+    result.confidence[i] = ConfidenceOfRegions(
+        views[i].projection, hull, maps[i], judged[i], result.scene_confidence);
+    for (float& value : result.confidence[i]) {
+      value *= result.scene_confidence;
     }
   });
   return result;

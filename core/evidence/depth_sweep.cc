@@ -56,29 +56,24 @@ std::vector<SweptDepthMap> SweepDepths(
   *neighbors = SelectNeighborViews(
       views, options.num_neighbors, options.min_angle, options.max_angle);
   std::vector<SweepView> reduced(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      reduced[i] = ReduceForSweep(views[i], hull, options.samples_per_voxel);
-      phase.Advance();
-    }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    reduced[i] = ReduceForSweep(views[i], hull, options.samples_per_voxel);
+    phase.Advance();
   });
   std::vector<SweptDepthMap> maps(views.size());
   const float spacing =
       1.0f / float(hull.Resolution()) / float(options.planes_per_voxel);
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      // One neighbour alone cannot tell an occlusion from a mismatch.
-      const ScoreVolume volume =
-          (*neighbors)[i].size() >= 2
-              ? ScorePlanes(reduced, int(i), (*neighbors)[i], spacing, options)
-              : ScoreVolume();
-      maps[i] = PickDepths(reduced[i], volume, float(options.min_score));
-      const cv::Mat1f detail = ShareWithDetail(reduced[i].grey,
-                                               options.window_radius,
-                                               float(options.plain_deviation));
-      maps[i].detail.assign(detail.begin(), detail.end());
-      phase.Advance();
-    }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    // One neighbour alone cannot tell an occlusion from a mismatch.
+    const ScoreVolume volume =
+        (*neighbors)[i].size() >= 2
+            ? ScorePlanes(reduced, int(i), (*neighbors)[i], spacing, options)
+            : ScoreVolume();
+    maps[i] = PickDepths(reduced[i], volume, float(options.min_score));
+    const cv::Mat1f detail = ShareWithDetail(
+        reduced[i].grey, options.window_radius, float(options.plain_deviation));
+    maps[i].detail.assign(detail.begin(), detail.end());
+    phase.Advance();
   });
   return maps;
 }

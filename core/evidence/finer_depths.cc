@@ -76,30 +76,28 @@ VoxelGrid VoxelsBeyond(const ViewSet& views,
                        size_t* num_beyond) {
   std::vector<std::vector<MortonCode>> codes(maps.size());
   std::vector<size_t> counts(maps.size());
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const ViewProjection& projection = views[i].projection;
-      ForEachDepth(
-          maps[i],
-          projection,
-          [&](int, int, float depth, const Eigen::Vector3f& direction) {
-            const DepthRay ray(crust, projection.center, direction, depth);
-            const int way = ray.WayFromCrust();
-            if (way == 0 || way == kLongestWay) {
-              return;
-            }
-            counts[i] += way > kClearlyBeyond;
-            for (int behind = 1 - way; behind < kReachBehind; ++behind) {
-              const Eigen::Vector3i voxel = ray.VoxelAt(float(behind));
-              if (ray.IsInCube(voxel)) {
-                codes[i].push_back(EncodeMorton(voxel));
-              }
-            }
-          });
-      std::sort(codes[i].begin(), codes[i].end());
-      codes[i].erase(std::unique(codes[i].begin(), codes[i].end()),
-                     codes[i].end());
-    }
+  ParallelEach(context, maps.size(), 1, [&](size_t i) {
+    const ViewProjection& projection = views[i].projection;
+    ForEachDepth(maps[i],
+                 projection,
+                 [&](int, int, float depth, const Eigen::Vector3f& direction) {
+                   const DepthRay ray(
+                       crust, projection.center, direction, depth);
+                   const int way = ray.WayFromCrust();
+                   if (way == 0 || way == kLongestWay) {
+                     return;
+                   }
+                   counts[i] += way > kClearlyBeyond;
+                   for (int behind = 1 - way; behind < kReachBehind; ++behind) {
+                     const Eigen::Vector3i voxel = ray.VoxelAt(float(behind));
+                     if (ray.IsInCube(voxel)) {
+                       codes[i].push_back(EncodeMorton(voxel));
+                     }
+                   }
+                 });
+    std::sort(codes[i].begin(), codes[i].end());
+    codes[i].erase(std::unique(codes[i].begin(), codes[i].end()),
+                   codes[i].end());
   });
   std::vector<MortonCode> all;
   *num_beyond = 0;
@@ -117,20 +115,17 @@ void LimitConfidence(const ViewSet& views,
                      const VoxelValues& depth_confidence,
                      const Context& context,
                      ReliableDepths* depths) {
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const SweptDepthMap& map = depths->maps[i];
-      const Eigen::Vector3f& center = views[i].projection.center;
-      ForEachDepth(map,
-                   views[i].projection,
-                   [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
-                     float& confidence =
-                         depths->confidence[i][size_t(y) * map.width + x];
-                     confidence = std::min(
-                         confidence,
-                         depth_confidence.AtPoint(center + depth * ray, 1));
-                   });
-    }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    const SweptDepthMap& map = depths->maps[i];
+    const Eigen::Vector3f& center = views[i].projection.center;
+    ForEachDepth(
+        map,
+        views[i].projection,
+        [&](int x, int y, float depth, const Eigen::Vector3f& ray) {
+          float& confidence = depths->confidence[i][size_t(y) * map.width + x];
+          confidence = std::min(
+              confidence, depth_confidence.AtPoint(center + depth * ray, 1));
+        });
   });
 }
 
@@ -155,11 +150,9 @@ FinerMaps SweepNearSurface(const ViewSet& views,
   std::vector<SweepView> reduced(views.size());
   FinerMaps maps;
   maps.swept.resize(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      reduced[i] = ReduceForSweep(views[i], cut, sweep.samples_per_voxel);
-      phase.Advance();
-    }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    reduced[i] = ReduceForSweep(views[i], cut, sweep.samples_per_voxel);
+    phase.Advance();
   });
   const SurfaceSweep around(
       reduced, depth_confidence, surface.voxels.Level(), sweep);
@@ -167,11 +160,9 @@ FinerMaps SweepNearSurface(const ViewSet& views,
     maps.swept[i] = around.EmptyMap(int(i));
   }
   for (const bool of_sample : {true, false}) {
-    ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        around.AddDepths(int(i), neighbors[i], of_sample, &maps.swept[i]);
-        phase.Advance();
-      }
+    ParallelEach(context, views.size(), 1, [&](size_t i) {
+      around.AddDepths(int(i), neighbors[i], of_sample, &maps.swept[i]);
+      phase.Advance();
     });
     maps.counts = CountAgreeing(views,
                                 maps.swept,

@@ -70,16 +70,14 @@ std::vector<float> EstimateMaskConfidence(
     const std::vector<SweptDepthMap>& maps,
     const Context& context) {
   std::vector<float> confidence(views.size(), 1.0f);
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (views[i].mask_tolerance == 0) {
-        continue;
-      }
-      const BorderPoints count = CountBorderPoints(views, maps, i);
-      const float share = float(count.outside) /
-                          (float(count.inside + count.outside) + kPriorPoints);
-      confidence[i] = Ramp(share, kDoubtfulShare, kSureShare);
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    if (views[i].mask_tolerance == 0) {
+      return;
     }
+    const BorderPoints count = CountBorderPoints(views, maps, i);
+    const float share = float(count.outside) /
+                        (float(count.inside + count.outside) + kPriorPoints);
+    confidence[i] = Ramp(share, kDoubtfulShare, kSureShare);
   });
   return confidence;
 }

@@ -113,10 +113,8 @@ std::vector<SampleMap> MapSamples(const ViewSet& views,
                                   const Context& context) {
   const VoxelGrid matter = MatterOf(voxels, labels);
   std::vector<SampleMap> maps(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      maps[i] = MapView(views[i], matter);
-    }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    maps[i] = MapView(views[i], matter);
   });
   return maps;
 }

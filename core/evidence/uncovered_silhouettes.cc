@@ -40,10 +40,8 @@ UncoveredSilhouettes FindUncoveredSilhouettes(
     return found;
   }
   std::vector<std::vector<uint16_t>> num_voxels(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      num_voxels[i] = CountVoxels(views[i].projection, hull, maps[i]);
-    }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    num_voxels[i] = CountVoxels(views[i].projection, hull, maps[i]);
   });
   for (size_t i = 0; i < maps.size(); ++i) {
     for (size_t s = 0; s < maps[i].Size(); ++s) {

@@ -49,17 +49,12 @@ LoopChoices ChooseLoops(const CutVoxels& cut,
   LoopChoices result;
   result.codes.resize(cut.Size());
   result.chords.resize(cut.Size());
-  ParallelFor(
-      context,
-      cut.Crust().Bricks().size(),
-      kBricksPerChunk,
-      [&](size_t begin, size_t end) {
-        for (size_t brick = begin; brick < end; ++brick) {
-          cut.ForEachInBrick(
-              brick, [&](CutVoxels::Index number, int, FaceLabels labels) {
-                ChooseOfVoxel(number, labels, umbrellas, offsets, result);
-              });
-        }
+  ParallelEach(
+      context, cut.Crust().Bricks().size(), kBricksPerChunk, [&](size_t brick) {
+        cut.ForEachInBrick(
+            brick, [&](CutVoxels::Index number, int, FaceLabels labels) {
+              ChooseOfVoxel(number, labels, umbrellas, offsets, result);
+            });
       });
   return result;
 }

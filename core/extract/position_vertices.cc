@@ -32,10 +32,8 @@ PositionedSurface PositionVertices(ExtractedSurface surface,
   result.mesh = std::move(surface.mesh);
   std::vector<Eigen::Vector3d>& positions = result.mesh.positions;
   result.corners = positions;
-  ParallelFor(context, positions.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) {
-      positions[v] += offsets[surface.octants[v]];
-    }
+  ParallelEach(context, positions.size(), kGrain, [&](size_t v) {
+    positions[v] += offsets[surface.octants[v]];
   });
   const size_t num_thin = Untangle(result.corners,
                                    options.min_height * surface.voxel_size,

@@ -16,19 +16,18 @@ HalfEdges::HalfEdges(size_t num_vertices,
       leaving_(FindVertexCorners(num_vertices, triangles)),
       opposite_(3 * triangles.size()) {
   constexpr size_t kGrain = 1 << 15;
-  ParallelFor(context, opposite_.size(), kGrain, [&](size_t begin, size_t end) {
-    for (uint32_t h = uint32_t(begin); h < end; ++h) {
-      const std::span<const uint32_t> leaving = Leaving(End(h));
-      const auto opposite =
-          std::find_if(leaving.begin(), leaving.end(), [&](uint32_t other) {
-            return End(other) == Origin(h);
-          });
-      if (opposite == leaving.end()) {
-        throw InvariantError(
-            fmt::format("triangle {} has an edge without an opposite", h / 3));
-      }
-      opposite_[h] = *opposite;
+  ParallelEach(context, opposite_.size(), kGrain, [&](size_t i) {
+    const auto h = uint32_t(i);
+    const std::span<const uint32_t> leaving = Leaving(End(h));
+    const auto opposite =
+        std::find_if(leaving.begin(), leaving.end(), [&](uint32_t other) {
+          return End(other) == Origin(h);
+        });
+    if (opposite == leaving.end()) {
+      throw InvariantError(
+          fmt::format("triangle {} has an edge without an opposite", h / 3));
     }
+    opposite_[h] = *opposite;
   });
 }
 

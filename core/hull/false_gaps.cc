@@ -82,12 +82,10 @@ std::vector<GapOfView> FindCandidates(const Scene& scene,
                                       const Context& context,
                                       Phase* phase) {
   std::vector<std::vector<MaskGap>> of_views(scene.views.size());
-  ParallelFor(context, of_views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) {
-      const View& view = scene.views[v];
-      of_views[v] = FindMaskGaps(view.mask, mask_tolerance * view.scale);
-      phase->Advance();
-    }
+  ParallelEach(context, of_views.size(), 1, [&](size_t v) {
+    const View& view = scene.views[v];
+    of_views[v] = FindMaskGaps(view.mask, mask_tolerance * view.scale);
+    phase->Advance();
   });
   std::vector<GapOfView> candidates;
   for (size_t v = 0; v < of_views.size(); ++v) {
@@ -146,10 +144,8 @@ RepairedScene FillFalseGaps(const Scene& scene,
   ViewSet views = PrepareSilhouettes(scene, cube, context);
   for (int round = 0; round < kMaxRounds; ++round) {
     const size_t before = filled.gaps.size();
-    ParallelFor(context, candidates.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        candidates[i].is_false = IsFalse(views, candidates[i]);
-      }
+    ParallelEach(context, candidates.size(), 1, [&](size_t i) {
+      candidates[i].is_false = IsFalse(views, candidates[i]);
     });
     FillFalse(&candidates, &views, &filled);
     if (filled.gaps.size() == before || candidates.empty()) {

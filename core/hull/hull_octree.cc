@@ -39,10 +39,8 @@ void TestMixed(const ViewSet& views,
                const Context& context,
                HullOctree* octree) {
   std::vector<Containment> classes(octree->mixed.size());
-  ParallelFor(context, classes.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      classes[i] = ClassifyVoxel(views, box, octree->mixed[i], octree->level);
-    }
+  ParallelEach(context, classes.size(), kGrain, [&](size_t i) {
+    classes[i] = ClassifyVoxel(views, box, octree->mixed[i], octree->level);
   });
   octree->tested_voxels.push_back(classes.size());
   std::vector<MortonCode>& inside = octree->inside.emplace_back();

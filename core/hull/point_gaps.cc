@@ -128,11 +128,9 @@ RepairedScene FillGapsAtPoints(const Scene& scene,
     return filled;
   }
   std::vector<FilledView> of_views(scene.views.size());
-  ParallelFor(context, of_views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) {
-      of_views[v] =
-          FillView(scene.points, mask_tolerance, &filled.scene.views[v]);
-    }
+  ParallelEach(context, of_views.size(), 1, [&](size_t v) {
+    of_views[v] =
+        FillView(scene.points, mask_tolerance, &filled.scene.views[v]);
   });
   std::vector<std::string> too_large;
   for (size_t v = 0; v < of_views.size(); ++v) {

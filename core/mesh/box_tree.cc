@@ -63,22 +63,18 @@ BoxTree::BoxTree(const IndexedMesh& mesh,
   const double size = bounds.sizes().maxCoeff();
   const double cells = size > 0 ? ((1 << 21) - 1) / size : 0.0;
   std::vector<std::pair<uint64_t, uint32_t>> keys(order_.size());
-  ParallelFor(context, keys.size(), kNodeGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const Eigen::Vector3d cell =
-          (BoxOf(mesh, order_[i]).center() - bounds.min()) * cells;
-      keys[i] = {
-          EncodeMorton(ToCell(cell.x()), ToCell(cell.y()), ToCell(cell.z())),
-          order_[i]};
-    }
+  ParallelEach(context, keys.size(), kNodeGrain, [&](size_t i) {
+    const Eigen::Vector3d cell =
+        (BoxOf(mesh, order_[i]).center() - bounds.min()) * cells;
+    keys[i] = {
+        EncodeMorton(ToCell(cell.x()), ToCell(cell.y()), ToCell(cell.z())),
+        order_[i]};
   });
   std::sort(keys.begin(), keys.end());
   levels_.emplace_back(keys.size());
-  ParallelFor(context, keys.size(), kNodeGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      order_[i] = keys[i].second;
-      levels_[0][i] = RoundedBox(mesh, order_[i]);
-    }
+  ParallelEach(context, keys.size(), kNodeGrain, [&](size_t i) {
+    order_[i] = keys[i].second;
+    levels_[0][i] = RoundedBox(mesh, order_[i]);
   });
   BuildLevels(context);
 }
@@ -98,17 +94,14 @@ void BoxTree::BuildLevels(const Context& context) {
   while (levels_.back().size() > kFanOut) {
     const std::vector<Box>& below = levels_.back();
     std::vector<Box> level(NumChunks(below.size(), kFanOut));
-    ParallelFor(
-        context, level.size(), kNodeGrain, [&](size_t begin, size_t end) {
-          for (size_t i = begin; i < end; ++i) {
-            Box box = below[i * kFanOut];
-            const size_t last = std::min(below.size(), (i + 1) * kFanOut);
-            for (size_t child = i * kFanOut + 1; child < last; ++child) {
-              Extend(below[child], &box);
-            }
-            level[i] = box;
-          }
-        });
+    ParallelEach(context, level.size(), kNodeGrain, [&](size_t i) {
+      Box box = below[i * kFanOut];
+      const size_t last = std::min(below.size(), (i + 1) * kFanOut);
+      for (size_t child = i * kFanOut + 1; child < last; ++child) {
+        Extend(below[child], &box);
+      }
+      level[i] = box;
+    });
     levels_.push_back(std::move(level));
   }
 }

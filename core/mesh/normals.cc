@@ -32,16 +32,14 @@ std::vector<Eigen::Vector3f> ComputeVertexNormals(const IndexedMesh& mesh,
   const VertexCorners corners =
       FindVertexCorners(mesh.positions.size(), mesh.triangles);
   std::vector<Eigen::Vector3f> normals(mesh.positions.size());
-  ParallelFor(context, normals.size(), kGrain, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) {
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (const uint32_t corner : corners.Of(v)) {
-        sum += WeightedNormal(mesh, mesh.triangles[corner / 3], corner % 3);
-      }
-      const double length = sum.norm();
-      normals[v] = length > 0 ? Eigen::Vector3f((sum / length).cast<float>())
-                              : Eigen::Vector3f::UnitZ();
+  ParallelEach(context, normals.size(), kGrain, [&](size_t v) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const uint32_t corner : corners.Of(v)) {
+      sum += WeightedNormal(mesh, mesh.triangles[corner / 3], corner % 3);
     }
+    const double length = sum.norm();
+    normals[v] = length > 0 ? Eigen::Vector3f((sum / length).cast<float>())
+                            : Eigen::Vector3f::UnitZ();
   });
   return normals;
 }

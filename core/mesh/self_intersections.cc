@@ -44,16 +44,12 @@ bool IsFinite(const TriangleCorners& corners) {
 std::vector<uint8_t> MarkUsable(const IndexedMesh& mesh,
                                 std::vector<uint8_t> marked,
                                 const Context& context) {
-  ParallelFor(
-      context, marked.size(), kPairGrain, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          if (marked[i] != 0) {
-            const TriangleCorners corners =
-                CornersOf(mesh, static_cast<uint32_t>(i));
-            marked[i] = IsFinite(corners) && !IsDegenerate(corners);
-          }
-        }
-      });
+  ParallelEach(context, marked.size(), kPairGrain, [&](size_t i) {
+    if (marked[i] != 0) {
+      const TriangleCorners corners = CornersOf(mesh, static_cast<uint32_t>(i));
+      marked[i] = IsFinite(corners) && !IsDegenerate(corners);
+    }
+  });
   return marked;
 }
 

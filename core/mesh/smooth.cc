@@ -28,26 +28,22 @@ void Step(const VertexCorners& neighbors,
           const Context& context,
           const Positions& from,
           Positions& to) {
-  ParallelFor(
-      context, from.size(), kVertexGrain, [&](size_t begin, size_t end) {
-        for (size_t v = begin; v < end; ++v) {
-          const std::span<const uint32_t> around = neighbors.Of(v);
-          if (around.empty()) {
-            to[v] = from[v];
-            continue;
-          }
-          const Eigen::Vector3d laplacian =
-              MeanPosition(around, from) - from[v];
-          const Eigen::Vector3d moved = from[v] + weight * laplacian;
-          const Eigen::Vector3d& anchor = bound.anchors[v];
-          const Eigen::Vector3d displacement = moved - anchor;
-          const double squared_length = displacement.squaredNorm();
-          to[v] = squared_length > bound.distance * bound.distance
-                      ? anchor + bound.distance / std::sqrt(squared_length) *
-                                     displacement
-                      : moved;
-        }
-      });
+  ParallelEach(context, from.size(), kVertexGrain, [&](size_t v) {
+    const std::span<const uint32_t> around = neighbors.Of(v);
+    if (around.empty()) {
+      to[v] = from[v];
+      return;
+    }
+    const Eigen::Vector3d laplacian = MeanPosition(around, from) - from[v];
+    const Eigen::Vector3d moved = from[v] + weight * laplacian;
+    const Eigen::Vector3d& anchor = bound.anchors[v];
+    const Eigen::Vector3d displacement = moved - anchor;
+    const double squared_length = displacement.squaredNorm();
+    to[v] =
+        squared_length > bound.distance * bound.distance
+            ? anchor + bound.distance / std::sqrt(squared_length) * displacement
+            : moved;
+  });
 }
 
 }  // namespace

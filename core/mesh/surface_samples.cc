@@ -65,23 +65,21 @@ std::vector<SurfaceSample> SampleSurface(const IndexedMesh& mesh,
   const uint64_t shift_first = HashBits(seed_mix + 1);
   const uint64_t shift_second = HashBits(seed_mix + 2);
   std::vector<SurfaceSample> samples(count);
-  ParallelFor(context, count, kSampleGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const double jitter = HashUniform(HashBits(seed_mix ^ HashBits(i)));
-      const double area = (static_cast<double>(i) + jitter) * piece;
-      auto found = std::upper_bound(cumulative.begin(), cumulative.end(), area);
-      if (found == cumulative.end()) {
-        // Rounding: the first triangle that reaches the whole area.
-        found = std::lower_bound(
-            cumulative.begin(), cumulative.end(), cumulative.back());
-      }
-      const auto triangle = static_cast<uint32_t>(found - cumulative.begin());
-      samples[i] = {PointInTriangle(mesh,
-                                    triangle,
-                                    HashUniform(i * kR2First + shift_first),
-                                    HashUniform(i * kR2Second + shift_second)),
-                    triangle};
+  ParallelEach(context, count, kSampleGrain, [&](size_t i) {
+    const double jitter = HashUniform(HashBits(seed_mix ^ HashBits(i)));
+    const double area = (static_cast<double>(i) + jitter) * piece;
+    auto found = std::upper_bound(cumulative.begin(), cumulative.end(), area);
+    if (found == cumulative.end()) {
+      // Rounding: the first triangle that reaches the whole area.
+      found = std::lower_bound(
+          cumulative.begin(), cumulative.end(), cumulative.back());
     }
+    const auto triangle = static_cast<uint32_t>(found - cumulative.begin());
+    samples[i] = {PointInTriangle(mesh,
+                                  triangle,
+                                  HashUniform(i * kR2First + shift_first),
+                                  HashUniform(i * kR2Second + shift_second)),
+                  triangle};
   });
   return samples;
 }

@@ -148,35 +148,28 @@ size_t MoveToHullBorder(const SilhouetteHull& hull,
   const auto unit_point = [&](size_t v) -> Eigen::Vector3f {
     return cube.ToUnit(before[v]).cast<float>();
   };
-  ParallelFor(
-      context, before.size(), kBorderGrain, [&](size_t begin, size_t end) {
-        for (size_t v = begin; v < end; ++v) {
-          vertices[v] = border.Find(unit_point(v), mesh->normals[v]);
-        }
-      });
+  ParallelEach(context, before.size(), kBorderGrain, [&](size_t v) {
+    vertices[v] = border.Find(unit_point(v), mesh->normals[v]);
+  });
   const BorderChance chance(vertices);
-  ParallelFor(
-      context, before.size(), kBorderGrain, [&](size_t begin, size_t end) {
-        for (size_t v = begin; v < end; ++v) {
-          const NearBorder& vertex = vertices[v];
-          if (vertex.unit == 0 || std::abs(vertex.depth) >= 1) {
-            continue;
-          }
-          const float share = DecidedAt(decided, unit_point(v));
-          const float cut_error =
-              (kUndecidedError + share * (kDecidedError - kUndecidedError)) *
-              voxel / vertex.unit;
-          const float border_error = kBorderError * vertex.pixel;
-          const float move =
-              chance.Of(vertex.depth) * vertex.depth * vertex.unit /
-              (1 + border_error * border_error / (cut_error * cut_error));
-          if (move != 0) {
-            mesh->positions[v] = RoundedToFloats(
-                before[v] +
-                cube.edge * (move * mesh->normals[v]).cast<double>());
-          }
-        }
-      });
+  ParallelEach(context, before.size(), kBorderGrain, [&](size_t v) {
+    const NearBorder& vertex = vertices[v];
+    if (vertex.unit == 0 || std::abs(vertex.depth) >= 1) {
+      return;
+    }
+    const float share = DecidedAt(decided, unit_point(v));
+    const float cut_error =
+        (kUndecidedError + share * (kDecidedError - kUndecidedError)) * voxel /
+        vertex.unit;
+    const float border_error = kBorderError * vertex.pixel;
+    const float move =
+        chance.Of(vertex.depth) * vertex.depth * vertex.unit /
+        (1 + border_error * border_error / (cut_error * cut_error));
+    if (move != 0) {
+      mesh->positions[v] = RoundedToFloats(
+          before[v] + cube.edge * (move * mesh->normals[v]).cast<double>());
+    }
+  });
   UntangleFloats(before,
                  min_height * cube.VoxelSize(decided.voxels.Level()),
                  context,

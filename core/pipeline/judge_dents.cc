@@ -129,10 +129,8 @@ float MattnessOfHull(const ViewSet& views,
                      const JudgedSurface& hull,
                      const Context& context) {
   std::vector<std::vector<float>> of_views(maps.size());
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      AppendMattness(views[i], maps[i], hull, &of_views[i]);
-    }
+  ParallelEach(context, maps.size(), 1, [&](size_t i) {
+    AppendMattness(views[i], maps[i], hull, &of_views[i]);
   });
   std::vector<float> mattness;
   for (const std::vector<float>& of_view : of_views) {
@@ -217,14 +215,12 @@ SurfaceVerdict JudgeDents(const ViewSet& views,
   SurfaceVerdict judged{
       .depths = {maps, std::vector<std::vector<float>>(maps.size())},
       .in_pit = std::vector<std::vector<uint8_t>>(maps.size())};
-  ParallelFor(context, maps.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      JudgeView(views[i],
-                judges,
-                &judged.depths.maps[i],
-                &judged.depths.confidence[i],
-                &judged.in_pit[i]);
-    }
+  ParallelEach(context, maps.size(), 1, [&](size_t i) {
+    JudgeView(views[i],
+              judges,
+              &judged.depths.maps[i],
+              &judged.depths.confidence[i],
+              &judged.in_pit[i]);
   });
   return judged;
 }

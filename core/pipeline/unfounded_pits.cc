@@ -25,12 +25,9 @@ std::vector<uint8_t> FindDeepVertices(const IndexedMesh& mesh,
                                       double depth,
                                       const Context& context) {
   std::vector<uint8_t> is_deep(mesh.positions.size());
-  ParallelFor(
-      context, is_deep.size(), kDepthGrain, [&](size_t begin, size_t end) {
-        for (size_t v = begin; v < end; ++v) {
-          is_deep[v] = hull.ClosestPoint(mesh.positions[v]).distance > depth;
-        }
-      });
+  ParallelEach(context, is_deep.size(), kDepthGrain, [&](size_t v) {
+    is_deep[v] = hull.ClosestPoint(mesh.positions[v]).distance > depth;
+  });
   return is_deep;
 }
 

@@ -160,21 +160,19 @@ std::vector<ContourTarget> FindContourTargets(
     const ContourSearch& search,
     const Context& context) {
   std::vector<std::vector<ContourTarget>> of_views(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const ContourFinder finder(views[i],
-                                 rays,
-                                 surfaces,
-                                 neighbors,
-                                 float(search.range),
-                                 float(search.border_shift));
-      for (uint32_t a = 0; a < surfaces.size(); ++a) {
-        const bool is_front = finder.Facing(a) > 0;
-        for (const uint32_t b : neighbors.Of(a)) {
-          if (a < b && is_front != (finder.Facing(b) > 0)) {
-            if (const auto target = finder.Find(a, b)) {
-              of_views[i].push_back(*target);
-            }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    const ContourFinder finder(views[i],
+                               rays,
+                               surfaces,
+                               neighbors,
+                               float(search.range),
+                               float(search.border_shift));
+    for (uint32_t a = 0; a < surfaces.size(); ++a) {
+      const bool is_front = finder.Facing(a) > 0;
+      for (const uint32_t b : neighbors.Of(a)) {
+        if (a < b && is_front != (finder.Facing(b) > 0)) {
+          if (const auto target = finder.Find(a, b)) {
+            of_views[i].push_back(*target);
           }
         }
       }

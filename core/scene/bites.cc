@@ -94,12 +94,10 @@ class BiteFinder {
 
   void FindUnexplained(const Context& context) {
     unexplained_.resize(views_.size());
-    ParallelFor(context, views_.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t v = begin; v < end; ++v) {
-        const cv::Mat object = views_[v].mask >= kObjectThreshold;
-        unexplained_[v] = object & ~ProjectedCells(v, cells_.shown);
-        DropUnknown(object, &unexplained_[v]);
-      }
+    ParallelEach(context, views_.size(), 1, [&](size_t v) {
+      const cv::Mat object = views_[v].mask >= kObjectThreshold;
+      unexplained_[v] = object & ~ProjectedCells(v, cells_.shown);
+      DropUnknown(object, &unexplained_[v]);
     });
   }
 

@@ -141,17 +141,15 @@ DeniedCells FindDeniedCells(const std::vector<View>& views,
     all[v] = int(v);
   }
   std::vector<DeniedCells> of_blocks(size_t(num_sides) * num_sides * num_sides);
-  ParallelFor(context, of_blocks.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t b = begin; b < end; ++b) {
-      const Eigen::Vector3i block(int(b) % num_sides,
-                                  int(b) / num_sides % num_sides,
-                                  int(b) / (num_sides * num_sides));
-      const Eigen::Vector3d center =
-          box.min() + (2 * block.cast<double>() + Eigen::Vector3d::Ones())
-                          .cwiseProduct(half);
-      Refiner(views, outlines, max_denials, slack, &of_blocks[b])
-          .Refine(center, half, level - kBlockLevel, all, {-1, -1});
-    }
+  ParallelEach(context, of_blocks.size(), 1, [&](size_t b) {
+    const Eigen::Vector3i block(int(b) % num_sides,
+                                int(b) / num_sides % num_sides,
+                                int(b) / (num_sides * num_sides));
+    const Eigen::Vector3d center =
+        box.min() +
+        (2 * block.cast<double>() + Eigen::Vector3d::Ones()).cwiseProduct(half);
+    Refiner(views, outlines, max_denials, slack, &of_blocks[b])
+        .Refine(center, half, level - kBlockLevel, all, {-1, -1});
   });
   DeniedCells cells;
   cells.radius = half.norm() / (1 << (level - kBlockLevel));

@@ -209,11 +209,9 @@ SightLines TraceSightLines(const std::vector<View>& views,
   lines.num_words = (views.size() + 63) / 64;
   lines.of_views.resize(views.size());
   const Tracer tracer(views, deniers, box, spacing);
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t v = begin; v < end; ++v) {
-      for (const Eigen::Vector2d& pixel : GridPixels(views[v].mask, count)) {
-        lines.of_views[v].push_back(tracer.Trace(v, pixel));
-      }
+  ParallelEach(context, views.size(), 1, [&](size_t v) {
+    for (const Eigen::Vector2d& pixel : GridPixels(views[v].mask, count)) {
+      lines.of_views[v].push_back(tracer.Trace(v, pixel));
     }
   });
   return lines;

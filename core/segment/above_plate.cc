@@ -84,23 +84,21 @@ std::vector<cv::Mat> FindPixelsAbovePlate(
     const Eigen::Hyperplane<double, 3>& plane,
     const Context& context) {
   std::vector<cv::Mat> above(poses.size());
-  ParallelFor(context, poses.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const Rigid3d world_from_cam = poses[i].cam_from_world.Inverse();
-      above[i] = cv::Mat::zeros(labels[i].size(), CV_8U);
-      for (int y = 0; y < above[i].rows; ++y) {
-        for (int x = 0; x < above[i].cols; ++x) {
-          if (labels[i].at<uint8_t>(y, x) == kSurroundingsLabel) {
-            continue;
-          }
-          const Eigen::Vector3d direction =
-              world_from_cam.rotation *
-              poses[i].camera.Unproject({x + 0.5, y + 0.5});
-          const std::optional<Eigen::Vector3d> point =
-              MeetPlane(world_from_cam.translation, direction, plane);
-          above[i].at<uint8_t>(y, x) =
-              point && IsOfPlate(*point, labels, poses) ? 0 : 255;
+  ParallelEach(context, poses.size(), 1, [&](size_t i) {
+    const Rigid3d world_from_cam = poses[i].cam_from_world.Inverse();
+    above[i] = cv::Mat::zeros(labels[i].size(), CV_8U);
+    for (int y = 0; y < above[i].rows; ++y) {
+      for (int x = 0; x < above[i].cols; ++x) {
+        if (labels[i].at<uint8_t>(y, x) == kSurroundingsLabel) {
+          continue;
         }
+        const Eigen::Vector3d direction =
+            world_from_cam.rotation *
+            poses[i].camera.Unproject({x + 0.5, y + 0.5});
+        const std::optional<Eigen::Vector3d> point =
+            MeetPlane(world_from_cam.translation, direction, plane);
+        above[i].at<uint8_t>(y, x) =
+            point && IsOfPlate(*point, labels, poses) ? 0 : 255;
       }
     }
   });

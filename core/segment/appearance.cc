@@ -34,23 +34,21 @@ Appearance::Appearance(std::span<const cv::Mat> features,
       pool->push_back(samples[k * samples.size() / count]);
     }
   };
-  ParallelFor(context, features.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      objects[i] =
-          SampleFeatures(features[i], labels[i] == kObjectLabel, kOwnSamples);
-      surroundings[i] = SampleFeatures(
-          features[i], labels[i] == kSurroundingsLabel, kOwnSamples);
-      const size_t num_surroundings = surroundings[i].size();
-      AddShadows(&surroundings[i]);
-      Models& own = own_[i];
-      own.has_object = own_objects && objects[i].size() >= kLeastOwnSamples;
-      own.has_surroundings = num_surroundings >= kLeastOwnSamples;
-      if (own.has_object) {
-        own.object = ColourMixture(objects[i], kOwnComponents);
-      }
-      if (own.has_surroundings) {
-        own.surroundings = ColourMixture(surroundings[i], kOwnComponents);
-      }
+  ParallelEach(context, features.size(), 1, [&](size_t i) {
+    objects[i] =
+        SampleFeatures(features[i], labels[i] == kObjectLabel, kOwnSamples);
+    surroundings[i] = SampleFeatures(
+        features[i], labels[i] == kSurroundingsLabel, kOwnSamples);
+    const size_t num_surroundings = surroundings[i].size();
+    AddShadows(&surroundings[i]);
+    Models& own = own_[i];
+    own.has_object = own_objects && objects[i].size() >= kLeastOwnSamples;
+    own.has_surroundings = num_surroundings >= kLeastOwnSamples;
+    if (own.has_object) {
+      own.object = ColourMixture(objects[i], kOwnComponents);
+    }
+    if (own.has_surroundings) {
+      own.surroundings = ColourMixture(surroundings[i], kOwnComponents);
     }
   });
   std::vector<PixelFeature> pooled_objects;

@@ -102,20 +102,16 @@ OccupancyGrid::OccupancyGrid(const BoundingCube& cube,
   for (const Pose& pose : poses) {
     sizes_.emplace_back(pose.camera.width, pose.camera.height);
   }
-  ParallelFor(context, poses.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const cv::Size size = SizeForVoxels(poses[i], cube, resolution);
-      views_[i].pose = Scaled(poses[i], size);
-      cv::resize(log_odds[i], views_[i].evidence, size, 0, 0, cv::INTER_AREA);
-      for (float& value : cv::Mat_<float>(views_[i].evidence)) {
-        value = EvidenceOf(value);
-      }
+  ParallelEach(context, poses.size(), 1, [&](size_t i) {
+    const cv::Size size = SizeForVoxels(poses[i], cube, resolution);
+    views_[i].pose = Scaled(poses[i], size);
+    cv::resize(log_odds[i], views_[i].evidence, size, 0, 0, cv::INTER_AREA);
+    for (float& value : cv::Mat_<float>(views_[i].evidence)) {
+      value = EvidenceOf(value);
     }
   });
-  ParallelFor(context, size_t(resolution), 1, [&](size_t begin, size_t end) {
-    for (size_t z = begin; z < end; ++z) {
-      AddSlice(int(z), bounds);
-    }
+  ParallelEach(context, size_t(resolution), 1, [&](size_t z) {
+    AddSlice(int(z), bounds);
   });
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 #include <utility>
@@ -82,13 +81,6 @@ class Segmenter {
   Segmentation Run();
 
  private:
-  void ForEachView(const std::function<void(size_t)>& body) const {
-    ParallelFor(context_, poses_.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        body(i);
-      }
-    });
-  }
   cv::Mat FirstLabels(size_t view, double middle) const;
   bool FindObject(double middle);
   size_t CountDoubts() const;
@@ -157,7 +149,7 @@ void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
 
 void Segmenter::Learn(bool own_objects) {
   const Appearance appearance(features_, labels_, own_objects, context_);
-  ForEachView([&](size_t i) {
+  ParallelEach(context_, poses_.size(), 1, [&](size_t i) {
     colours_[i] = appearance.LogOdds(i, features_[i]);
     cv::Mat& colours = colours_[i];
     if (!own_objects) {
@@ -193,7 +185,7 @@ bool Segmenter::Round(const BoundingCube& cube, int resolution) {
     return false;
   }
   result_.object_box = grid.ObjectBox();
-  ForEachView([&](size_t i) {
+  ParallelEach(context_, poses_.size(), 1, [&](size_t i) {
     SegmentedView& view = result_.views[i];
     view.others = grid.WordOfOthers(i);
     for (float& value : cv::Mat_<float>(view.others)) {
@@ -239,7 +231,7 @@ bool Segmenter::IsObjectSaid() const {
 bool Segmenter::FindObject(double middle) {
   Phase phase(context_, "search for the object", kCoarseRounds + kFineRounds);
   const bool is_said = IsObjectSaid();
-  ForEachView([&](size_t i) {
+  ParallelEach(context_, poses_.size(), 1, [&](size_t i) {
     const cv::Mat& proposal = input_.views[i].proposal;
     labels_[i] = proposal.empty() ? FirstLabels(i, middle) : proposal.clone();
     if (is_said && proposal.empty()) {  // better than a guess
@@ -282,8 +274,9 @@ size_t Segmenter::CountDoubts() const {
 }
 
 Segmentation Segmenter::Run() {
-  ForEachView(
-      [&](size_t i) { features_[i] = PixelFeatures(input_.views[i].image); });
+  ParallelEach(context_, poses_.size(), 1, [&](size_t i) {
+    features_[i] = PixelFeatures(input_.views[i].image);
+  });
   const bool is_guessed = std::any_of(
       input_.views.begin(), input_.views.end(), [](const auto& view) {
         return view.proposal.empty();
@@ -297,7 +290,7 @@ Segmentation Segmenter::Run() {
       }
       continue;
     }
-    ForEachView([&](size_t i) { CutView(i); });
+    ParallelEach(context_, poses_.size(), 1, [&](size_t i) { CutView(i); });
     const size_t doubts = CountDoubts();
     if (!best || doubts < fewest) {
       best = std::exchange(

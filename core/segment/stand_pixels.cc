@@ -195,15 +195,13 @@ std::vector<cv::Mat> FindStandPixels(std::span<const cv::Mat> images,
   }
   Phase phase(context, "search for the stand", images.size());
   std::vector<cv::Mat> result(images.size());
-  ParallelFor(context, images.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      std::vector<CarriedView> others;
-      for (const size_t j : NeighborsOf(i, poses, center)) {
-        others.push_back(CarryByWayOf(plane, greys[j], poses[j], poses[i]));
-      }
-      result[i] = StandOf(Texture(greys[i]), others);
-      phase.Advance();
+  ParallelEach(context, images.size(), 1, [&](size_t i) {
+    std::vector<CarriedView> others;
+    for (const size_t j : NeighborsOf(i, poses, center)) {
+      others.push_back(CarryByWayOf(plane, greys[j], poses[j], poses[i]));
     }
+    result[i] = StandOf(Texture(greys[i]), others);
+    phase.Advance();
   });
   return result;
 }

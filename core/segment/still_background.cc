@@ -153,22 +153,20 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
   std::vector<cv::Mat> shown(labs.size());
   std::vector<cv::Mat> widely_shown(labs.size());
   const int wide = WideWindow(size);
-  ParallelFor(context, labs.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      cv::Mat same(size, CV_32F);
-      for (int y = 0; y < size.height; ++y) {
-        for (int x = 0; x < size.width; ++x) {
-          const float distance = Distance(labs[i].at<cv::Vec3b>(y, x),
-                                          background.color.at<cv::Vec3f>(y, x));
-          same.at<float>(y, x) = distance < background.tolerance ? 1.0f : 0.0f;
-        }
+  ParallelEach(context, labs.size(), 1, [&](size_t i) {
+    cv::Mat same(size, CV_32F);
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        const float distance = Distance(labs[i].at<cv::Vec3b>(y, x),
+                                        background.color.at<cv::Vec3f>(y, x));
+        same.at<float>(y, x) = distance < background.tolerance ? 1.0f : 0.0f;
       }
-      cv::Mat part;
-      cv::boxFilter(same, part, CV_32F, {kStillWindow, kStillWindow});
-      shown[i] = part >= kMostOfWindow;  // 255 where it is
-      cv::boxFilter(same, part, CV_32F, {wide, wide});
-      widely_shown[i] = part >= kMostOfWindow;
     }
+    cv::Mat part;
+    cv::boxFilter(same, part, CV_32F, {kStillWindow, kStillWindow});
+    shown[i] = part >= kMostOfWindow;  // 255 where it is
+    cv::boxFilter(same, part, CV_32F, {wide, wide});
+    widely_shown[i] = part >= kMostOfWindow;
   });
   background.support = PartOf(shown);
   background.wide_support = PartOf(widely_shown);

@@ -98,11 +98,8 @@ class TurntableSegmenter {
       doubt_ = still.doubt;
       Learn(still);
     }
-    ParallelFor(context_, labs.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        CutView(i, labs[i]);
-      }
-    });
+    ParallelEach(
+        context_, labs.size(), 1, [&](size_t i) { CutView(i, labs[i]); });
     DoubtPieces();
     return std::move(result_);
   }
@@ -110,10 +107,8 @@ class TurntableSegmenter {
  private:
   std::vector<cv::Mat> Labs(const std::vector<cv::Mat>& images) const {
     std::vector<cv::Mat> labs(images.size());
-    ParallelFor(context_, images.size(), 1, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        labs[i] = ToLab(images[i]);
-      }
+    ParallelEach(context_, images.size(), 1, [&](size_t i) {
+      labs[i] = ToLab(images[i]);
     });
     return labs;
   }
@@ -164,12 +159,10 @@ void TurntableSegmenter::Learn(const StillObject& still) {
   const size_t share = kColourSamples / count + 1;
   std::vector<std::vector<PixelFeature>> objects(count);
   std::vector<std::vector<PixelFeature>> backgrounds(count);
-  ParallelFor(context_, count, 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const cv::Mat features = PixelFeatures(input_.images[i]);
-      objects[i] = SampleFeatures(features, still.sure, share);
-      backgrounds[i] = SampleFeatures(features, still.sure_background, share);
-    }
+  ParallelEach(context_, count, 1, [&](size_t i) {
+    const cv::Mat features = PixelFeatures(input_.images[i]);
+    objects[i] = SampleFeatures(features, still.sure, share);
+    backgrounds[i] = SampleFeatures(features, still.sure_background, share);
   });
   std::vector<PixelFeature> object;
   std::vector<PixelFeature> background;

@@ -96,14 +96,11 @@ bool IsWithin(double limit,
               const Context& context) {
   const RayScene scene(mesh);
   std::atomic<bool> is_within = true;
-  ParallelFor(
-      context, full.positions.size(), kGrain, [&](size_t begin, size_t end) {
-        for (size_t v = begin; v < end && is_within; ++v) {
-          if (scene.ClosestPoint(full.positions[v]).distance > limit) {
-            is_within = false;
-          }
-        }
-      });
+  ParallelEach(context, full.positions.size(), kGrain, [&](size_t v) {
+    if (is_within && scene.ClosestPoint(full.positions[v]).distance > limit) {
+      is_within = false;
+    }
+  });
   return is_within;
 }
 

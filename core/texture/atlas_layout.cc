@@ -72,11 +72,9 @@ cv::Mat MapTexels(const AtlasLayout& layout,
   const PageSize& size = layout.packed.pages[page];
   cv::Mat map(size.height, size.width, CV_32SC1, cv::Scalar(0));
   const size_t num_charts = layout.charts.charts.size();
-  ParallelFor(context, num_charts, 16, [&](size_t begin, size_t end) {
-    for (size_t chart = begin; chart < end; ++chart) {
-      if (layout.packed.places[chart].page == page) {
-        MapChart(layout, uint32_t(chart), &map);
-      }
+  ParallelEach(context, num_charts, 16, [&](size_t chart) {
+    if (layout.packed.places[chart].page == page) {
+      MapChart(layout, uint32_t(chart), &map);
     }
   });
   return map;

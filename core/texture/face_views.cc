@@ -292,16 +292,13 @@ FaceViews FindFaceViews(const IndexedMesh& mesh,
   for (size_t first = 0; first < num_views; first += batch) {
     const size_t count = std::min(batch, num_views - first);
     std::vector<std::vector<FoundView>> found(count);
-    ParallelFor(context, count, 1, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const size_t view = first + i;
-        const Photograph photograph = photographs.load(view);
-        found[i] =
-            ViewScan(
-                surface, photographs.poses[view], photograph, uint16_t(view))
-                .Run();
-        phase.Advance();
-      }
+    ParallelEach(context, count, 1, [&](size_t i) {
+      const size_t view = first + i;
+      const Photograph photograph = photographs.load(view);
+      found[i] =
+          ViewScan(surface, photographs.poses[view], photograph, uint16_t(view))
+              .Run();
+      phase.Advance();
     });
     for (const auto& views : found) {
       for (const FoundView& view : views) {

@@ -54,11 +54,9 @@ class PagePainter {
     for (size_t first = 0; first < num_views; first += batch) {
       const size_t count = std::min(batch, num_views - first);
       std::vector<Photograph> loaded(count);
-      ParallelFor(context_, count, 1, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          if (!faces_of_view_[first + i].empty()) {
-            loaded[i] = photographs_.load(first + i);
-          }
+      ParallelEach(context_, count, 1, [&](size_t i) {
+        if (!faces_of_view_[first + i].empty()) {
+          loaded[i] = photographs_.load(first + i);
         }
       });
       for (size_t i = 0; i < count; ++i) {
@@ -156,14 +154,9 @@ class PagePainter {
 
   void PaintView(uint32_t view, const cv::Mat& image) {
     const std::vector<uint32_t>& faces = faces_of_view_[view];
-    ParallelFor(context_,
-                faces.size(),
-                kPaintedFacesPerChunk,
-                [&](size_t begin, size_t end) {
-                  for (size_t i = begin; i < end; ++i) {
-                    PaintFace(view, faces[i], image);
-                  }
-                });
+    ParallelEach(context_, faces.size(), kPaintedFacesPerChunk, [&](size_t i) {
+      PaintFace(view, faces[i], image);
+    });
   }
 
   void PaintFace(uint32_t view, uint32_t face, const cv::Mat& image) {

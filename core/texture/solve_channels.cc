@@ -24,17 +24,15 @@ void SolveChannels(const SymmetricMatrix& matrix,
                    const Context& context,
                    Eigen::MatrixX3d* x) {
   std::array<double, 3> errors{};
-  ParallelFor(context, 3, 1, [&](size_t begin, size_t end) {
-    for (size_t c = begin; c < end; ++c) {
-      Eigen::ConjugateGradient<SymmetricMatrix, Eigen::Lower | Eigen::Upper>
-          solver;
-      solver.setTolerance(kTolerance);
-      solver.setMaxIterations(kMaxIterations);
-      solver.compute(matrix);
-      x->col(Eigen::Index(c)) = solver.solveWithGuess(
-          right.col(Eigen::Index(c)), x->col(Eigen::Index(c)));
-      errors[c] = solver.error();
-    }
+  ParallelEach(context, 3, 1, [&](size_t c) {
+    Eigen::ConjugateGradient<SymmetricMatrix, Eigen::Lower | Eigen::Upper>
+        solver;
+    solver.setTolerance(kTolerance);
+    solver.setMaxIterations(kMaxIterations);
+    solver.compute(matrix);
+    x->col(Eigen::Index(c)) = solver.solveWithGuess(right.col(Eigen::Index(c)),
+                                                    x->col(Eigen::Index(c)));
+    errors[c] = solver.error();
   });
   const double error = *std::max_element(errors.begin(), errors.end());
   if (!(error <= kTolerance)) {

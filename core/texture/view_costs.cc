@@ -242,21 +242,18 @@ ViewCosts ComputeViewCosts(const IndexedMesh& mesh,
   result.consensus.resize(num_faces);
   result.costs.resize(num_faces);
   result.resolution.assign(num_faces, 0);
-  ParallelFor(context, num_faces, kFacesAtOnce, [&](size_t begin, size_t end) {
-    for (size_t f = begin; f < end; ++f) {
-      const std::span<const FaceView> candidates = views.Of(f);
-      result.consensus[f] = MedianColor(candidates, result.gains);
-      RateColors(
-          candidates, result.gains, result.consensus[f], &result.costs[f]);
-      std::array<float, FaceViews::kMaxViews> resolutions;
-      for (size_t i = 0; i < candidates.size(); ++i) {
-        resolutions[i] =
-            candidates[i].resolution * sharpness.Of(f, candidates[i].view);
-        result.resolution[f] = std::max(result.resolution[f], resolutions[i]);
-      }
-      for (size_t i = 0; i < candidates.size(); ++i) {
-        result.costs[f][i] += 1 - resolutions[i] / result.resolution[f];
-      }
+  ParallelEach(context, num_faces, kFacesAtOnce, [&](size_t f) {
+    const std::span<const FaceView> candidates = views.Of(f);
+    result.consensus[f] = MedianColor(candidates, result.gains);
+    RateColors(candidates, result.gains, result.consensus[f], &result.costs[f]);
+    std::array<float, FaceViews::kMaxViews> resolutions;
+    for (size_t i = 0; i < candidates.size(); ++i) {
+      resolutions[i] =
+          candidates[i].resolution * sharpness.Of(f, candidates[i].view);
+      result.resolution[f] = std::max(result.resolution[f], resolutions[i]);
+    }
+    for (size_t i = 0; i < candidates.size(); ++i) {
+      result.costs[f][i] += 1 - resolutions[i] / result.resolution[f];
     }
   });
   return result;

@@ -137,14 +137,9 @@ std::vector<float> VertexConfidence(const IndexedMesh& mesh,
     }
     return 1 / (1 + sum / weights);
   };
-  ParallelFor(context,
-              confidence.size(),
-              kConfidenceGrain,
-              [&](size_t begin, size_t end) {
-                for (size_t v = begin; v < end; ++v) {
-                  confidence[v] = at(v);
-                }
-              });
+  ParallelEach(context, confidence.size(), kConfidenceGrain, [&](size_t v) {
+    confidence[v] = at(v);
+  });
   return confidence;
 }
 

@@ -17,12 +17,10 @@ std::vector<size_t> CountPixelsOfRemoved(const IndexedMesh& removed,
     return counts;
   }
   const RayScene rays(removed);
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (cv::countNonZero(missed[i]) > 0) {
-        counts[i] =
-            size_t(cv::countNonZero(RenderHits(rays, views[i]) & missed[i]));
-      }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    if (cv::countNonZero(missed[i]) > 0) {
+      counts[i] =
+          size_t(cv::countNonZero(RenderHits(rays, views[i]) & missed[i]));
     }
   });
   return counts;

@@ -102,29 +102,27 @@ SilhouetteCheck CheckSilhouettes(
   for (const MaskUncertainty& uncertainty : uncertainties) {
     margins.push_back(uncertainty.repaired.outward);
   }
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const cv::Mat mesh = RenderHits(rays, views[i]);
-      const auto checked = [&](const Silhouette& silhouette,
-                               const BorderUncertainty& uncertainty,
-                               cv::Mat* missed) {
-        CheckedView view;
-        view.counts = CountPixels(silhouette, mesh, uncertainty, missed);
-        DeniedPixels denied = FindDeniedPixels(views, margins, i, *missed);
-        view.counts.contradicted = denied.count;
-        view.denied_by = std::move(denied.by_view);
-        return view;
-      };
-      of_repaired[i] = checked(
-          views[i].silhouette, uncertainties[i].repaired, &check.missed[i]);
-      cv::Mat missed;
-      of_given[i] = given[i].mask.data == repaired[i].mask.data
-                        ? of_repaired[i]
-                        : checked(Silhouette(given[i].mask, given[i].unknown),
-                                  uncertainties[i].given,
-                                  &missed);
-      phase.Advance();
-    }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    const cv::Mat mesh = RenderHits(rays, views[i]);
+    const auto checked = [&](const Silhouette& silhouette,
+                             const BorderUncertainty& uncertainty,
+                             cv::Mat* missed) {
+      CheckedView view;
+      view.counts = CountPixels(silhouette, mesh, uncertainty, missed);
+      DeniedPixels denied = FindDeniedPixels(views, margins, i, *missed);
+      view.counts.contradicted = denied.count;
+      view.denied_by = std::move(denied.by_view);
+      return view;
+    };
+    of_repaired[i] = checked(
+        views[i].silhouette, uncertainties[i].repaired, &check.missed[i]);
+    cv::Mat missed;
+    of_given[i] = given[i].mask.data == repaired[i].mask.data
+                      ? of_repaired[i]
+                      : checked(Silhouette(given[i].mask, given[i].unknown),
+                                uncertainties[i].given,
+                                &missed);
+    phase.Advance();
   });
   check.given = Gather(of_given);
   check.repaired = Gather(of_repaired);

@@ -78,26 +78,24 @@ SurfaceEvidence MeasureSurfaceEvidence(const ViewSet& views,
                     &phase);
   const std::vector<float> areas = AreasOfPoints(*mesh, seen.points);
   std::vector<PointEvidence> values(count);
-  ParallelFor(context, count, kGrain, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      PointEvidence& value = values[i];
-      value.position = mesh->positions[seen.points.vertices[i]].cast<float>();
-      value.normal = seen.surfaces[i].normal;
-      value.area = areas[i];
-      value.num_views = seen.choices[i].count;
-      if (offsets[i].is_measured) {
-        value.agreement = offsets[i].score_before;
-      }
-      if (offsets[i].weight > 0) {
-        // From the vertex, not from the surface that was fitted to it.
-        value.offset = (offsets[i].offset + seen.surfaces[i].height) /
-                       seen.choices[i].pixel;
-        value.precision = offsets[i].weight;
-      }
-      value.curvature =
-          -float(pixel) * (seen.surfaces[i].uu + seen.surfaces[i].vv);
-      MeasureHull(views, float(options.border_shift), &value);
+  ParallelEach(context, count, kGrain, [&](size_t i) {
+    PointEvidence& value = values[i];
+    value.position = mesh->positions[seen.points.vertices[i]].cast<float>();
+    value.normal = seen.surfaces[i].normal;
+    value.area = areas[i];
+    value.num_views = seen.choices[i].count;
+    if (offsets[i].is_measured) {
+      value.agreement = offsets[i].score_before;
     }
+    if (offsets[i].weight > 0) {
+      // From the vertex, not from the surface that was fitted to it.
+      value.offset =
+          (offsets[i].offset + seen.surfaces[i].height) / seen.choices[i].pixel;
+      value.precision = offsets[i].weight;
+    }
+    value.curvature =
+        -float(pixel) * (seen.surfaces[i].uu + seen.surfaces[i].vv);
+    MeasureHull(views, float(options.border_shift), &value);
   });
   return {
       std::move(seen.rays), std::move(seen.points), std::move(values), pixel};

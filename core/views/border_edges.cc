@@ -69,11 +69,9 @@ std::optional<BorderEdges> MeasureBorderEdges(const ViewSet& views,
   const std::vector<OutlineFit> fits(kOutlineBlurs.begin(),
                                      kOutlineBlurs.end());
   std::vector<EdgeOffsets> of_views(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (views[i].pyramid.NumLevels() > 0) {
-        of_views[i] = FindEdgeOffsets(views[i], fits);
-      }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    if (views[i].pyramid.NumLevels() > 0) {
+      of_views[i] = FindEdgeOffsets(views[i], fits);
     }
   });
   EdgeOffsets offsets;

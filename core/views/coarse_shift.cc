@@ -26,11 +26,9 @@ constexpr double kMinLines = 0.2;
 std::vector<EdgePositions> FindEdgesOfViews(const ViewSet& views,
                                             const Context& context) {
   std::vector<EdgePositions> edges(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (views[i].pyramid.NumLevels() > 0) {
-        edges[i] = FindAllEdges(views[i]);
-      }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    if (views[i].pyramid.NumLevels() > 0) {
+      edges[i] = FindAllEdges(views[i]);
     }
   });
   return edges;

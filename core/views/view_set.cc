@@ -9,15 +9,13 @@ ViewSet PrepareViews(const Scene& scene,
                      const Context& context,
                      double mask_tolerance) {
   ViewSet views(scene.views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      const View& view = scene.views[i];
-      views[i].projection = MakeViewProjection(view, cube);
-      views[i].silhouette = Silhouette(view.mask, view.unknown);
-      views[i].mask_tolerance = float(mask_tolerance * view.scale);
-      if (!view.image.empty()) {
-        views[i].pyramid = ImagePyramid(view.image, view.mask);
-      }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    const View& view = scene.views[i];
+    views[i].projection = MakeViewProjection(view, cube);
+    views[i].silhouette = Silhouette(view.mask, view.unknown);
+    views[i].mask_tolerance = float(mask_tolerance * view.scale);
+    if (!view.image.empty()) {
+      views[i].pyramid = ImagePyramid(view.image, view.mask);
     }
   });
   return views;

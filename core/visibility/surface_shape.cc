@@ -157,14 +157,10 @@ std::vector<SurfaceShape> EstimateSurfaceShape(
       });
       return;
     }
-    ParallelFor(context,
-                rings.ends[size_t(num_steps)],
-                kVoxelGrain,
-                [&](size_t begin, size_t end) {
-                  for (size_t k = begin; k < end; ++k) {
-                    body(k, rings.slots[k]);
-                  }
-                });
+    ParallelEach(
+        context, rings.ends[size_t(num_steps)], kVoxelGrain, [&](size_t k) {
+          body(k, rings.slots[k]);
+        });
   };
   std::vector<float> values = prior;
   std::vector<float> blurred(values.size());

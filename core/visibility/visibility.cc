@@ -79,11 +79,9 @@ Visibility Visibility::Estimate(const ViewSet& views,
   visibility.depth_maps_.resize(views.size());
   const std::vector<Eigen::Vector3f> centers = CutCenters(surface, labels);
   const float voxel = 1.0f / float(surface.Resolution());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      visibility.depth_maps_[i] =
-          RenderSurface(views[i].projection, centers, voxel);
-    }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    visibility.depth_maps_[i] =
+        RenderSurface(views[i].projection, centers, voxel);
   });
   return visibility;
 }

@@ -55,10 +55,8 @@ std::vector<Bytes> EncodeAll(const std::vector<View>& views,
                              int longest,
                              const Context& context) {
   std::vector<Bytes> files(chosen.size());
-  ParallelFor(context, chosen.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      files[i] = EncodeReduced(views[chosen[i]].image, longest);
-    }
+  ParallelEach(context, chosen.size(), 1, [&](size_t i) {
+    files[i] = EncodeReduced(views[chosen[i]].image, longest);
   });
   return files;
 }

@@ -129,20 +129,16 @@ void SurfaceIcp::FindPairs(const Similarity3d& reference_from_mesh,
   const size_t num_mesh = mesh_samples_.size();
   const bool is_first = pairs->empty();
   pairs->resize(num_mesh + reference_samples_.size());
-  ParallelFor(
-      context, pairs->size(), kSearchGrain, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          AlignPair& pair = (*pairs)[i];
-          const auto near =
-              is_first ? std::nullopt : std::optional(pair.closest);
-          pair = i < num_mesh
-                     ? PairOfMesh(mesh_samples_[i], reference_from_mesh, near)
-                     : PairOfReference(reference_samples_[i - num_mesh],
-                                       reference_from_mesh,
-                                       mesh_from_reference,
-                                       near);
-        }
-      });
+  ParallelEach(context, pairs->size(), kSearchGrain, [&](size_t i) {
+    AlignPair& pair = (*pairs)[i];
+    const auto near = is_first ? std::nullopt : std::optional(pair.closest);
+    pair = i < num_mesh
+               ? PairOfMesh(mesh_samples_[i], reference_from_mesh, near)
+               : PairOfReference(reference_samples_[i - num_mesh],
+                                 reference_from_mesh,
+                                 mesh_from_reference,
+                                 near);
+  });
 }
 
 IcpResidual SurfaceIcp::WeighPairs(std::vector<AlignPair>* pairs) const {

@@ -84,10 +84,8 @@ std::vector<ViewSupport> MeasureViewSupport(const std::vector<View>& views,
                                             const ReprojectionOptions& options,
                                             const Context& context) {
   std::vector<ViewSupport> support(views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      support[i] = SupportOfView(TexturedPixels(views[i], options), maps[i]);
-    }
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    support[i] = SupportOfView(TexturedPixels(views[i], options), maps[i]);
   });
   return support;
 }

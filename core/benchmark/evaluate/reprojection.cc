@@ -151,28 +151,26 @@ Reprojection MeasureReprojection(const std::vector<View>& views,
   std::vector<ViewSums> sums(views.size());
   std::vector<cv::Mat> maps(options.keep_maps ? views.size() : 0);
   Phase phase(context, "reprojection", views.size());
-  ParallelFor(context, views.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      cv::Mat compared = cv::Mat::zeros(depths[i].size(), CV_8UC1);
-      cv::Mat correlations;
-      if (options.keep_maps) {
-        correlations = cv::Mat::zeros(depths[i].size(), CV_32FC2);
-      }
-      for (const size_t j : neighbors[i]) {
-        sums[i].pairs.push_back(
-            CompareWithNeighbor({views[i], greys[i], depths[i]},
-                                {views[j], greys[j], depths[j]},
-                                options,
-                                &compared,
-                                options.keep_maps ? &correlations : nullptr));
-      }
-      if (options.keep_maps) {
-        maps[i] = MeanMap(correlations);
-      }
-      sums[i].mesh_pixels = size_t(cv::countNonZero(depths[i] > 0));
-      sums[i].compared_pixels = size_t(cv::countNonZero(compared));
-      phase.Advance();
+  ParallelEach(context, views.size(), 1, [&](size_t i) {
+    cv::Mat compared = cv::Mat::zeros(depths[i].size(), CV_8UC1);
+    cv::Mat correlations;
+    if (options.keep_maps) {
+      correlations = cv::Mat::zeros(depths[i].size(), CV_32FC2);
     }
+    for (const size_t j : neighbors[i]) {
+      sums[i].pairs.push_back(
+          CompareWithNeighbor({views[i], greys[i], depths[i]},
+                              {views[j], greys[j], depths[j]},
+                              options,
+                              &compared,
+                              options.keep_maps ? &correlations : nullptr));
+    }
+    if (options.keep_maps) {
+      maps[i] = MeanMap(correlations);
+    }
+    sums[i].mesh_pixels = size_t(cv::countNonZero(depths[i] > 0));
+    sums[i].compared_pixels = size_t(cv::countNonZero(compared));
+    phase.Advance();
   });
   Reprojection result = Combine(sums);
   result.maps = std::move(maps);

@@ -34,12 +34,9 @@ std::vector<double> DistancesTo(const RayScene& surface,
                                 const std::vector<Eigen::Vector3d>& points,
                                 const Context& context) {
   std::vector<double> distances(points.size());
-  ParallelFor(
-      context, points.size(), kMetroGrain, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          distances[i] = surface.ClosestPoint(points[i]).distance;
-        }
-      });
+  ParallelEach(context, points.size(), kMetroGrain, [&](size_t i) {
+    distances[i] = surface.ClosestPoint(points[i]).distance;
+  });
   return distances;
 }
 

@@ -94,12 +94,9 @@ Registration RunIcp(Points source,
   Registration result;
   for (int iteration = 0; iteration <= kMaxIterations; ++iteration) {
     std::vector<PointTree::Closest> closest(source.size());
-    ParallelFor(
-        context, source.size(), kVoxelGrain, [&](size_t begin, size_t end) {
-          for (size_t i = begin; i < end; ++i) {
-            closest[i] = target.FindClosest(source[i]);
-          }
-        });
+    ParallelEach(context, source.size(), kVoxelGrain, [&](size_t i) {
+      closest[i] = target.FindClosest(source[i]);
+    });
     Points from;
     Points to;
     for (size_t i = 0; i < source.size(); ++i) {

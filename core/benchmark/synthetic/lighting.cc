@@ -96,24 +96,18 @@ std::vector<float> BakeVisibility(const IndexedMesh& mesh,
   const int count = radius > 0 ? num_samples : 1;
   const int num_first = std::max(6, count / 4);
   const DiscPattern pattern(count);
-  ParallelFor(
-      context,
-      mesh.positions.size(),
-      kSurfaceGrain,
-      [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          const Eigen::Vector3d normal = mesh.normals[i].cast<double>();
-          if (normal.dot(frame.z) < -radius) {
-            continue;  // turned away: no part of the disc is above
-          }
-          const Eigen::Vector3d origin = mesh.positions[i] + offset * normal;
-          const Eigen::Matrix2d turn = radius * DiscPattern::Turn(i);
-          visibility[i] = AdaptiveMean(count, num_first, [&](int sample) {
-            const Eigen::Vector2d disc = turn * pattern[sample];
-            return !rays.IsOccluded(origin, frame.Disc(disc), 0, kInfinity);
-          });
-        }
-      });
+  ParallelEach(context, mesh.positions.size(), kSurfaceGrain, [&](size_t i) {
+    const Eigen::Vector3d normal = mesh.normals[i].cast<double>();
+    if (normal.dot(frame.z) < -radius) {
+      return;  // turned away: no part of the disc is above
+    }
+    const Eigen::Vector3d origin = mesh.positions[i] + offset * normal;
+    const Eigen::Matrix2d turn = radius * DiscPattern::Turn(i);
+    visibility[i] = AdaptiveMean(count, num_first, [&](int sample) {
+      const Eigen::Vector2d disc = turn * pattern[sample];
+      return !rays.IsOccluded(origin, frame.Disc(disc), 0, kInfinity);
+    });
+  });
   return visibility;
 }
 
@@ -125,21 +119,15 @@ std::vector<float> BakeOpenness(const IndexedMesh& mesh,
   const double offset = RayOffset(mesh);
   const int num_first = std::max(8, num_samples / 4);
   const DiscPattern pattern(num_samples);
-  ParallelFor(
-      context,
-      mesh.positions.size(),
-      kSurfaceGrain,
-      [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          const AxisFrame frame(mesh.normals[i].cast<double>().normalized());
-          const Eigen::Vector3d origin = mesh.positions[i] + offset * frame.z;
-          const Eigen::Matrix2d turn = DiscPattern::Turn(i);
-          openness[i] = AdaptiveMean(num_samples, num_first, [&](int sample) {
-            return !rays.IsOccluded(
-                origin, frame.Hemisphere(turn * pattern[sample]), 0, kInfinity);
-          });
-        }
-      });
+  ParallelEach(context, mesh.positions.size(), kSurfaceGrain, [&](size_t i) {
+    const AxisFrame frame(mesh.normals[i].cast<double>().normalized());
+    const Eigen::Vector3d origin = mesh.positions[i] + offset * frame.z;
+    const Eigen::Matrix2d turn = DiscPattern::Turn(i);
+    openness[i] = AdaptiveMean(num_samples, num_first, [&](int sample) {
+      return !rays.IsOccluded(
+          origin, frame.Hemisphere(turn * pattern[sample]), 0, kInfinity);
+    });
+  });
   // Few rays leave noise: the sky's light changes slowly over the surface.
   for (int round = 0; round < 2; ++round) {
     openness = MeanOverNeighbors(mesh, openness);

@@ -155,12 +155,9 @@ Sampling SampleLattice(const ImplicitShape& shape,
   });
   const std::vector<uint64_t>& keys = sampling.nodes.Keys();
   sampling.values.resize(keys.size());
-  ParallelFor(
-      context, keys.size(), kTetrahedraGrain, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          sampling.values[i] = shape(lattice.NodePosition(keys[i]));
-        }
-      });
+  ParallelEach(context, keys.size(), kTetrahedraGrain, [&](size_t i) {
+    sampling.values[i] = shape(lattice.NodePosition(keys[i]));
+  });
   for_tetrahedra([&](const std::array<uint64_t, 4>& tetrahedron) {
     std::array<uint32_t, 4> nodes;
     int num_inside = 0;

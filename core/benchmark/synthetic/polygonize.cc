@@ -118,28 +118,20 @@ IndexedMesh Polygonize(const ImplicitShape& shape,
   }
   ThrowUnlessClosed(mesh);
   auto& positions = mesh.positions;
-  const auto for_vertices = [&](const auto& body) {
-    ParallelFor(
-        context, positions.size(), kVertexGrain, [&](size_t begin, size_t end) {
-          for (size_t i = begin; i < end; ++i) {
-            body(i);
-          }
-        });
-  };
   const auto gradient_at = [&](const Vector3d& p) {
     return ImplicitGradient(shape, p, kDifference * cell);
   };
-  for_vertices([&](size_t i) {
+  ParallelEach(context, positions.size(), kVertexGrain, [&](size_t i) {
     StepToSurface(shape, gradient_at(positions[i]), cell, positions[i]);
   });
   for (int round = 0; round < options.smoothing_rounds; ++round) {
     const std::vector<Vector3d> normals = SmoothVertices(mesh);
-    for_vertices([&](size_t i) {
+    ParallelEach(context, positions.size(), kVertexGrain, [&](size_t i) {
       StepAlongNormal(shape, normals[i], cell, positions[i]);
     });
   }
   mesh.normals.resize(positions.size());
-  for_vertices([&](size_t i) {
+  ParallelEach(context, positions.size(), kVertexGrain, [&](size_t i) {
     // One gradient serves several steps, but not on the sharpest edges.
     for (int round = 0; round < 3; ++round) {
       const Vector3d gradient = gradient_at(positions[i]);

@@ -77,17 +77,14 @@ void ColorReference(const TextureOptions& texture,
                     const Context& context,
                     IndexedMesh& mesh) {
   mesh.colors.resize(mesh.positions.size());
-  ParallelFor(
-      context, mesh.positions.size(), 1024, [&](size_t begin, size_t end) {
-        for (size_t i = begin; i < end; ++i) {
-          const Eigen::Vector3f color =
-              TextureColor(texture, mesh.positions[i].cast<float>());
-          for (int k = 0; k < 3; ++k) {
-            mesh.colors[i][k] =
-                static_cast<uint8_t>(std::lround(255 * EncodeSrgb(color[k])));
-          }
-        }
-      });
+  ParallelEach(context, mesh.positions.size(), 1024, [&](size_t i) {
+    const Eigen::Vector3f color =
+        TextureColor(texture, mesh.positions[i].cast<float>());
+    for (int k = 0; k < 3; ++k) {
+      mesh.colors[i][k] =
+          static_cast<uint8_t>(std::lround(255 * EncodeSrgb(color[k])));
+    }
+  });
 }
 
 }  // namespace

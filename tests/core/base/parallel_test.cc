@@ -41,6 +41,24 @@ TEST(ParallelFor, VisitsEveryIndexOnceInChunksThatDependOnSizesAlone) {
   }
 }
 
+TEST(ParallelEach, VisitsEveryIndexOnceInOrderWithinAChunk) {
+  for (const size_t count : {0u, 1u, 7u, 1000u}) {
+    for (const int num_threads : {1, 4}) {
+      std::vector<std::vector<size_t>> visited(NumChunks(count, 9));
+      ParallelEach(Context(num_threads), count, 9, [&](size_t i) {
+        visited[i / 9].push_back(i);
+      });
+      size_t next = 0;
+      for (const std::vector<size_t>& chunk : visited) {
+        for (const size_t i : chunk) {
+          EXPECT_EQ(i, next++);
+        }
+      }
+      EXPECT_EQ(next, count);
+    }
+  }
+}
+
 TEST(ParallelSum, AddsWhatEveryChunkGives) {
   for (const int num_threads : {1, 4}) {
     const auto sum = [&](size_t count) {

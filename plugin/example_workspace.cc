@@ -117,7 +117,7 @@ void WriteExampleWorkspace(const SyntheticScene& scene,
   for (const char* part : {"images", "masks", "sparse", "gt"}) {
     CreateFolder(folder / part);
   }
-  const Phase phase(context, "writing of the workspace");
+  const Phase phase(context, "writing the workspace");
   ParallelEach(context, scene.views.size(), 1, [&](size_t i) {
     const SyntheticView& view = scene.views[i];
     WriteImage(folder / "images" / view.name,

@@ -149,7 +149,7 @@ void Loader::ForEachCandidate(std::string_view phase,
 }
 
 void Loader::ReadReducedMasks() {
-  ForEachCandidate("reading of the masks", [&](size_t i) {
+  ForEachCandidate("reading masks", [&](size_t i) {
     const ViewFiles& files = candidates_[i].files;
     candidates_[i].mask =
         ReadMaskView(files, FrameOf(*files.camera), mask_cameras_);

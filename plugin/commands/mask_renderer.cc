@@ -65,7 +65,7 @@ void MaskRenderer::Run(const CommandEnvironment& environment) {
   MaskList list;
   std::vector<std::vector<uchar>> pngs;
   size_t num_empty = 0;
-  Phase phase(context, "rendering of the masks", workspace.model.images.size());
+  Phase phase(context, "rendering masks", workspace.model.images.size());
   for (const SparseImage& image : workspace.model.images) {
     const SparseCamera& camera = *workspace.model.FindCamera(image.camera_id);
     const CameraProjector projector(camera);

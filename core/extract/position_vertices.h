@@ -7,35 +7,15 @@
 // voxel's diagonal away, and unbiased.
 #pragma once
 
-#include <Eigen/Core>
-#include <vector>
-
 #include "core/base/context.h"
 #include "core/extract/extract_surface.h"
 #include "core/mesh/indexed_mesh.h"
 
 namespace octacut {
 
-struct PositionVerticesOptions {
-  // Least height of a triangle over its longest edge, in voxels. Parts that
-  // are thinner than a voxel would collapse or run into each other: their
-  // vertices stay closer to their corners, where every triangle is higher than
-  // 0.4 voxels and none intersect.
-  double min_height = 0.02;
-
-  void Check() const;
-};
-
-struct PositionedSurface {
-  IndexedMesh mesh;
-  // The voxel corner (or the middle of a grid edge, or the centre of a voxel)
-  // where each vertex was before, in world coordinates.
-  std::vector<Eigen::Vector3d> corners;
-};
-
-// No triangles of the mesh intersect.
-PositionedSurface PositionVertices(ExtractedSurface surface,
-                                   const PositionVerticesOptions& options,
-                                   const Context& context);
+// No triangles of the mesh intersect, and none is lower than
+// kMinTriangleHeight: where they would be, vertices stay closer to their
+// corners, where every triangle is higher than 0.4 voxels and none intersect.
+IndexedMesh PositionVertices(ExtractedSurface surface, const Context& context);
 
 }  // namespace octacut

@@ -59,10 +59,6 @@ void SmoothOptions::Check() const {
               "max_displacement",
               max_displacement,
               "must be at least 0");
-  CheckOption(min_height >= 0 && min_height <= 0.4,
-              "min_height",
-              min_height,
-              "must be in [0, 0.4]");
 }
 
 IndexedMesh SmoothSurface(IndexedMesh mesh,
@@ -90,7 +86,7 @@ IndexedMesh SmoothSurface(IndexedMesh mesh,
       }
     }
   }
-  Untangle(anchors, options.min_height * voxel_size, context, &mesh);
+  Untangle(anchors, kMinTriangleHeight * voxel_size, context, &mesh);
   return mesh;
 }
 

@@ -18,10 +18,6 @@ struct SmoothOptions {
   // How far a vertex may come from where it began, in voxels: the cut is known
   // to one. docs/experiments/smoothing.md.
   double max_displacement = 1;
-  // Least height of a triangle over its longest edge, in voxels: vertices of
-  // triangles that end up thinner, or intersect others, are moved back towards
-  // where they began.
-  double min_height = 0.02;
 
   void Check() const;
 };
@@ -29,7 +25,9 @@ struct SmoothOptions {
 // `voxel_size` is the unit of the options, in world units. All vertices of an
 // iteration move at once (Jacobi). The mesh is to be closed and oriented;
 // vertices without triangles stay. No triangles intersect but those that did
-// before. Normals no longer hold: the result is without.
+// before: vertices of those that would, and of triangles that end up lower than
+// kMinTriangleHeight, are moved back towards where they began. Normals no
+// longer hold: the result is without.
 IndexedMesh SmoothSurface(IndexedMesh mesh,
                           double voxel_size,
                           const SmoothOptions& options,

@@ -12,6 +12,11 @@
 
 namespace octacut {
 
+// Least height of a triangle over its longest edge, in voxels, wherever a mesh
+// of voxels is made. Parts that are thinner than a voxel would collapse or run
+// into each other otherwise.
+inline constexpr double kMinTriangleHeight = 0.02;
+
 // What is left of a vertex' way each time that it is moved back.
 inline constexpr std::array<double, 4> kLeftOfWay = {1, 0.5, 0.25, 0};
 

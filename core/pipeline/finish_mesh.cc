@@ -80,10 +80,7 @@ IndexedMesh PositionedMesh(const LabeledVoxels& surface,
                            const BoundingCube& cube,
                            const Context& context) {
   return PositionVertices(
-             ExtractSurface(surface.voxels, surface.labels, cube, context),
-             PositionVerticesOptions(),
-             context)
-      .mesh;
+      ExtractSurface(surface.voxels, surface.labels, cube, context), context);
 }
 
 FinishedMesh FinalMesh(const ViewSet& views,
@@ -95,12 +92,9 @@ FinishedMesh FinalMesh(const ViewSet& views,
   ExtractedSurface extracted =
       ExtractSurface(surface.voxels, surface.labels, cube, context);
   summary.extraction = extracted.summary;
-  const PositionVerticesOptions placing;
-  PositionedSurface positioned =
-      PositionVertices(std::move(extracted), placing, context);
   const double voxel_size = cube.VoxelSize(surface.voxels.Level());
-  KeptComponents kept =
-      KeepLargestComponents(std::move(positioned.mesh), options.min_component);
+  KeptComponents kept = KeepLargestComponents(
+      PositionVertices(std::move(extracted), context), options.min_component);
   const size_t num_needed =
       RestoreNeededComponents(views, cube, context, &kept);
   if (num_needed > 0) {
@@ -117,7 +111,7 @@ FinishedMesh FinalMesh(const ViewSet& views,
   RemovedHandles cleaned = RemoveHandles(
       std::move(kept.mesh),
       {.max_length = max_length,
-       .min_height = placing.min_height * voxel_size,
+       .min_height = kMinTriangleHeight * voxel_size,
        .max_length_at =
            [&](const Eigen::Vector3d& point) {
              return max_length * LongestHidden(views,
@@ -133,8 +127,7 @@ FinishedMesh FinalMesh(const ViewSet& views,
   // Smoothing leaves nothing that intersects, but in doubles.
   RoundToFloats(&before);
   RoundToFloats(&smoothed.positions);
-  UntangleFloats(
-      before, options.smoothing.min_height * voxel_size, context, &smoothed);
+  UntangleFloats(before, kMinTriangleHeight * voxel_size, context, &smoothed);
   smoothed.normals = ComputeVertexNormals(smoothed, context);
   return {std::move(smoothed), std::move(kept.removed), summary};
 }

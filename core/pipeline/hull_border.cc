@@ -137,7 +137,6 @@ float DecidedAt(const DecidedVoxels& decided, const Eigen::Vector3f& point) {
 
 size_t MoveToHullBorder(const SilhouetteHull& hull,
                         const DecidedVoxels& decided,
-                        double min_height,
                         const Context& context,
                         IndexedMesh* mesh) {
   const BoundingCube& cube = hull.cube;
@@ -171,7 +170,7 @@ size_t MoveToHullBorder(const SilhouetteHull& hull,
     }
   });
   UntangleFloats(before,
-                 min_height * cube.VoxelSize(decided.voxels.Level()),
+                 kMinTriangleHeight * cube.VoxelSize(decided.voxels.Level()),
                  context,
                  mesh);
   mesh->normals = ComputeVertexNormals(*mesh, context);

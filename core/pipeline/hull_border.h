@@ -35,11 +35,10 @@ struct DecidedVoxels {
 // (docs/experiments/hull_border.md)
 //
 // `mesh` has normals, which are made anew. Positions are floats before and
-// after, and no triangles intersect but those that did; `min_height` as in
-// SmoothOptions. Returns how many vertices were moved.
+// after, and no triangles intersect, or are lower than kMinTriangleHeight,
+// but those that did or were. Returns how many vertices were moved.
 size_t MoveToHullBorder(const SilhouetteHull& hull,
                         const DecidedVoxels& decided,
-                        double min_height,
                         const Context& context,
                         IndexedMesh* mesh);
 

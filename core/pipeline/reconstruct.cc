@@ -203,12 +203,8 @@ FinishedMesh MeshOf(const LabeledVoxels& surface,
         FinishedMesh finished =
             FinalMesh(hull.views, surface, hull.cube, options.finish, context);
         summary->finish = finished.summary;
-        summary->num_moved_to_hull =
-            MoveToHullBorder(hull,
-                             {surface.voxels, decided},
-                             options.finish.smoothing.min_height,
-                             context,
-                             &finished.mesh);
+        summary->num_moved_to_hull = MoveToHullBorder(
+            hull, {surface.voxels, decided}, context, &finished.mesh);
         return finished;
       });
 }

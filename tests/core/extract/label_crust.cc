@@ -109,11 +109,9 @@ size_t NumIntersections(const IndexedMesh& mesh) {
   return FindSelfIntersections(mesh, Context(1)).num_pairs;
 }
 
-PositionedSurface Place(const LabelledCrust& labelled,
-                        const BoundingCube& cube) {
+IndexedMesh Place(const LabelledCrust& labelled, const BoundingCube& cube) {
   return PositionVertices(
       ExtractSurface(labelled.crust, labelled.labels, cube, Context(1)),
-      PositionVerticesOptions(),
       Context(1));
 }
 

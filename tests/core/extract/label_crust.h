@@ -47,9 +47,8 @@ double TorusDistance(const Eigen::Vector3d& point);   // radii 0.27 and 0.12
 // Pairs of triangles that intersect.
 size_t NumIntersections(const IndexedMesh& mesh);
 
-// Its surface with vertices positioned by the default options.
-PositionedSurface Place(const LabelledCrust& labelled,
-                        const BoundingCube& cube);
+// Its surface with positioned vertices.
+IndexedMesh Place(const LabelledCrust& labelled, const BoundingCube& cube);
 
 // The cube whose voxels of `level` have unit edges.
 BoundingCube UnitVoxels(int level);

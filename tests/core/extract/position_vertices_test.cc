@@ -5,8 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/base/error.h"
-#include "core/mesh/smooth.h"
+#include "core/mesh/untangle.h"
 #include "tests/core/extract/label_crust.h"
 
 namespace octacut {
@@ -34,15 +33,18 @@ TEST(PositionVertices, PutsAFlatCutIntoTheMiddleOfItsVoxels) {
           const int last = axis == 2 && cuts_upper ? 5 : 4;
           return !on_side && z >= 2 && z <= last;
         });
-    const PositionedSurface positioned = Place(slab, UnitVoxels(4));
-    ExpectClosedManifold(AuditMesh(positioned.mesh));
+    const ExtractedSurface surface =
+        ExtractSurface(slab.crust, slab.labels, UnitVoxels(4), Context(1));
+    const IndexedMesh positioned = PositionVertices(surface, Context(1));
+    ExpectClosedManifold(AuditMesh(positioned));
     int num_top = 0;
-    for (size_t v = 0; v < positioned.corners.size(); ++v) {
+    ASSERT_EQ(positioned.positions.size(), surface.mesh.positions.size());
+    for (size_t v = 0; v < positioned.positions.size(); ++v) {
       const Eigen::Vector3d from_middle =
-          positioned.corners[v] - Eigen::Vector3d(6, 6, 7);
+          surface.mesh.positions[v] - Eigen::Vector3d(6, 6, 7);
       if (from_middle.cwiseAbs().maxCoeff() < 1.1 && from_middle.z() == 0) {
         const double height = cuts_upper ? 7.5 : 6.5;
-        EXPECT_DOUBLE_EQ(positioned.mesh.positions[v].z(), height);
+        EXPECT_DOUBLE_EQ(positioned.positions[v].z(), height);
         ++num_top;
       }
     }
@@ -57,20 +59,19 @@ TEST(PositionVertices, StaysWithinHalfAVoxelDiagonalAndKeepsTrianglesApart) {
         LabelRandomBlock(2 + round % 4, round % 2 != 0, random);
     const ExtractedSurface surface =
         ExtractSurface(block.crust, block.labels, UnitVoxels(4), Context(1));
-    const PositionedSurface positioned =
-        PositionVertices(surface, PositionVerticesOptions(), Context(1));
-    if (positioned.mesh.triangles.empty()) {
+    const IndexedMesh positioned = PositionVertices(surface, Context(1));
+    if (positioned.triangles.empty()) {
       continue;
     }
-    EXPECT_EQ(positioned.corners, surface.mesh.positions);
-    EXPECT_EQ(positioned.mesh.triangles, surface.mesh.triangles);
-    for (size_t v = 0; v < positioned.corners.size(); ++v) {
-      EXPECT_LE((positioned.mesh.positions[v] - positioned.corners[v]).norm(),
+    ASSERT_EQ(positioned.positions.size(), surface.mesh.positions.size());
+    EXPECT_EQ(positioned.triangles, surface.mesh.triangles);
+    for (size_t v = 0; v < positioned.positions.size(); ++v) {
+      EXPECT_LE((positioned.positions[v] - surface.mesh.positions[v]).norm(),
                 std::sqrt(3.0) / 2 + 1e-12);
     }
-    ExpectClosedManifold(AuditMesh(positioned.mesh));
-    EXPECT_GE(SmallestHeight(positioned.mesh), 0.02 - 1e-12);
-    EXPECT_EQ(NumIntersections(positioned.mesh), 0u);
+    ExpectClosedManifold(AuditMesh(positioned));
+    EXPECT_GE(SmallestHeight(positioned), kMinTriangleHeight - 1e-12);
+    EXPECT_EQ(NumIntersections(positioned), 0u);
   }
 }
 
@@ -78,22 +79,22 @@ TEST(PositionVertices, SingleFaceKeepsItsArea) {
   // Both polygons collapse into the centre of the face otherwise.
   const LabelledCrust block = LabelBlock(
       2, {1, 1, 1}, {2, 1, 1}, false, [](int, int, int, int) { return true; });
-  const PositionedSurface positioned = Place(block, UnitVoxels(2));
-  const MeshAudit audit = AuditMesh(positioned.mesh);
+  const IndexedMesh positioned = Place(block, UnitVoxels(2));
+  const MeshAudit audit = AuditMesh(positioned);
   EXPECT_EQ(audit.DescribeFailure(), "");
-  EXPECT_GE(SmallestHeight(positioned.mesh), 0.02 - 1e-12);
+  EXPECT_GE(SmallestHeight(positioned), kMinTriangleHeight - 1e-12);
 }
 
 TEST(PositionVertices, VolumeOfASphereIsUnbiased) {
   for (const int level : {5, 6, 7}) {
     const double voxel = 1.0 / (1 << level);
-    const PositionedSurface positioned =
+    const IndexedMesh positioned =
         Place(LabelShape(level, SphereDistance), UnitCube());
     double mean = 0;
     double largest = 0;
-    for (const Eigen::Vector3d& position : positioned.mesh.positions) {
+    for (const Eigen::Vector3d& position : positioned.positions) {
       const double distance = SphereDistance(position) / voxel;
-      mean += distance / double(positioned.mesh.positions.size());
+      mean += distance / double(positioned.positions.size());
       largest = std::max(largest, std::abs(distance));
     }
     EXPECT_LT(std::abs(mean), 0.02) << "level " << level;
@@ -101,18 +102,9 @@ TEST(PositionVertices, VolumeOfASphereIsUnbiased) {
     const double exact = 4.0 / 3 * M_PI * std::pow(0.4, 3);
     // Triangles cut the sphere's caps off: of the order of (voxel / radius)^2.
     const double tolerance = 1.5 * voxel * voxel / (0.4 * 0.4);
-    EXPECT_NEAR(AuditMesh(positioned.mesh).volume / exact, 1, tolerance)
+    EXPECT_NEAR(AuditMesh(positioned).volume / exact, 1, tolerance)
         << "level " << level;
   }
-}
-
-TEST(PositionVertices, RefusesBadOptions) {
-  for (const double height : {0.0, -1.0, 0.5, double(NAN)}) {
-    PositionVerticesOptions options;
-    options.min_height = height;
-    EXPECT_THROW(options.Check(), OptionError) << height;
-  }
-  EXPECT_NO_THROW(PositionVerticesOptions().Check());
 }
 
 }  // namespace

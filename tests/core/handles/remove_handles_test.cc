@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/base/error.h"
+#include "core/mesh/untangle.h"
 #include "tests/core/extract/label_crust.h"
 
 namespace octacut {
@@ -15,7 +16,6 @@ namespace {
 
 constexpr int kLevel = 6;
 constexpr double kVoxel = 1.0 / (1 << kLevel);
-constexpr double kMinHeight = 0.02;  // voxels
 
 double DistanceToSegment(const Eigen::Vector3d& point,
                          const Eigen::Vector3d& a,
@@ -27,7 +27,7 @@ double DistanceToSegment(const Eigen::Vector3d& point,
 
 IndexedMesh MeshOf(
     const std::function<double(const Eigen::Vector3d&)>& distance) {
-  return Place(LabelShape(kLevel, distance), UnitCube()).mesh;
+  return Place(LabelShape(kLevel, distance), UnitCube());
 }
 
 // Two balls, joined by two bars of the given radii.
@@ -47,10 +47,10 @@ IndexedMesh JoinedBalls(double first_radius, double second_radius) {
 RemovedHandles Remove(const IndexedMesh& mesh,
                       double max_length,  // voxels
                       const Context& context = Context(2)) {
-  return RemoveHandles(
-      mesh,
-      {.max_length = max_length * kVoxel, .min_height = kMinHeight * kVoxel},
-      context);
+  return RemoveHandles(mesh,
+                       {.max_length = max_length * kVoxel,
+                        .min_height = kMinTriangleHeight * kVoxel},
+                       context);
 }
 
 // Closed, no triangles intersect, and as many handles fewer as the summary
@@ -127,7 +127,7 @@ TEST(RemoveHandles, LoopsMayBeLongerWhereAllOfThemMayBe) {
                                const auto& max_length_at) {
     return RemoveHandles(mesh,
                          {.max_length = 5 * kVoxel,
-                          .min_height = kMinHeight * kVoxel,
+                          .min_height = kMinTriangleHeight * kVoxel,
                           .max_length_at = max_length_at,
                           .max_length_anywhere = max_length_anywhere * kVoxel},
                          Context(2))
@@ -162,15 +162,15 @@ TEST(RemoveHandles, KeepsRandomBlocksValid) {
   size_t num_removed = 0;
   for (int round = 0; round < 100; ++round) {
     const LabelledCrust block = LabelRandomBlock(3 + round % 4, false, random);
-    const PositionedSurface positioned = Place(block, UnitVoxels(4));
-    IndexedMesh mesh = positioned.mesh;
-    mesh.positions = positioned.corners;
+    IndexedMesh mesh =
+        ExtractSurface(block.crust, block.labels, UnitVoxels(4), Context(1))
+            .mesh;
     if (mesh.triangles.empty()) {
       continue;
     }
     const MeshAudit before = AuditMesh(mesh);
     const RemovedHandles cut = RemoveHandles(
-        mesh, {.max_length = 12, .min_height = kMinHeight}, Context(1));
+        mesh, {.max_length = 12, .min_height = kMinTriangleHeight}, Context(1));
     ExpectValidWithoutHandles(cut, before);
     ASSERT_FALSE(HasFailure()) << "round " << round;
     num_removed += cut.summary.num_removed;

@@ -54,8 +54,7 @@ TEST(SurfaceHomology, GeneratorsAreTwiceTheGenusAndTrianglesSeparate) {
   size_t num_generators = 0;
   for (int round = 0; round < 300; ++round) {
     const IndexedMesh mesh =
-        Place(LabelRandomBlock(2 + round % 5, false, random), UnitVoxels(4))
-            .mesh;
+        Place(LabelRandomBlock(2 + round % 5, false, random), UnitVoxels(4));
     if (mesh.triangles.empty()) {
       continue;
     }

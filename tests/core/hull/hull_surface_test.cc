@@ -33,13 +33,10 @@ HullMesh MeshOfHull(const TestScene& test,
   const LabeledVoxels surface =
       ComputeHullSurface(test.views, box, options, Context(2));
   HullMesh result;
-  result.mesh =
-      PositionVertices(
-          ExtractSurface(
-              surface.voxels, surface.labels, test.region.cube, Context(2)),
-          PositionVerticesOptions(),
-          Context(2))
-          .mesh;
+  result.mesh = PositionVertices(
+      ExtractSurface(
+          surface.voxels, surface.labels, test.region.cube, Context(2)),
+      Context(2));
   // Small pieces that no view denies are part of a hull, too.
   result.mesh = KeepLargestComponents(std::move(result.mesh), 0.1).mesh;
   result.audit = AuditMesh(result.mesh);

@@ -14,12 +14,7 @@ namespace octacut {
 namespace {
 
 IndexedMesh ShapeMesh(int level, double (*distance)(const Eigen::Vector3d&)) {
-  const LabelledCrust shape = LabelShape(level, distance);
-  return PositionVertices(
-             ExtractSurface(shape.crust, shape.labels, UnitCube(), Context(1)),
-             PositionVerticesOptions(),
-             Context(1))
-      .mesh;
+  return Place(LabelShape(level, distance), UnitCube());
 }
 
 TEST(SmoothSurface, OneIterationIsTheUmbrellaOperator) {
@@ -64,8 +59,8 @@ TEST(SmoothSurface, KeepsTheBoundAndTheAuditOnRandomBlocks) {
   for (int round = 0; round < 400; ++round) {
     const LabelledCrust block =
         LabelRandomBlock(2 + round % 4, round % 2 != 0, random);
-    const PositionedSurface positioned = Place(block, UnitVoxels(4));
-    if (positioned.mesh.triangles.empty()) {
+    const IndexedMesh positioned = Place(block, UnitVoxels(4));
+    if (positioned.triangles.empty()) {
       continue;
     }
     SmoothOptions options;
@@ -73,10 +68,10 @@ TEST(SmoothSurface, KeepsTheBoundAndTheAuditOnRandomBlocks) {
     options.max_displacement = round % 3 == 0 ? 0.3 : 1;
     options.taubin_mu = round % 5 == 0 ? -0.53 : 0;
     const IndexedMesh smooth =
-        SmoothSurface(positioned.mesh, 1, options, Context(1));
+        SmoothSurface(positioned, 1, options, Context(1));
     for (size_t v = 0; v < smooth.positions.size(); ++v) {
       const double displacement =
-          (smooth.positions[v] - positioned.mesh.positions[v]).norm();
+          (smooth.positions[v] - positioned.positions[v]).norm();
       EXPECT_LE(displacement, options.max_displacement * (1 + 1e-12));
       num_bounded += displacement >= options.max_displacement * (1 - 1e-9);
     }
@@ -185,8 +180,6 @@ TEST(SmoothOptions, RefusesBadValues) {
   refuses([](SmoothOptions& o) { o.taubin_mu = -0.4; });
   refuses([](SmoothOptions& o) { o.max_displacement = -1; });
   refuses([](SmoothOptions& o) { o.max_displacement = INFINITY; });
-  refuses([](SmoothOptions& o) { o.min_height = -0.1; });
-  refuses([](SmoothOptions& o) { o.min_height = 0.5; });
   EXPECT_THROW(SmoothSurface(MakeBox(), 0, SmoothOptions(), Context(1)),
                OptionError);
 }

@@ -48,7 +48,7 @@ TEST(Untangle, LeavesRandomBlocksWithoutIntersections) {
   for (int round = 0; round < 200; ++round) {
     const LabelledCrust block =
         LabelRandomBlock(2 + round % 4, round % 2 != 0, random);
-    const IndexedMesh start = Place(block, UnitVoxels(4)).mesh;
+    const IndexedMesh start = Place(block, UnitVoxels(4));
     IndexedMesh mesh = start;
     for (Eigen::Vector3d& position : mesh.positions) {
       position += Eigen::Vector3d(way(random), way(random), way(random));
@@ -89,8 +89,7 @@ TEST(UntangleFloats, LeavesFloatsWithoutIntersections) {
     // Far off the origin the last bit of a float is a hundredth of a voxel.
     const Eigen::Vector3d offset = Eigen::Vector3d::Constant(1e5);
     IndexedMesh start =
-        Place(LabelRandomBlock(2 + round % 4, true, random), UnitVoxels(4))
-            .mesh;
+        Place(LabelRandomBlock(2 + round % 4, true, random), UnitVoxels(4));
     for (Eigen::Vector3d& position : start.positions) {
       position += offset;
     }

@@ -17,7 +17,6 @@ using testing::MakeSphereViews;
 using testing::SphereViews;
 
 constexpr int kBorderLevel = 6;
-constexpr double kLeastHeight = 0.02;
 
 class MoveToHullBorderTest : public ::testing::Test {
  protected:
@@ -54,7 +53,6 @@ class MoveToHullBorderTest : public ::testing::Test {
          std::vector<float>(sphere_.test.views.size(), mask_confidence),
          sphere_.test.region.cube},
         {voxels_, std::vector<float>(voxels_.Size(), decided)},
-        kLeastHeight,
         Context(num_threads_),
         mesh);
   }

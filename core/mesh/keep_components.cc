@@ -40,17 +40,9 @@ void Compact(const std::vector<uint8_t>& keep, IndexedMesh& mesh) {
       continue;
     }
     mesh.positions[next] = mesh.positions[v];
-    if (!mesh.normals.empty()) {
-      mesh.normals[next] = mesh.normals[v];
-    }
-    if (!mesh.colors.empty()) {
-      mesh.colors[next] = mesh.colors[v];
-    }
     index[v] = next++;
   }
   mesh.positions.resize(next);
-  mesh.normals.resize(mesh.normals.empty() ? 0 : next);
-  mesh.colors.resize(mesh.colors.empty() ? 0 : next);
   std::erase_if(mesh.triangles, [&](std::array<uint32_t, 3>& triangle) {
     if (!keep[triangle[0]]) {
       return true;

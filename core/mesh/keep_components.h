@@ -16,7 +16,7 @@ struct KeptComponents {
 
 // Keeps the components (connected through vertices) whose volume is at least
 // `min_fraction` (in [0, 1], else OptionError) of the largest one's. 1 keeps
-// the largest alone, 0 everything.
+// the largest alone, 0 everything. Normals and colours of `mesh` must be empty.
 //
 // A component of negative volume bounds a cavity of another one. It is judged
 // by its absolute volume, so small cavities are filled. The cavities of a

@@ -208,10 +208,7 @@ class PolygonFiller {
       triangles.push_back({ring_[Before(i)], ring_[i], ring_[Next(i)]});
       ring_.erase(ring_.begin() + std::ptrdiff_t(i));
       // Cutting on two corners farther spares a fan of needles.
-      i = ring_.empty() ? 0 : (i + 1) % ring_.size();
-      if (ring_.size() == 2) {
-        break;
-      }
+      i = (i + 1) % ring_.size();
     }
     return triangles;
   }

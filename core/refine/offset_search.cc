@@ -58,7 +58,6 @@ OffsetMeasurement FindPeak(const std::vector<float>& scores,
   measurement.score_before = scores[middle];
   const size_t best =
       size_t(std::max_element(scores.begin(), scores.end()) - scores.begin());
-  measurement.score = scores[best];
   if (best == 0 || best + 1 == scores.size() ||
       scores[best] < float(search.min_score) || IsAmbiguous(scores, best)) {
     return measurement;
@@ -71,10 +70,10 @@ OffsetMeasurement FindPeak(const std::vector<float>& scores,
   }
   const float step = float(search.step);
   const float peak = 0.5f * (after - before) / curvature;
-  measurement.score += 0.25f * (after - before) * peak;
+  const float score = scores[best] + 0.25f * (after - before) * peak;
   measurement.offset = (float(best) - float(middle) + peak) * step * pixel;
-  measurement.weight = WeightOfPeak(
-      1 - measurement.score, curvature / (2 * step * step), num_views, search);
+  measurement.weight =
+      WeightOfPeak(1 - score, curvature / (2 * step * step), num_views, search);
   return measurement;
 }
 

@@ -32,7 +32,6 @@ struct OffsetMeasurement {
   bool is_measured = false;  // at least two views show the patch
   float offset = 0;          // from the local surface, unit coordinates
   float weight = 0;  // 1 / standard deviation, roughly, in pixels; 0: none
-  float score = 0;   // of the peak
   float score_before = 0;  // at offset 0
   float mattness = 1;      // of Mattness, at offset 0
 };

@@ -52,7 +52,7 @@ class MeshExporterTest : public ::testing::Test {
     return nlohmann::json::parse(ReadFile(folder_ / name));
   }
   MeshAudit AuditOf(const std::string& name = "out.stl") const {
-    return AuditMesh(ReadMesh(folder_ / name).mesh);
+    return AuditMesh(ReadMesh(folder_ / name).mesh, Context(1));
   }
 
   // Photographs from around with two markers beside the object, and points of
@@ -85,7 +85,7 @@ class MeshExporterTest : public ::testing::Test {
       point.xyz = Eigen::Vector3d(0.2 * (i % 10) - 0.9, 0.2 * row - 0.9, 0);
       point.error = 0.3;
     }
-    WriteSparseModelText(model, folder_ / "w" / "sparse" / "0");
+    WriteSparseModelBinary(model, folder_ / "w" / "sparse" / "0");
   }
 
   TemporaryFolder folder_;

@@ -8,6 +8,7 @@
 #include "colmap_io/images/undistorted_camera.h"
 #include "colmap_io/model/write_sparse_model.h"
 #include "tests/colmap_io/images/test_workspace.h"
+#include "tests/colmap_io/model/text_model.h"
 
 namespace octacut {
 namespace {
@@ -49,7 +50,7 @@ TEST_F(WorkspaceTest, DenseFolder) {
 
 TEST_F(WorkspaceTest, DistortedModelRightInSparseIsNoDenseFolder) {
   MakeFolders(folder_);
-  WriteSparseModelText(RingModel(kWorkspaceRadial, 4), folder_ / "sparse");
+  WriteTextModel(RingModel(kWorkspaceRadial, 4), folder_ / "sparse");
   EXPECT_FALSE(Open().is_dense_folder);
 }
 
@@ -69,8 +70,7 @@ TEST_F(WorkspaceTest, ProjectTakesTheModelWithMostImagesAndSaysSo) {
   MakeFolders(folder_);
   WriteSparseModelBinary(RingModel(kWorkspaceRadial, 4),
                          folder_ / "sparse" / "0");
-  WriteSparseModelText(RingModel(kWorkspaceRadial, 9),
-                       folder_ / "sparse" / "2");
+  WriteTextModel(RingModel(kWorkspaceRadial, 9), folder_ / "sparse" / "2");
   WriteSparseModelBinary(RingModel(kWorkspaceRadial, 9),
                          folder_ / "sparse" / "10");
   const Workspace workspace = Open();

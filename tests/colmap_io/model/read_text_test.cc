@@ -2,12 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 #include <sstream>
 
 #include "colmap_io/model/read_sparse_model.h"
-#include "colmap_io/model/write_sparse_model.h"
 #include "tests/colmap_io/model/test_models.h"
+#include "tests/colmap_io/model/text_model.h"
 
 namespace octacut {
 namespace {
@@ -134,15 +135,14 @@ TEST(ReadText, RefusalsNameFileLineFieldAndValue) {
 // Random damage never does worse than an InputError.
 TEST(ReadText, SurvivesRandomDamage) {
   const SparseModel model = TestModel(3, 4, 6);
-  std::ostringstream cameras, images, points;
-  WriteCamerasText(model.cameras, cameras);
-  WriteImagesText(model.images, images);
-  WritePointsText(model.points, points);
+  const std::array texts = {CamerasText(model.cameras),
+                            ImagesText(model.images),
+                            PointsText(model.points)};
   std::mt19937 random(20240608);
   const std::string alphabet = "0123456789 -.e\n\r\t#xn\0\xff,";
   int num_refused = 0;
   for (int trial = 0; trial < 3000; ++trial) {
-    std::string text = std::array{&cameras, &images, &points}[trial % 3]->str();
+    std::string text = texts[trial % 3];
     for (int i = int(random() % 4); i >= 0; --i) {
       text[random() % text.size()] = alphabet[random() % alphabet.size()];
     }

@@ -103,8 +103,8 @@ Log::Log(const LogOptions& options, std::string_view run_name) {
     }
   }
   if (target == LogTarget::kFile || target == LogTarget::kStderrAndFile) {
-    file_path_ = MakeLogFilePath(options.path, run_name);
-    file_ = std::make_unique<spdlog::logger>("file", OpenFileSink(file_path_));
+    file_ = std::make_unique<spdlog::logger>(
+        "file", OpenFileSink(MakeLogFilePath(options.path, run_name)));
     file_->set_pattern("%Y-%m-%d %H:%M:%S.%e %v");
     file_->set_level(LeastLevel(options));
     file_->flush_on(spdlog::level::debug);

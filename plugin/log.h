@@ -56,9 +56,6 @@ class Log {
   void SetStatus(std::string_view status);
   bool HasTerminal() const { return terminal_ != nullptr; }
 
-  // Empty when there is no log file.
-  const std::filesystem::path& FilePath() const { return file_path_; }
-
  private:
   void Write(spdlog::level::level_enum level, const std::string& message);
 
@@ -66,7 +63,6 @@ class Log {
   std::unique_ptr<spdlog::logger> file_;
   std::FILE* terminal_ = nullptr;
   bool status_shown_ = false;
-  std::filesystem::path file_path_;
 };
 
 }  // namespace octacut

@@ -11,7 +11,4 @@ namespace octacut {
 // CV_32FC1 or CV_32FC3. The file appears whole or not at all.
 void WriteDenseMap(const std::filesystem::path& path, const cv::Mat& map);
 
-// Throws InputError that names the file when its header or size is wrong.
-cv::Mat ReadDenseMap(const std::filesystem::path& path);
-
 }  // namespace octacut

@@ -58,8 +58,9 @@ inline constexpr OctahedronTables MakeOctahedronTables() {
 }
 inline constexpr OctahedronTables kOctahedron = MakeOctahedronTables();
 
-// What a node needs to know of one of its arcs.
-struct NodeArc {
+// What a node needs to know of one of its arcs; of a size that finds one in a
+// table by a shift.
+struct alignas(8) NodeArc {
   uint8_t side;  // voxel that holds the arc: 0 the node's own, 1 the lower
   uint8_t step;  // face to step across from there to the other node's voxel,
                  // kNumFaces: none
@@ -67,8 +68,6 @@ struct NodeArc {
   uint8_t back;  // code of the same arc at the other node
   uint8_t out;   // number of the arc that leaves the node
   uint8_t in;    // number of the arc that enters it
-  uint8_t edge;  // of both
-  int8_t sign;   // +1: leaves the node along the edge, -1: against
 };
 
 inline constexpr std::array<std::array<NodeArc, kNumNodeArcs>, 3>
@@ -85,9 +84,7 @@ MakeNodeArcs() {
                           uint8_t(other / 2),
                           uint8_t(4 * (other & 1) + in % 4),
                           uint8_t(out),
-                          uint8_t(in),
-                          kOctahedron.edge[out],
-                          kOctahedron.sign[out]};
+                          uint8_t(in)};
     }
   }
   return arcs;

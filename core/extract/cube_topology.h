@@ -22,9 +22,6 @@ inline constexpr int NextAxis(int axis) { return (axis + 1) % 3; }
 inline constexpr unsigned SharedAxes(int a, int b) {
   return ~unsigned(a ^ b) & 7u;
 }
-inline constexpr bool IsCubeEdge(int a, int b) {
-  return std::popcount(SharedAxes(a, b)) == 2;
-}
 inline constexpr bool IsFaceDiagonal(int a, int b) {
   return std::popcount(SharedAxes(a, b)) == 1;
 }

@@ -71,11 +71,4 @@ size_t VoxelGrid::MemoryBytes() const {
   return bricks_.capacity() * sizeof(Brick) + table_.capacity() * sizeof(Index);
 }
 
-std::vector<MortonCode> VoxelGrid::Codes() const {
-  std::vector<MortonCode> codes;
-  codes.reserve(size_);
-  ForEach([&](Index, MortonCode code) { codes.push_back(code); });
-  return codes;
-}
-
 }  // namespace octacut

@@ -93,8 +93,6 @@ class VoxelGrid {
   void ForEach(Body&& body) const {
     ForEachInBricks(0, bricks_.size(), body);
   }
-  // Codes of all voxels in order.
-  std::vector<MortonCode> Codes() const;
 
   static MortonCode CodeOf(const Brick& brick, int bit) {
     return brick.key << 6 | uint64_t(bit);

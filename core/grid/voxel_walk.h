@@ -26,8 +26,6 @@ class VoxelWalk {
   using Index = VoxelGrid::Index;
 
   VoxelWalk(const VoxelGrid& grid, const Context& context);
-  // On one thread.
-  explicit VoxelWalk(const VoxelGrid& grid) : VoxelWalk(grid, Context(1)) {}
 
   size_t NumBricks() const { return links_.size() - 1; }
   static constexpr size_t kBytesPerBrick = 64 + 32;

@@ -257,10 +257,6 @@ MeshAudit AuditMesh(const IndexedMesh& mesh, const Context& context) {
   return audit;
 }
 
-MeshAudit AuditMesh(const IndexedMesh& mesh) {
-  return AuditMesh(mesh, Context(1));
-}
-
 std::string MeshAudit::DescribeFailure() const {
   std::string failures;
   const auto report = [&](size_t count, const char* what) {

@@ -60,7 +60,6 @@ struct MeshAudit {
 
 // Throws InputError when an index is out of range.
 MeshAudit AuditMesh(const IndexedMesh& mesh, const Context& context);
-MeshAudit AuditMesh(const IndexedMesh& mesh);  // on one thread
 
 // Throws InvariantError that names what fails, if anything does.
 void CheckAudit(const MeshAudit& audit);

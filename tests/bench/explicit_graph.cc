@@ -11,7 +11,7 @@ namespace {
 void NumberVertices(const VoxelGrid& crust,
                     std::span<const FaceTies> merged_ties,
                     ExplicitGraph& graph) {
-  const VoxelWalk walk(crust);
+  const VoxelWalk walk(crust, Context(1));
   graph.vertices.resize(crust.Size());
   // A face is numbered by the voxel on its upper side.
   walk.ForEachWithNeighbors(

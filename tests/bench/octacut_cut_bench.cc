@@ -31,7 +31,7 @@ OctahedralCut Solve(const std::string& solver,
     return SolveOctahedralCut(problem, {.lean = lean}, context);
   }
   const std::vector<FaceTies> ties =
-      MergeFaceTies(problem, VoxelWalk(*problem.crust), context);
+      MergeFaceTies(problem, VoxelWalk(*problem.crust, Context(1)), context);
   if (solver != "boost" && solver != "opencv") {
     throw OptionError("solver " + solver + " is not known");
   }
@@ -60,7 +60,7 @@ nlohmann::json Measure(const std::string& solver,
   const std::chrono::duration<double> wall =
       std::chrono::steady_clock::now() - wall_before;
   const double peak = ResidentBytes("VmHWM") - base;
-  const VoxelWalk walk(*problem.crust);
+  const VoxelWalk walk(*problem.crust, Context(1));
   const int64_t cost = LabellingCost(problem,
                                      walk,
                                      MergeFaceTies(problem, walk, context),

@@ -4,8 +4,8 @@
 #include <opencv2/core.hpp>
 
 #include "colmap_io/files/read_file.h"
-#include "colmap_io/images/dense_map_file.h"
 #include "colmap_io/mesh/mesh_io.h"
+#include "tests/colmap_io/images/read_dense_map.h"
 #include "tests/plugin/small_workspace.h"
 
 namespace octacut::testing {

@@ -14,6 +14,7 @@
 #include "colmap_io/model/read_sparse_model.h"
 #include "core/base/error.h"
 #include "plugin/report.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 #include "tests/plugin/run_octacut.h"
 
 namespace octacut {

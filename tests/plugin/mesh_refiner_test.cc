@@ -77,7 +77,7 @@ TEST_F(MeshRefiner, BringsAMeshCloserToTheTruth) {
   const IndexedMesh after = ReadMesh(Refined()).mesh;
   EXPECT_EQ(after.triangles, before.triangles);
   EXPECT_EQ(after.colors, before.colors);
-  EXPECT_EQ(AuditMesh(after).DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(after, Context(1)).DescribeFailure(), "");
   const Json report =
       Json::parse(ReadFile(Workspace() / "meshed-refined.json"));
   EXPECT_EQ(report["command"], "mesh_refiner");

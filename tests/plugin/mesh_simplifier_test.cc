@@ -57,7 +57,7 @@ TEST_F(MeshSimplifierTest, WritesTheMeshAndHowFarItIs) {
   EXPECT_EQ(mesh.triangles.size(), 700u);
   EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
   EXPECT_EQ(mesh.colors.size(), mesh.positions.size());
-  EXPECT_EQ(AuditMesh(mesh).DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(mesh, Context(1)).DescribeFailure(), "");
   const nlohmann::json report = Report("s.ply.json");
   EXPECT_EQ(report["input"]["triangles"], 6912);
   ASSERT_EQ(report["levels"].size(), 1u);

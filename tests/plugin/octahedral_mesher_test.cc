@@ -55,7 +55,7 @@ TEST_F(OctahedralMesher, LeavesMeshReportAndPicture) {
   const IndexedMesh mesh = ReadMesh(Result(".ply")).mesh;
   EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
   EXPECT_EQ(mesh.colors.size(), mesh.positions.size());
-  EXPECT_EQ(AuditMesh(mesh).DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(mesh, Context(1)).DescribeFailure(), "");
 
   const Json report = Json::parse(ReadFile(Result(".json")));
   ExpectDocumented(
@@ -107,9 +107,9 @@ TEST_F(OctahedralMesher, LeavesMeshReportAndPicture) {
 TEST_F(OctahedralMesher, IsInTheFrameOfTheModel) {
   ASSERT_EQ(RunMesher({"--picture", "0"}).exit_code, 0);
   EXPECT_FALSE(fs::exists(Result(".png")));
-  const MeshAudit mesh = AuditMesh(ReadMesh(Result(".ply")).mesh);
-  const MeshAudit reference =
-      AuditMesh(ReadMesh(Workspace() / "gt" / "reference.ply").mesh);
+  const MeshAudit mesh = AuditMesh(ReadMesh(Result(".ply")).mesh, Context(1));
+  const MeshAudit reference = AuditMesh(
+      ReadMesh(Workspace() / "gt" / "reference.ply").mesh, Context(1));
   EXPECT_NEAR(mesh.volume, reference.volume, 0.15 * reference.volume);
   const double voxel =
       Json::parse(ReadFile(Result(".json")))["input"]["region"]["cube_edge"]
@@ -193,7 +193,7 @@ TEST_F(OctahedralMesher, SavedLevelsAreClosed) {
   const fs::path levels = folder_ / "new" / "levels";
   ASSERT_EQ(RunCut({"--save_levels", levels.string()}).exit_code, 0);
   for (const char* name : {"hull.ply", "level_05.ply", "level_06.ply"}) {
-    const MeshAudit audit = AuditMesh(ReadMesh(levels / name).mesh);
+    const MeshAudit audit = AuditMesh(ReadMesh(levels / name).mesh, Context(1));
     EXPECT_EQ(audit.DescribeFailure(), "") << name;
   }
   const ProgramResult result = RunMesher({"--save_levels",
@@ -280,8 +280,8 @@ TEST_F(OctahedralMesher, VisualHullAlone) {
                                            "--OctahedralMeshing.hull_level",
                                            "6"});
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  const MeshAudit audit =
-      AuditMesh(ReadMesh(Workspace() / "meshed-visual-hull.ply").mesh);
+  const MeshAudit audit = AuditMesh(
+      ReadMesh(Workspace() / "meshed-visual-hull.ply").mesh, Context(1));
   EXPECT_EQ(audit.DescribeFailure(), "");
   EXPECT_EQ(audit.genus, 1);
   const Json report =

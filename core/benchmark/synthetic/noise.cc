@@ -68,10 +68,6 @@ namespace {
 
 }  // namespace
 
-float ValueNoise(const Eigen::Vector3f& point, uint32_t seed) {
-  return NoiseAt(point.x(), point.y(), point.z(), seed);
-}
-
 float FractalNoise(const Eigen::Vector3f& point, int octaves, uint32_t seed) {
   float sum = 0;
   float strength = 1;

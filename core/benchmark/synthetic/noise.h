@@ -12,11 +12,8 @@ namespace octacut {
 double HashNormal(uint64_t bits);
 
 // Smooth noise over space in [-1, 1] with one feature about a unit of length
-// (quintic interpolation of random values at the integer lattice).
-float ValueNoise(const Eigen::Vector3f& point, uint32_t seed);
-
-// Sum of `octaves` noises, each of half the size and strength of the one
-// before; in [-1, 1].
+// (quintic interpolation of random values at the integer lattice): the sum of
+// `octaves` of it, each of half the size and strength of the one before.
 float FractalNoise(const Eigen::Vector3f& point, int octaves, uint32_t seed);
 
 // Spots, one in each unit cell: how deep inside its cell's spot the point is

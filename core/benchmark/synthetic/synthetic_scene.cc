@@ -41,23 +41,6 @@ void SceneSpec::Check() const {
               "must not be negative");
 }
 
-SceneSpec QuickScene(const std::string& object,
-                     int width,
-                     int height,
-                     int num_views) {
-  SceneSpec spec;
-  spec.object = object;
-  spec.rig.width = width;
-  spec.rig.height = height;
-  spec.rig.num_views = num_views;
-  spec.reference.resolution = 64;
-  // Details of the texture must span pixels to be of use.
-  spec.texture.scale *= std::max(1.0, 400.0 / width);
-  spec.lighting.num_samples = 8;
-  spec.num_points = 300;
-  return spec;
-}
-
 namespace {
 
 IndexedMesh MeshOfTwoUnits(const IndexedMesh& given, const Context& context) {
@@ -260,31 +243,6 @@ SyntheticScene MakeScene(const SceneSpec& spec, const Context& context) {
     AddEmptySet(subject, whole, rig, &scene, context);
   }
   scene.points = SampleSparsePoints(scene, subject);
-  return scene;
-}
-
-Scene ToScene(const SyntheticScene& synthetic) {
-  Scene scene;
-  for (const SyntheticView& view : synthetic.views) {
-    if (view.lens.k1 != 0) {
-      throw InputError(
-          fmt::format("synthetic view {}: k1 = {}, but the core's views are "
-                      "undistorted",
-                      view.name,
-                      view.lens.k1));
-    }
-    scene.views.push_back({view.name,
-                           view.lens.camera,
-                           view.cam_from_world,
-                           view.image,
-                           view.mask,
-                           cv::Mat()});
-  }
-  for (const SyntheticPoint& point : synthetic.points) {
-    if (point.on_object) {
-      scene.points.push_back(point.position);
-    }
-  }
   return scene;
 }
 

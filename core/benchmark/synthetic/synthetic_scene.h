@@ -67,14 +67,6 @@ struct SceneSpec {
   void Check() const;  // throws OptionError
 };
 
-// A spec for quick tests with an object of MakeObject: fewer, smaller images
-// and a coarser reference than the defaults, which are for 36 cameras at
-// 1024 x 768; all else equal.
-SceneSpec QuickScene(const std::string& object,
-                     int width = 160,
-                     int height = 120,
-                     int num_views = 16);
-
 struct SyntheticView {
   std::string name;
   Lens lens;
@@ -109,10 +101,5 @@ struct SyntheticScene {
 // The same bytes for any number of threads. Throws OptionError when a camera is
 // below the plane of the stand, which would hide the object from it.
 SyntheticScene MakeScene(const SceneSpec& spec, const Context& context);
-
-// The scene as the core's steps take it, with the points on the object. Images
-// are shared, not copied.
-// Throws InputError when the lens distorts.
-Scene ToScene(const SyntheticScene& synthetic);
 
 }  // namespace octacut

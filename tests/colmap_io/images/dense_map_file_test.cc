@@ -1,23 +1,17 @@
 #include "colmap_io/images/dense_map_file.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <opencv2/core.hpp>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "colmap_io/files/read_file.h"
-#include "core/base/error.h"
 #include "tests/colmap_io/files/temporary_folder.h"
+#include "tests/colmap_io/images/read_dense_map.h"
 
 namespace octacut {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::ThrowsMessage;
 
 TEST(DenseMapFile, LaidOutAsColmapHasIt) {
   const TemporaryFolder folder;
@@ -44,24 +38,6 @@ TEST(DenseMapFile, LaidOutAsColmapHasIt) {
   EXPECT_EQ(value(17), -1);
   const cv::Mat back = ReadDenseMap(folder / "n.bin");
   EXPECT_EQ(cv::norm(back, map, cv::NORM_INF), 0);
-}
-
-TEST(DenseMapFile, DamagedFilesAreNamed) {
-  const TemporaryFolder folder;
-  folder.Write("header.bin", "3x2&1&");
-  folder.Write("short.bin", "3&2&1&abcd");
-  folder.Write("large.bin", "300000&2&1&");
-  const std::vector<std::pair<std::string, std::string>> cases = {
-      {"header.bin", "header"},
-      {"short.bin", "ends early"},
-      {"large.bin", "300000 x 2"},
-      {"gone.bin", "header"}};
-  for (const auto& [name, message] : cases) {
-    const std::filesystem::path path = folder / name;
-    const std::string& expected = message;
-    EXPECT_THAT([&] { ReadDenseMap(path); },
-                ThrowsMessage<InputError>(HasSubstr(expected)));
-  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "core/consistency/patch.h"
 #include "tests/core/consistency/sphere_scene.h"
+#include "tests/core/grid/codes_of.h"
 
 namespace octacut {
 namespace {
@@ -223,7 +224,7 @@ TEST(Patch, LeavesOutViewsThatShowBackground) {
     }
   }
   const Eigen::Vector3f center = VoxelCenter(
-      DecodeMorton(sphere.shell.Codes()[index]), SphereScene::kLevel);
+      DecodeMorton(CodesOf(sphere.shell)[index]), SphereScene::kLevel);
   const Visibility::Selection selection =
       visibility.Select(center, sphere.shapes[index].normal);
   ASSERT_GE(selection.count, 3);

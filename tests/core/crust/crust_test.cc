@@ -11,6 +11,7 @@
 #include "core/grid/morphology.h"
 #include "core/grid/voxel_walk.h"
 #include "tests/core/crust/labeled_shapes.h"
+#include "tests/core/grid/codes_of.h"
 
 namespace octacut {
 namespace {
@@ -72,7 +73,7 @@ std::vector<uint8_t> FloodFromBorder(const VoxelGrid& crust) {
 void ExpectTiesAgree(const Crust& crust) {
   ASSERT_EQ(crust.ties.size(), crust.voxels.Size());
   ASSERT_EQ(crust.prior.size(), crust.voxels.Size());
-  const VoxelWalk walk(crust.voxels);
+  const VoxelWalk walk(crust.voxels, Context(1));
   walk.ForEachWithNeighbors(
       0, walk.NumBricks(), [&](const VoxelSlot& slot, const auto& near) {
         const VoxelGrid::Index index = slot.index;
@@ -96,7 +97,7 @@ void ExpectTiesAgree(const Crust& crust) {
 void ExpectCrustSeparates(const Crust& crust) {
   const std::vector<uint8_t> reached = FloodFromBorder(crust.voxels);
   const int n = crust.voxels.Resolution();
-  const VoxelWalk walk(crust.voxels);
+  const VoxelWalk walk(crust.voxels, Context(1));
   walk.ForEachWithNeighbors(
       0, walk.NumBricks(), [&](const VoxelSlot& slot, const auto& near) {
         const MortonCode code =
@@ -119,7 +120,7 @@ void ExpectCrustSeparates(const Crust& crust) {
 TEST(InitialCrust, IsTheHullTiedToTheOutside) {
   const VoxelGrid hull = LabelSolid(Ball({0.5, 0.5, 0.5}, 0.3), 4, 2).voxels;
   const Crust crust = InitialCrust(hull, Context(2));
-  EXPECT_EQ(crust.voxels.Codes(), hull.Codes());
+  EXPECT_EQ(CodesOf(crust.voxels), CodesOf(hull));
   ExpectTiesAgree(crust);
   for (const FaceTies ties : crust.ties) {
     EXPECT_EQ(ties & ~kAllOutside, 0);
@@ -165,8 +166,8 @@ TEST_P(RefinedCrust, IsTheDilatedCutOfTheCoarserLevel) {
   const VoxelGrid proxy = VoxelGrid::FromCodes(5, cut);
   for (const int dilation : {1, 2, 4}) {
     const Crust crust = RefineCrust(hierarchy, Dilation(dilation), Context(2));
-    EXPECT_EQ(crust.voxels.Codes(),
-              Dilate(proxy, dilation, Context(1)).Codes());
+    EXPECT_EQ(CodesOf(crust.voxels),
+              CodesOf(Dilate(proxy, dilation, Context(1))));
     crust.voxels.ForEach([&](VoxelGrid::Index index, MortonCode code) {
       ASSERT_EQ(crust.prior[index],
                 hierarchy.InsideFraction(DecodeMorton(code), 5));
@@ -180,7 +181,7 @@ TEST_P(RefinedCrust, IsTheSameForAnyNumberOfThreads) {
   for (const int num_threads : {2, 4}) {
     const Crust crust =
         RefineCrust(hierarchy, Dilation(2), Context(num_threads));
-    EXPECT_EQ(crust.voxels.Codes(), expected.voxels.Codes());
+    EXPECT_EQ(CodesOf(crust.voxels), CodesOf(expected.voxels));
     EXPECT_EQ(crust.ties, expected.ties);
     EXPECT_EQ(crust.prior, expected.prior);
     EXPECT_EQ(crust.num_medial_voxels, expected.num_medial_voxels);
@@ -259,9 +260,9 @@ TEST(GrowCrust, GrowsWhereTheCutTouchesTheBorder) {
   EXPECT_EQ(num_voxels, expected);
   const Crust grown = GrowCrust(hierarchy, crust, touches, 2, Context(2));
   EXPECT_EQ(
-      grown.voxels.Codes(),
-      Union(crust.voxels, Dilate(Subset(crust.voxels, touches), 2, Context(1)))
-          .Codes());
+      CodesOf(grown.voxels),
+      CodesOf(Union(crust.voxels,
+                    Dilate(Subset(crust.voxels, touches), 2, Context(1)))));
   ExpectTiesAgree(grown);
   ExpectCrustSeparates(grown);
 }
@@ -279,7 +280,7 @@ TEST(WidenCrust, KnowsWhatWasSolvedAndWhatCoarserLevelsKnow) {
       Union(solved.voxels, VoxelGrid::FromCodes(5, tunnel));
   ASSERT_GT(voxels.Size(), solved.voxels.Size());
   const Crust crust = WidenCrust(hierarchy, solved, voxels, Context(2));
-  EXPECT_EQ(crust.voxels.Codes(), voxels.Codes());
+  EXPECT_EQ(CodesOf(crust.voxels), CodesOf(voxels));
   EXPECT_EQ(crust.num_medial_voxels, 0u);
   ExpectTiesAgree(crust);
   ExpectCrustSeparates(crust);

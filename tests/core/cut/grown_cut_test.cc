@@ -6,6 +6,7 @@
 #include "core/cut/cut_problem.h"
 #include "tests/bench/boost_cut.h"
 #include "tests/core/cut/cut_test_problems.h"
+#include "tests/core/grid/codes_of.h"
 
 namespace octacut {
 namespace {
@@ -64,7 +65,7 @@ struct Field {
 
 // Some of the voxels that share a face with the crust, and a few strays.
 VoxelGrid Grown(const VoxelGrid& crust, std::mt19937& random) {
-  Codes codes = crust.Codes();
+  Codes codes = CodesOf(crust);
   const unsigned percent = std::array{3u, 30u, 100u}[random() % 3];
   crust.ForEach([&](VoxelGrid::Index, MortonCode code) {
     for (int face = 0; face < kNumFaces; ++face) {
@@ -99,7 +100,7 @@ void ExpectSameCut(const OctahedralCut& actual, const OctahedralCut& expected) {
 }
 
 OctahedralCut BoostCut(const OctahedralCutProblem& problem) {
-  const VoxelWalk walk(*problem.crust);
+  const VoxelWalk walk(*problem.crust, Context(1));
   return SolveWithBoost(problem, MergeFaceTies(problem, walk, Context(1)));
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 void ExpectEqualsReference(const OctahedralCutProblem& problem) {
   const Context context(1);
-  const VoxelWalk walk(*problem.crust);
+  const VoxelWalk walk(*problem.crust, Context(1));
   const std::vector<FaceTies> ties = MergeFaceTies(problem, walk, context);
   const OctahedralCut expected = SolveWithBoost(problem, ties);
   // One region, a region a brick, and regions of a few bricks.
@@ -183,7 +183,7 @@ TEST(ImplicitCut, SameForAnyNumberOfThreadsAndRegions) {
   SetRandomWeights(WeightKind::kSpeckle, random, problem);
   SetRandomEvidence(0.05f, random, problem);
   const OctahedralCutProblem view = problem.View();
-  const VoxelWalk walk(problem.crust);
+  const VoxelWalk walk(problem.crust, Context(1));
   std::vector<FaceTies> ties = MergeFaceTies(view, walk, Context(1));
   const OctahedralCut expected =
       SolveImplicitly(view, walk, ties, {}, Context(1));

@@ -201,7 +201,7 @@ TEST(OctahedralCut, FieldsAgreeWithTheLabels) {
   }
   EXPECT_EQ(cut.num_cut_voxels, num_cut);
   const Context context(1);
-  const VoxelWalk walk(problem.crust);
+  const VoxelWalk walk(problem.crust, Context(1));
   EXPECT_EQ(LabellingCost(problem.View(),
                           walk,
                           MergeFaceTies(problem.View(), walk, context),
@@ -288,7 +288,7 @@ TEST(OctahedralCut, StopsWhenCancelled) {
 TEST(OctahedralCut, LabellingCostRefusesWrongLabels) {
   const OwnedCutProblem problem = Bar(2);
   const Context context(1);
-  const VoxelWalk walk(problem.crust);
+  const VoxelWalk walk(problem.crust, Context(1));
   const std::vector<FaceTies> ties =
       MergeFaceTies(problem.View(), walk, context);
   const auto cost = [&](std::vector<FaceLabels> labels) {

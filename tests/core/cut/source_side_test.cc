@@ -17,7 +17,7 @@ namespace {
 // A block all of whose nodes one source node reaches: nothing flows, since
 // every face of the border is outside.
 struct ReachedBlock {
-  ReachedBlock() : walk(problem.crust) {}
+  ReachedBlock() : walk(problem.crust, Context(1)) {}
 
   FlowState<int32_t> State() {
     const std::vector<uint32_t> one_region = {uint32_t(walk.NumBricks())};

@@ -30,7 +30,7 @@ OwnedCutProblem TieTopInside(VoxelGrid crust, int top) {
 struct Start {
   explicit Start(OwnedCutProblem owned)
       : problem(std::move(owned)),
-        walk(problem.crust),
+        walk(problem.crust, Context(1)),
         ties(MergeFaceTies(problem.View(), walk, Context(1))) {}
 
   FlowState<int32_t> State(const std::vector<uint32_t>& ends) const {

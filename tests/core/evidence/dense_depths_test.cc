@@ -7,8 +7,8 @@
 #include <cmath>
 #include <opencv2/core.hpp>
 
-#include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/raycast/render.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 
 namespace octacut {
 namespace {

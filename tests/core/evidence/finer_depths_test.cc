@@ -5,6 +5,7 @@
 #include "core/grid/morphology.h"
 #include "core/hull/hull_surface.h"
 #include "core/hull/visual_hull.h"
+#include "tests/core/grid/codes_of.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -90,7 +91,7 @@ TEST(FinerDepths, AreTheSameForAnyNumberOfThreads) {
       test.views, surface, confidence, InsideEvidenceOptions(), Context(1));
   const FinerEvidence three = FindFinerDepths(
       test.views, surface, confidence, InsideEvidenceOptions(), Context(3));
-  EXPECT_EQ(one.voxels.Codes(), three.voxels.Codes());
+  EXPECT_EQ(CodesOf(one.voxels), CodesOf(three.voxels));
   EXPECT_EQ(one.values, three.values);
 }
 

@@ -41,7 +41,7 @@ TEST(ExtractSurface, AllLabellingsOfAVoxelAreClosedManifolds) {
         EXPECT_TRUE(surface.mesh.triangles.empty());
         EXPECT_TRUE(surface.mesh.positions.empty());
       } else {
-        ExpectClosedManifold(AuditMesh(surface.mesh));
+        ExpectClosedManifold(AuditMesh(surface.mesh, Context(1)));
       }
     }
   }
@@ -67,7 +67,7 @@ TEST(ExtractSurface, AllLabellingsAroundACornerAreClosedManifolds) {
       if (surface.mesh.triangles.empty()) {
         continue;
       }
-      ExpectClosedManifold(AuditMesh(surface.mesh));
+      ExpectClosedManifold(AuditMesh(surface.mesh, Context(1)));
       EXPECT_EQ(NumIntersections(surface.mesh), 0);
       ASSERT_FALSE(HasFailure()) << "labels " << labels;
       sum.num_four_polygon_edges += surface.summary.num_four_polygon_edges;
@@ -92,7 +92,7 @@ TEST(ExtractSurface, RandomBlocksAreClosedManifolds) {
     sum.num_fans += surface.summary.num_fans;
     sum.num_edge_vertices += surface.summary.num_edge_vertices;
     if (!surface.mesh.triangles.empty()) {
-      ExpectClosedManifold(AuditMesh(surface.mesh));
+      ExpectClosedManifold(AuditMesh(surface.mesh, Context(1)));
       EXPECT_EQ(NumIntersections(surface.mesh), 0);
       ASSERT_FALSE(HasFailure()) << "round " << round;
     }
@@ -112,7 +112,7 @@ TEST(ExtractSurface, FourPolygonsInAnEdgeJoinAcrossTheOutside) {
       });
   const ExtractedSurface surface = Extract(block);
   EXPECT_EQ(surface.summary.num_four_polygon_edges, 1);
-  const MeshAudit audit = AuditMesh(surface.mesh);
+  const MeshAudit audit = AuditMesh(surface.mesh, Context(1));
   ExpectClosedManifold(audit);
   // The inside faces hang together there.
   EXPECT_EQ(audit.num_components, 1);
@@ -125,7 +125,7 @@ TEST(ExtractSurface, FourPolygonsInAnEdgeJoinAcrossTheOutside) {
   }
   const ExtractedSurface cavities = Extract(complement);
   EXPECT_EQ(cavities.summary.num_four_polygon_edges, 1);
-  const MeshAudit cavity_audit = AuditMesh(cavities.mesh);
+  const MeshAudit cavity_audit = AuditMesh(cavities.mesh, Context(1));
   ExpectClosedManifold(cavity_audit);
   EXPECT_EQ(cavity_audit.num_components, 2);
 }
@@ -138,7 +138,7 @@ TEST(ExtractSurface, TwoQuadsBackToBackDrawDifferentDiagonals) {
   EXPECT_EQ(surface.summary.num_fans, 1);
   EXPECT_EQ(surface.mesh.positions.size(), 5);  // and the centre of a voxel
   EXPECT_EQ(surface.mesh.triangles.size(), 6);
-  ExpectClosedManifold(AuditMesh(surface.mesh));
+  ExpectClosedManifold(AuditMesh(surface.mesh, Context(1)));
 }
 
 TEST(ExtractSurface, FacesOutwardInWorldCoordinates) {
@@ -155,7 +155,7 @@ TEST(ExtractSurface, FacesOutwardInWorldCoordinates) {
     const Eigen::Vector3d half_voxels = (position - cube.min_corner) * 4;
     EXPECT_EQ(half_voxels, half_voxels.array().round().matrix());
   }
-  const MeshAudit audit = AuditMesh(surface.mesh);
+  const MeshAudit audit = AuditMesh(surface.mesh, Context(1));
   ExpectClosedManifold(audit);
   EXPECT_EQ(audit.bounding_box.min(), Eigen::Vector3d(11, -18, 32.5));
   EXPECT_EQ(audit.bounding_box.max(), Eigen::Vector3d(12, -17, 33));
@@ -211,7 +211,7 @@ TEST(ExtractSurface, SameBytesForAnyNumberOfThreads) {
   const LabelledCrust torus = LabelShape(7, TorusDistance);
   const ExtractedSurface expected =
       ExtractSurface(torus.crust, torus.labels, UnitCube(), Context(1));
-  EXPECT_EQ(AuditMesh(expected.mesh).genus, 1);
+  EXPECT_EQ(AuditMesh(expected.mesh, Context(1)).genus, 1);
   for (const int num_threads : {2, 4}) {
     const ExtractedSurface actual = ExtractSurface(
         torus.crust, torus.labels, UnitCube(), Context(num_threads));

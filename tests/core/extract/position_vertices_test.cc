@@ -36,7 +36,7 @@ TEST(PositionVertices, PutsAFlatCutIntoTheMiddleOfItsVoxels) {
     const ExtractedSurface surface =
         ExtractSurface(slab.crust, slab.labels, UnitVoxels(4), Context(1));
     const IndexedMesh positioned = PositionVertices(surface, Context(1));
-    ExpectClosedManifold(AuditMesh(positioned));
+    ExpectClosedManifold(AuditMesh(positioned, Context(1)));
     int num_top = 0;
     ASSERT_EQ(positioned.positions.size(), surface.mesh.positions.size());
     for (size_t v = 0; v < positioned.positions.size(); ++v) {
@@ -69,7 +69,7 @@ TEST(PositionVertices, StaysWithinHalfAVoxelDiagonalAndKeepsTrianglesApart) {
       EXPECT_LE((positioned.positions[v] - surface.mesh.positions[v]).norm(),
                 std::sqrt(3.0) / 2 + 1e-12);
     }
-    ExpectClosedManifold(AuditMesh(positioned));
+    ExpectClosedManifold(AuditMesh(positioned, Context(1)));
     EXPECT_GE(SmallestHeight(positioned), kMinTriangleHeight - 1e-12);
     EXPECT_EQ(NumIntersections(positioned), 0u);
   }
@@ -80,7 +80,7 @@ TEST(PositionVertices, SingleFaceKeepsItsArea) {
   const LabelledCrust block = LabelBlock(
       2, {1, 1, 1}, {2, 1, 1}, false, [](int, int, int, int) { return true; });
   const IndexedMesh positioned = Place(block, UnitVoxels(2));
-  const MeshAudit audit = AuditMesh(positioned);
+  const MeshAudit audit = AuditMesh(positioned, Context(1));
   EXPECT_EQ(audit.DescribeFailure(), "");
   EXPECT_GE(SmallestHeight(positioned), kMinTriangleHeight - 1e-12);
 }
@@ -102,7 +102,7 @@ TEST(PositionVertices, VolumeOfASphereIsUnbiased) {
     const double exact = 4.0 / 3 * M_PI * std::pow(0.4, 3);
     // Triangles cut the sphere's caps off: of the order of (voxel / radius)^2.
     const double tolerance = 1.5 * voxel * voxel / (0.4 * 0.4);
-    EXPECT_NEAR(AuditMesh(positioned).volume / exact, 1, tolerance)
+    EXPECT_NEAR(AuditMesh(positioned, Context(1)).volume / exact, 1, tolerance)
         << "level " << level;
   }
 }

@@ -10,6 +10,8 @@
 namespace octacut {
 namespace {
 
+bool IsCubeEdge(int a, int b) { return std::popcount(SharedAxes(a, b)) == 2; }
+
 TEST(CubeTopology, OctahedronEdgesAreDualToCubeEdges) {
   // Octahedron edges join faces that are not opposite; each such pair of
   // faces meets in one cube edge, and every cube edge is met once.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "tests/core/grid/codes_of.h"
 
 namespace octacut {
 namespace {
@@ -29,7 +30,7 @@ TEST(ParallelForVoxels, VisitsEachVoxelOnceForAnyNumberOfThreads) {
                         codes[index] = code;
                       });
     EXPECT_EQ(visits, std::vector<int>(grid.Size(), 1));
-    EXPECT_EQ(codes, grid.Codes());
+    EXPECT_EQ(codes, CodesOf(grid));
   }
   ParallelForVoxels(Context(2), VoxelGrid(), [](VoxelGrid::Index, MortonCode) {
     ADD_FAILURE() << "a voxel of an empty grid";

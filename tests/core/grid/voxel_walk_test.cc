@@ -60,7 +60,7 @@ TEST(VoxelWalk, SumsOverNeighboringBricks) {
     codes.push_back(EncodeMorton(Eigen::Vector3i(x, 0, 0)));
   }
   const VoxelGrid grid = VoxelGrid::FromCodes(5, codes);
-  const VoxelWalk walk(grid);
+  const VoxelWalk walk(grid, Context(1));
   EXPECT_EQ(walk.SumOverBrickNeighbors({1, 2, 4, 8}),
             (std::vector<float>{3, 3, 12, 12}));
 }

@@ -57,7 +57,7 @@ RemovedHandles Remove(const IndexedMesh& mesh,
 // says.
 void ExpectValidWithoutHandles(const RemovedHandles& removed,
                                const MeshAudit& before) {
-  const MeshAudit audit = AuditMesh(removed.mesh);
+  const MeshAudit audit = AuditMesh(removed.mesh, Context(1));
   ExpectClosedManifold(audit);
   EXPECT_EQ(audit.num_components, before.num_components);
   EXPECT_EQ(audit.genus, before.genus - int64_t(removed.summary.num_removed));
@@ -66,7 +66,7 @@ void ExpectValidWithoutHandles(const RemovedHandles& removed,
 
 TEST(RemoveHandles, CutsTheThinnerOfTwoBars) {
   const IndexedMesh mesh = JoinedBalls(1.1 * kVoxel, 3 * kVoxel);
-  const MeshAudit before = AuditMesh(mesh);
+  const MeshAudit before = AuditMesh(mesh, Context(1));
   ASSERT_EQ(before.genus, 1);
   const RemovedHandles cut = Remove(mesh, 12);
   EXPECT_EQ(cut.summary.num_removed, 1u);
@@ -86,12 +86,12 @@ TEST(RemoveHandles, FillsAPinholeThroughAPlate) {
         std::max(std::hypot(q.x(), q.y()) - 0.35, std::abs(q.z()) - 4 * kVoxel);
     return std::max(plate, 1.2 * kVoxel - std::hypot(q.x(), q.y()));
   });
-  const MeshAudit before = AuditMesh(mesh);
+  const MeshAudit before = AuditMesh(mesh, Context(1));
   ASSERT_EQ(before.genus, 1);
   const RemovedHandles filled = Remove(mesh, 12);
   EXPECT_EQ(filled.summary.num_removed, 1u);
   ExpectValidWithoutHandles(filled, before);
-  const double volume = AuditMesh(filled.mesh).volume;
+  const double volume = AuditMesh(filled.mesh, Context(1)).volume;
   EXPECT_GT(volume, before.volume);
   EXPECT_NEAR(volume, before.volume, 0.01 * before.volume);
 }
@@ -168,7 +168,7 @@ TEST(RemoveHandles, KeepsRandomBlocksValid) {
     if (mesh.triangles.empty()) {
       continue;
     }
-    const MeshAudit before = AuditMesh(mesh);
+    const MeshAudit before = AuditMesh(mesh, Context(1));
     const RemovedHandles cut = RemoveHandles(
         mesh, {.max_length = 12, .min_height = kMinTriangleHeight}, Context(1));
     ExpectValidWithoutHandles(cut, before);
@@ -195,7 +195,7 @@ TEST(RemoveHandles, FillsAHundredPinholesTheSameWithAnyNumberOfThreads) {
                                                          from_hole(q.y())))
                     : plate;
   });
-  const MeshAudit before = AuditMesh(mesh);
+  const MeshAudit before = AuditMesh(mesh, Context(1));
   ASSERT_EQ(before.genus, 100);
   const RemovedHandles filled = Remove(mesh, 12, Context(1));
   EXPECT_EQ(filled.summary.num_removed, 100u);
@@ -214,7 +214,7 @@ TEST(RemoveHandles, RefusesWhatWouldIntersect) {
     const double rod = std::max(radius - 1.5 * kVoxel, std::abs(q.z()) - 0.4);
     return std::min(std::max(plate, 4 * kVoxel - radius), rod);
   });
-  const MeshAudit before = AuditMesh(mesh);
+  const MeshAudit before = AuditMesh(mesh, Context(1));
   ASSERT_EQ(before.genus, 1);
   ASSERT_EQ(before.num_components, 2);
   const RemovedHandles kept = Remove(mesh, 36);

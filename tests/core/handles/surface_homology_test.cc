@@ -60,7 +60,7 @@ TEST(SurfaceHomology, GeneratorsAreTwiceTheGenusAndTrianglesSeparate) {
     }
     const HalfEdges half_edges = HalfEdgesOf(mesh);
     const SurfaceHomology homology(half_edges, Context(1));
-    const MeshAudit audit = AuditMesh(mesh);
+    const MeshAudit audit = AuditMesh(mesh, Context(1));
     ASSERT_EQ(homology.NumGenerators(),
               size_t(2 * audit.num_components - audit.euler_characteristic));
     num_generators += homology.NumGenerators();

@@ -10,6 +10,7 @@
 #include "core/extract/position_vertices.h"
 #include "core/mesh/audit.h"
 #include "core/mesh/keep_components.h"
+#include "tests/core/grid/codes_of.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -39,7 +40,7 @@ HullMesh MeshOfHull(const TestScene& test,
       Context(2));
   // Small pieces that no view denies are part of a hull, too.
   result.mesh = KeepLargestComponents(std::move(result.mesh), 0.1).mesh;
-  result.audit = AuditMesh(result.mesh);
+  result.audit = AuditMesh(result.mesh, Context(1));
   return result;
 }
 
@@ -155,7 +156,7 @@ TEST(HullSurface, IsTheSameForAnyNumberOfThreads) {
   for (const int num_threads : {2, 4}) {
     const LabeledVoxels surface = ComputeHullSurface(
         test.views, TestScene::UnitBox(), options, Context(num_threads));
-    EXPECT_EQ(surface.voxels.Codes(), expected.voxels.Codes());
+    EXPECT_EQ(CodesOf(surface.voxels), CodesOf(expected.voxels));
     EXPECT_EQ(surface.labels, expected.labels);
   }
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/benchmark/synthetic/move_mask_border.h"
+#include "tests/core/grid/codes_of.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -154,12 +155,12 @@ TEST(VisualHull, IsNestedAndTheSameForAnyNumberOfThreads) {
   for (const int num_threads : {2, 4}) {
     const VisualHull again = ComputeVisualHull(
         test.views, TestScene::UnitBox(), Level(6), Context(num_threads));
-    EXPECT_EQ(again.voxels.Codes(), fine.voxels.Codes());
+    EXPECT_EQ(CodesOf(again.voxels), CodesOf(fine.voxels));
     EXPECT_EQ(again.summary.tested_voxels, fine.summary.tested_voxels);
   }
   const VisualHull coarse =
       ComputeVisualHull(test.views, TestScene::UnitBox(), Level(5), Context(2));
-  for (const MortonCode code : fine.voxels.Codes()) {
+  for (const MortonCode code : CodesOf(fine.voxels)) {
     ASSERT_NE(coarse.voxels.Find(ParentCode(code)), VoxelGrid::kNone);
   }
 }

@@ -17,7 +17,7 @@ namespace {
 using testing::HasSubstr;
 
 TEST(AuditMesh, MeasuresABox) {
-  const MeshAudit audit = AuditMesh(MakeBox());
+  const MeshAudit audit = AuditMesh(MakeBox(), Context(1));
   EXPECT_EQ(audit.DescribeFailure(), "");
   EXPECT_NO_THROW(CheckAudit(audit));
   EXPECT_EQ(audit.num_vertices, 8);
@@ -33,8 +33,8 @@ TEST(AuditMesh, MeasuresABox) {
 }
 
 TEST(AuditMesh, SumsOverComponents) {
-  const MeshAudit audit =
-      AuditMesh(Combine(MakeBox(), MakeTetrahedron(), {100, 200, 300}));
+  const MeshAudit audit = AuditMesh(
+      Combine(MakeBox(), MakeTetrahedron(), {100, 200, 300}), Context(1));
   EXPECT_EQ(audit.DescribeFailure(), "");
   EXPECT_EQ(audit.num_components, 2);
   EXPECT_EQ(audit.euler_characteristic, 4);
@@ -61,16 +61,16 @@ TEST(AuditMesh, CountsHandles) {
       mesh.triangles.push_back({a, c, d});
     }
   }
-  const MeshAudit one = AuditMesh(mesh);
+  const MeshAudit one = AuditMesh(mesh, Context(1));
   EXPECT_EQ(one.DescribeFailure(), "");
   EXPECT_EQ(one.genus, 1);
-  EXPECT_EQ(AuditMesh(Combine(mesh, mesh, {10, 0, 0})).genus, 2);
+  EXPECT_EQ(AuditMesh(Combine(mesh, mesh, {10, 0, 0}), Context(1)).genus, 2);
 }
 
 TEST(AuditMesh, CatchesAHole) {
   IndexedMesh mesh = MakeBox();
   mesh.triangles.pop_back();
-  const MeshAudit audit = AuditMesh(mesh);
+  const MeshAudit audit = AuditMesh(mesh, Context(1));
   EXPECT_FALSE(audit.IsClosed());
   EXPECT_EQ(audit.num_boundary_edges, 3);
   EXPECT_EQ(audit.num_nonmanifold_vertices, 0);
@@ -82,7 +82,7 @@ TEST(AuditMesh, CatchesAHole) {
 TEST(AuditMesh, CatchesAFlippedTriangle) {
   IndexedMesh mesh = MakeBox();
   std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);
-  const MeshAudit audit = AuditMesh(mesh);
+  const MeshAudit audit = AuditMesh(mesh, Context(1));
   EXPECT_TRUE(audit.IsClosed());
   EXPECT_FALSE(audit.IsOriented());
   EXPECT_EQ(audit.num_misoriented_edges, 3);
@@ -91,7 +91,7 @@ TEST(AuditMesh, CatchesAFlippedTriangle) {
 }
 
 TEST(AuditMesh, CatchesAMeshInsideOut) {
-  const MeshAudit audit = AuditMesh(TurnInsideOut(MakeBox()));
+  const MeshAudit audit = AuditMesh(TurnInsideOut(MakeBox()), Context(1));
   EXPECT_TRUE(audit.IsOriented());
   EXPECT_FALSE(audit.IsOutward());
   EXPECT_THAT(audit.DescribeFailure(), HasSubstr("volume -1 is not positive"));
@@ -104,7 +104,7 @@ TEST(AuditMesh, CatchesABowTieVertex) {
       vertex = vertex == 4 ? 1 : vertex;
     }
   }
-  const MeshAudit audit = AuditMesh(mesh);
+  const MeshAudit audit = AuditMesh(mesh, Context(1));
   EXPECT_TRUE(audit.IsClosed());
   EXPECT_TRUE(audit.IsEdgeManifold());
   EXPECT_EQ(audit.num_nonmanifold_vertices, 1);
@@ -121,7 +121,7 @@ TEST(AuditMesh, CatchesANonManifoldEdge) {
       vertex = vertex == 4 ? 0 : (vertex == 7 ? 3 : vertex);
     }
   }
-  const MeshAudit audit = AuditMesh(mesh);
+  const MeshAudit audit = AuditMesh(mesh, Context(1));
   EXPECT_TRUE(audit.IsClosed());
   EXPECT_EQ(audit.num_edges, 11);
   EXPECT_EQ(audit.num_nonmanifold_edges, 1);
@@ -134,7 +134,7 @@ TEST(AuditMesh, CatchesDuplicateTriangles) {
   const auto [a, b, c] = mesh.triangles[3];
   mesh.triangles.push_back({b, c, a});
   mesh.triangles.push_back({c, b, a});
-  const MeshAudit audit = AuditMesh(mesh);
+  const MeshAudit audit = AuditMesh(mesh, Context(1));
   EXPECT_EQ(audit.num_duplicate_triangles, 2);
   EXPECT_EQ(audit.num_nonmanifold_edges, 3);
   EXPECT_NE(audit.DescribeFailure(), "");
@@ -143,7 +143,7 @@ TEST(AuditMesh, CatchesDuplicateTriangles) {
 TEST(AuditMesh, CatchesDegenerateTriangles) {
   IndexedMesh repeated = MakeBox();
   repeated.triangles.push_back({3, 3, 5});
-  const MeshAudit audit = AuditMesh(repeated);
+  const MeshAudit audit = AuditMesh(repeated, Context(1));
   EXPECT_EQ(audit.num_degenerate_triangles, 1);
   EXPECT_EQ(audit.num_nonmanifold_edges, 0);
   EXPECT_NE(audit.DescribeFailure(), "");
@@ -151,19 +151,19 @@ TEST(AuditMesh, CatchesDegenerateTriangles) {
   // A corner pulled onto the opposite side.
   IndexedMesh flat = MakeTetrahedron();
   flat.positions[3] = {0.5, 0, 0};
-  EXPECT_EQ(AuditMesh(flat).num_degenerate_triangles, 1);
+  EXPECT_EQ(AuditMesh(flat, Context(1)).num_degenerate_triangles, 1);
   // Tiny is not degenerate.
   IndexedMesh tiny = MakeTetrahedron();
   for (Eigen::Vector3d& position : tiny.positions) {
     position *= 1e-9;
   }
-  EXPECT_EQ(AuditMesh(tiny).DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(tiny, Context(1)).DescribeFailure(), "");
 }
 
 TEST(AuditMesh, CatchesCoordinatesThatAreNotFinite) {
   IndexedMesh mesh = Combine(MakeBox(), MakeTetrahedron(), {5, 0, 0});
   mesh.positions[9].y() = std::numeric_limits<double>::quiet_NaN();
-  const MeshAudit audit = AuditMesh(mesh);
+  const MeshAudit audit = AuditMesh(mesh, Context(1));
   EXPECT_EQ(audit.num_nonfinite_vertices, 1);
   EXPECT_TRUE(std::isfinite(audit.area));
   EXPECT_TRUE(audit.bounding_box.min().allFinite());
@@ -173,7 +173,7 @@ TEST(AuditMesh, CatchesCoordinatesThatAreNotFinite) {
 TEST(AuditMesh, CatchesUnreferencedVertices) {
   IndexedMesh mesh = MakeBox();
   mesh.positions.emplace_back(9, 9, 9);
-  const MeshAudit audit = AuditMesh(mesh);
+  const MeshAudit audit = AuditMesh(mesh, Context(1));
   EXPECT_EQ(audit.num_unreferenced_vertices, 1);
   EXPECT_EQ(audit.euler_characteristic, 2);
   EXPECT_EQ(audit.bounding_box.max(), Eigen::Vector3d::Ones());
@@ -183,18 +183,19 @@ TEST(AuditMesh, CatchesUnreferencedVertices) {
 TEST(AuditMesh, RefusesIndicesOutOfRange) {
   IndexedMesh mesh = MakeBox();
   mesh.triangles[0][0] = 8;
-  EXPECT_THROW(AuditMesh(mesh), InputError);
+  EXPECT_THROW(AuditMesh(mesh, Context(1)), InputError);
 }
 
 TEST(AuditMesh, EmptyMeshIsNotPrintable) {
-  EXPECT_EQ(AuditMesh(IndexedMesh()).DescribeFailure(), "no triangles");
+  EXPECT_EQ(AuditMesh(IndexedMesh(), Context(1)).DescribeFailure(),
+            "no triangles");
 }
 
 TEST(AuditMesh, OpenFansAreManifoldVertices) {
   IndexedMesh fan;
   fan.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
   fan.triangles = {{0, 1, 2}, {0, 2, 3}};
-  const MeshAudit audit = AuditMesh(fan);
+  const MeshAudit audit = AuditMesh(fan, Context(1));
   EXPECT_EQ(audit.num_nonmanifold_vertices, 0);
   EXPECT_EQ(audit.num_boundary_edges, 4);
   EXPECT_EQ(audit.euler_characteristic, 1);

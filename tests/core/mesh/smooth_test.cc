@@ -23,7 +23,7 @@ TEST(SmoothSurface, OneIterationIsTheUmbrellaOperator) {
   options.iterations = 1;
   options.max_displacement = 10;
   const IndexedMesh mesh = MakeOctahedron();
-  ASSERT_EQ(AuditMesh(mesh).DescribeFailure(), "");
+  ASSERT_EQ(AuditMesh(mesh, Context(1)).DescribeFailure(), "");
   const IndexedMesh half = SmoothSurface(mesh, 1, options, Context(1));
   for (size_t v = 0; v < mesh.positions.size(); ++v) {
     EXPECT_TRUE(half.positions[v].isApprox(mesh.positions[v] / 2));
@@ -76,7 +76,7 @@ TEST(SmoothSurface, KeepsTheBoundAndTheAuditOnRandomBlocks) {
       num_bounded += displacement >= options.max_displacement * (1 - 1e-9);
     }
     EXPECT_EQ(NumIntersections(smooth), 0u);
-    ExpectClosedManifold(AuditMesh(smooth));
+    ExpectClosedManifold(AuditMesh(smooth, Context(1)));
   }
   EXPECT_GT(num_bounded, 100);
 }
@@ -105,7 +105,7 @@ TEST(SmoothSurface, SphereAndTorusConverge) {
       const double voxel = 1.0 / (1 << level);
       const IndexedMesh smooth = SmoothSurface(
           ShapeMesh(level, shape.distance), voxel, SmoothOptions(), Context(1));
-      const MeshAudit audit = AuditMesh(smooth);
+      const MeshAudit audit = AuditMesh(smooth, Context(1));
       EXPECT_EQ(audit.DescribeFailure(), "");
       EXPECT_EQ(audit.num_components, 1);
       EXPECT_EQ(audit.genus, shape.genus);
@@ -151,7 +151,7 @@ TEST(SmoothSurface, TaubinKeepsTheVolume) {
   options.taubin_mu = -0.52;
   const IndexedMesh smooth =
       SmoothSurface(ShapeMesh(6, TorusDistance), 1.0 / 64, options, Context(1));
-  EXPECT_NEAR(AuditMesh(smooth).volume / kTorus.volume, 1, 0.005);
+  EXPECT_NEAR(AuditMesh(smooth, Context(1)).volume / kTorus.volume, 1, 0.005);
 }
 
 TEST(SmoothSurface, SameBytesForAnyNumberOfThreads) {

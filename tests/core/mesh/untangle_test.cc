@@ -59,7 +59,7 @@ TEST(Untangle, LeavesRandomBlocksWithoutIntersections) {
     EXPECT_EQ(summary.num_thin, 0u);
     EXPECT_EQ(NumIntersections(mesh), 0u) << round;
     if (!mesh.triangles.empty()) {
-      ExpectClosedManifold(AuditMesh(mesh));
+      ExpectClosedManifold(AuditMesh(mesh, Context(1)));
     }
   }
   EXPECT_GT(num_tangled, 100u);

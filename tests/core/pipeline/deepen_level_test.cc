@@ -8,6 +8,7 @@
 #include "core/evidence/silhouette_samples.h"
 #include "core/hull/visual_hull.h"
 #include "core/pipeline/level_step.h"
+#include "tests/core/grid/codes_of.h"
 #include "tests/core/views/test_scene.h"
 
 namespace octacut {
@@ -86,7 +87,7 @@ TEST_F(DeepenLevelTest, LeavesALevelAsItIsWhereDepthsAreNotReliedUpon) {
   evidence_.depth_confidence.values.assign(
       evidence_.depth_confidence.values.size(), 0.4f);
   const LabeledVoxels deepened = Deepen();
-  EXPECT_EQ(deepened.voxels.Codes(), solved_.surface.voxels.Codes());
+  EXPECT_EQ(CodesOf(deepened.voxels), CodesOf(solved_.surface.voxels));
   EXPECT_EQ(deepened.labels, solved_.surface.labels);
 }
 

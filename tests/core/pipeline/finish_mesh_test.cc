@@ -49,7 +49,7 @@ ViewSet ViewsWithPixels(double voxels, double border = 0.18) {
 int64_t GenusIn(const ViewSet& views) {
   const FinishedMesh finished = FinalMesh(
       views, BallsWithBars(), UnitCube(), FinishOptions(), Context(2));
-  return AuditMesh(finished.mesh).genus;
+  return AuditMesh(finished.mesh, Context(1)).genus;
 }
 
 TEST(FinalMesh, RemovesHandlesThatPixelsDoNotShow) {

@@ -7,6 +7,7 @@
 
 #include "core/views/mask_shifts.h"
 #include "tests/core/base/recorder.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 #include "tests/core/pipeline/reconstruction_checks.h"
 
 namespace octacut {

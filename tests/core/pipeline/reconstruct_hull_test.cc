@@ -7,6 +7,7 @@
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 #include "tests/core/pipeline/reconstruction_checks.h"
 
 namespace octacut {
@@ -29,7 +30,8 @@ TEST(ReconstructHull, IsClosedAndNeedsNoImages) {
   EXPECT_EQ(hull.audit.DescribeFailure(), "");
   EXPECT_EQ(hull.audit.genus, 1);
   EXPECT_TRUE(hull.mesh.has_vertex_normals());
-  EXPECT_GT(hull.audit.volume, AuditMesh(synthetic.reference).volume);
+  EXPECT_GT(hull.audit.volume,
+            AuditMesh(synthetic.reference, Context(1)).volume);
   const std::atomic<bool> stop{true};
   EXPECT_THROW(
       ReconstructHull(scene, region, options, Context(1, nullptr, &stop)),

@@ -27,7 +27,7 @@ constexpr double kPi = std::numbers::pi;
 void ExpectNearReference(const ReconstructedScene& scene) {
   const IndexedMesh& mesh = scene.mesh;
   EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
-  EXPECT_EQ(AuditMesh(mesh).DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(mesh, Context(1)).DescribeFailure(), "");
   const IndexedMesh& reference = scene.synthetic.reference;
   EXPECT_LT(MeanDistance(mesh, reference), 0.5 * scene.VoxelSize());
   EXPECT_LT(MeanDistance(reference, mesh), 0.5 * scene.VoxelSize());

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/mesh/normals.h"
 #include "tests/core/base/stopper.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 #include "tests/core/pipeline/reconstruction_checks.h"
 
 namespace octacut {
@@ -105,7 +106,7 @@ TEST(Reconstruct, SaysWhatItHasDone) {
                   [&](int level, const IndexedMesh& mesh) {
                     observed.push_back(level);
                     observed_triangles.push_back(mesh.triangles.size());
-                    const MeshAudit audit = AuditMesh(mesh);
+                    const MeshAudit audit = AuditMesh(mesh, Context(1));
                     EXPECT_TRUE(audit.IsClosed()) << level;
                     EXPECT_TRUE(audit.IsEdgeManifold()) << level;
                     EXPECT_TRUE(audit.IsVertexManifold()) << level;

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/pipeline/reconstruct.h"
 #include "core/raycast/ray_scene.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 
 namespace octacut::testing {
 

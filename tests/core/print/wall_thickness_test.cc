@@ -26,7 +26,7 @@ WallThickness Measure(const IndexedMesh& mesh, double min_wall = 0) {
 }
 
 void ExpectAreaAndVolume(const IndexedMesh& mesh, double area, double volume) {
-  const MeshAudit audit = AuditMesh(mesh);
+  const MeshAudit audit = AuditMesh(mesh, Context(1));
   EXPECT_NEAR(audit.area, area, 0.01 * area);
   EXPECT_NEAR(audit.volume, volume, 0.01 * volume);
 }

@@ -46,7 +46,7 @@ TEST(KeepValid, TakesBackWhatIntersects) {
   ASSERT_GT(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
   EXPECT_GT(Keep({}, start.positions, start.positions, 1, kPixel, &mesh), 0u);
   EXPECT_EQ(FindSelfIntersections(mesh, Context(2)).num_pairs, 0u);
-  EXPECT_EQ(AuditMesh(mesh).DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(mesh, Context(1)).DescribeFailure(), "");
 }
 
 TEST(KeepValid, LeavesIntersectionsThatWereThere) {
@@ -71,7 +71,7 @@ TEST(KeepValid, TakesBackWhatSqueezesTriangles) {
   mesh.positions[a] =
       (0.5 + 1e-9) * mesh.positions[b] + (0.5 - 1e-9) * mesh.positions[c];
   EXPECT_GT(Keep({}, start.positions, start.positions, 1, kPixel, &mesh), 0u);
-  const MeshAudit audit = AuditMesh(mesh);
+  const MeshAudit audit = AuditMesh(mesh, Context(1));
   EXPECT_EQ(audit.num_degenerate_triangles, 0u);
 }
 

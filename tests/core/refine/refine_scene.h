@@ -109,7 +109,8 @@ inline RefineScene MakeMetalScene() {
 inline auto Bumps(double amplitude) {
   return [amplitude](const Eigen::Vector3d& direction) {
     return amplitude *
-           ValueNoise(5 * RefineScene::kRadius * direction.cast<float>(), 3);
+           FractalNoise(
+               5 * RefineScene::kRadius * direction.cast<float>(), 1, 3);
   };
 }
 

@@ -59,7 +59,7 @@ TEST(RefineSurface, FindsTheSurfaceBelowPixelSize) {
             RefineScene::MeanError(before) / 5);
   EXPECT_EQ(refined.mesh.triangles, before.triangles);
   EXPECT_EQ(refined.mesh.normals.size(), before.positions.size());
-  EXPECT_EQ(AuditMesh(refined.mesh).DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(refined.mesh, Context(1)).DescribeFailure(), "");
   EXPECT_EQ(FindSelfIntersections(refined.mesh, Context(2)).num_pairs, 0u);
   const RefineSummary& summary = refined.summary;
   EXPECT_EQ(summary.num_vertices, before.positions.size());

@@ -25,7 +25,7 @@ CompareMeshesOptions Samples(int64_t count) {
 }
 
 void ExpectClosed(const IndexedMesh& mesh) {
-  EXPECT_EQ(AuditMesh(mesh).DescribeFailure(), "");
+  EXPECT_EQ(AuditMesh(mesh, Context(1)).DescribeFailure(), "");
   EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
 }
 
@@ -48,7 +48,7 @@ TEST(SimplifyMesh, ReachesTheNumberOfTriangles) {
     const SimplifiedMesh result = SimplifyTo(target, replay, kContext);
     EXPECT_EQ(result.mesh.triangles.size(), target - target % 2);
     ExpectClosed(result.mesh);
-    EXPECT_EQ(AuditMesh(result.mesh).genus, 0);
+    EXPECT_EQ(AuditMesh(result.mesh, Context(1)).genus, 0);
     EXPECT_EQ(FindSelfIntersections(result.mesh, kContext).num_pairs, 0u);
   }
 }
@@ -93,7 +93,7 @@ TEST(SimplifyMesh, ACubeKeepsItsShape) {
   const SimplifiedMesh result = SimplifyTo(200, Prepared(full, 200), kContext);
   ExpectClosed(result.mesh);
   EXPECT_EQ(result.mesh.triangles.size(), 200u);
-  const MeshAudit audit = AuditMesh(result.mesh);
+  const MeshAudit audit = AuditMesh(result.mesh, Context(1));
   EXPECT_NEAR(audit.volume, 1, 1e-9);
   EXPECT_NEAR(audit.area, 6, 1e-9);
 }

@@ -7,10 +7,10 @@
 
 #include "core/base/hash.h"
 #include "core/base/srgb.h"
-#include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/benchmark/synthetic/texture.h"
 #include "core/texture/pixel_sampler.h"
 #include "core/texture/texture_mesh.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 #include "tests/core/views/render_once.h"
 
 namespace octacut {

@@ -5,9 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "core/benchmark/synthetic/synthetic_scene.h"
 #include "core/scene/region.h"
 #include "core/views/view_set.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 #include "tests/core/views/random_views.h"
 #include "tests/core/views/render_once.h"
 

@@ -131,7 +131,7 @@ TEST(AlignMeshes, FilteredPartsOfTheReferenceDoNotCount) {
 
 // Adds a plate through the mesh with `share` of the joint area.
 IndexedMesh WithPlate(const IndexedMesh& mesh, double share) {
-  const double area = AuditMesh(mesh).area;
+  const double area = AuditMesh(mesh, Context(1)).area;
   const double side = std::sqrt(area * share / (1 - share));
   IndexedMesh plate = HeightField(20, [](double, double) { return 0.0; });
   for (Eigen::Vector3d& p : plate.positions) {
@@ -224,7 +224,8 @@ TEST_F(GlobalSearchTest, FindsPartsOfTheReference) {
   const IndexedMesh torus = BumpyTorus(30);
   const IndexedMesh part = KeepTriangles(
       torus, [](const Eigen::Vector3d& p) { return p.x() > -0.5; });
-  EXPECT_LT(AuditMesh(part).area, 0.8 * AuditMesh(torus).area);
+  EXPECT_LT(AuditMesh(part, Context(1)).area,
+            0.8 * AuditMesh(torus, Context(1)).area);
   const Similarity3d moved = FarAway(2.5);
   const MeshAlignment result =
       AlignMeshes(TransformMesh(part, moved), torus, Options(), Context(2));

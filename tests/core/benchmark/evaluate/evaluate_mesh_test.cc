@@ -9,7 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/benchmark/evaluate/reprojection_pair.h"
-#include "core/benchmark/synthetic/synthetic_scene.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 
 namespace octacut {
 namespace {

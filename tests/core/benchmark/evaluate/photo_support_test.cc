@@ -9,7 +9,7 @@
 #include "core/benchmark/evaluate/evaluate_mesh.h"
 #include "core/benchmark/evaluate/mean_colors.h"
 #include "core/benchmark/evaluate/paired_bootstrap.h"
-#include "core/benchmark/synthetic/synthetic_scene.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 
 namespace octacut {
 namespace {

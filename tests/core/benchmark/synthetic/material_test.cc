@@ -9,7 +9,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "core/benchmark/synthetic/synthetic_scene.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 
 namespace octacut {
 namespace {

@@ -23,12 +23,12 @@ TEST(HashNormal, HasMeanZeroAndVarianceOne) {
   EXPECT_NEAR(squares / kCount, 1, 0.05);
 }
 
-TEST(ValueNoise, IsContinuousAndBounded) {
+TEST(FractalNoise, OfOneOctaveIsContinuousAndBounded) {
   const float step = 1e-3f;
   for (int i = -4000; i < 4000; ++i) {
     const Eigen::Vector3f point(i * 2 * step, 0.3f, -0.7f);
-    const float here = ValueNoise(point, 3);
-    const float there = ValueNoise(point + Eigen::Vector3f(step, 0, 0), 3);
+    const float here = FractalNoise(point, 1, 3);
+    const float there = FractalNoise(point + Eigen::Vector3f(step, 0, 0), 1, 3);
     EXPECT_LE(std::abs(here), 1);
     EXPECT_LT(std::abs(here - there), 5 * step);
   }

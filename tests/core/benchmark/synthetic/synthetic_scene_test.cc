@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/error.h"
+#include "tests/core/benchmark/synthetic/quick_scene.h"
 
 namespace octacut {
 namespace {

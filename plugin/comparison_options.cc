@@ -56,7 +56,7 @@ void DeclareAlignmentOptions(OptionManager& options,
            "Number of points on each surface that are used for registration.")
       .ForExperts();
   options.AddConstant("Alignment.max_iterations",
-                      compare->alignment.max_iterations);
+                      AlignMeshesOptions::kMaxIterations);
   options.AddRemoved("Alignment.kept_fraction",
                      "a robust loss leaves out what does not fit");
   options
@@ -70,7 +70,7 @@ void DeclareAlignmentOptions(OptionManager& options,
            &compare->alignment.estimate_scale,
            "If 0, estimate only rotation and translation.")
       .ForExperts();
-  options.AddConstant("Alignment.tolerance", compare->alignment.tolerance);
+  options.AddConstant("Alignment.tolerance", AlignMeshesOptions::kTolerance);
 }
 
 }  // namespace octacut

@@ -150,12 +150,12 @@ void DeclareProjectKeys(OptionManager& options,
 // Options of earlier versions. The structs say why each has its value.
 void DeclareConstants(OptionManager& options,
                       const ReconstructionOptions& meshing) {
-  const EnergyOptions& energy = meshing.energy;
   options.AddConstant("OctahedralMeshing.crust_dilation",
                       meshing.crust.crust_dilation);
   options.AddConstant("OctahedralMeshing.mask_border_weight",
-                      energy.mask_border_weight);
-  options.AddConstant("OctahedralMeshing.unseen_weight", energy.unseen_weight);
+                      meshing.energy.mask_border_weight);
+  options.AddConstant("OctahedralMeshing.unseen_weight",
+                      EnergyOptions::kUnseenWeight);
   const ConsistencyOptions& consistency = meshing.consistency;
   options.AddConstant("OctahedralMeshing.patch_radius",
                       consistency.patch_radius);
@@ -165,20 +165,25 @@ void DeclareConstants(OptionManager& options,
   options.AddConstant("OctahedralMeshing.pixel_noise", consistency.pixel_noise);
   const VisibilityOptions& visibility = meshing.visibility;
   options.AddConstant("OctahedralMeshing.max_views", visibility.max_views);
-  options.AddConstant("OctahedralMeshing.max_angle", visibility.max_angle);
+  options.AddConstant("OctahedralMeshing.max_angle",
+                      VisibilityOptions::kMaxAngle);
   options.AddConstant("OctahedralMeshing.depth_tolerance",
                       visibility.depth_tolerance);
-  options.AddConstant("OctahedralMeshing.normal_blur", meshing.normal_blur);
+  options.AddConstant("OctahedralMeshing.normal_blur",
+                      ReconstructionOptions::kNormalBlur);
   options.AddConstant("OctahedralMeshing.cover_weight",
-                      meshing.evidence.cover_weight);
+                      InsideEvidenceOptions::kCoverWeight);
   const DepthSweepOptions& sweep = meshing.evidence.sweep;
   options.AddConstant("DepthSweep.min_angle", sweep.min_angle);
   options.AddConstant("DepthSweep.max_angle", sweep.max_angle);
-  options.AddConstant("DepthSweep.samples_per_voxel", sweep.samples_per_voxel);
-  options.AddConstant("DepthSweep.planes_per_voxel", sweep.planes_per_voxel);
-  options.AddConstant("DepthSweep.window_radius", sweep.window_radius);
-  options.AddConstant("DepthSweep.min_score", sweep.min_score);
-  options.AddConstant("Smoothing.lambda", meshing.finish.smoothing.lambda);
+  options.AddConstant("DepthSweep.samples_per_voxel",
+                      DepthSweepOptions::kSamplesPerVoxel);
+  options.AddConstant("DepthSweep.planes_per_voxel",
+                      DepthSweepOptions::kPlanesPerVoxel);
+  options.AddConstant("DepthSweep.window_radius",
+                      DepthSweepOptions::kWindowRadius);
+  options.AddConstant("DepthSweep.min_score", DepthSweepOptions::kMinScore);
+  options.AddConstant("Smoothing.lambda", SmoothOptions::kLambda);
   options.AddConstant("Smoothing.max_displacement",
                       meshing.finish.smoothing.max_displacement);
 }

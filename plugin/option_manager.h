@@ -8,7 +8,7 @@
 //                {{"variance", ...}, {"ncc", ...}}, "Measure.")
 //       .ForExperts();
 //   options.AddRepeatable("input_path", &input_paths_, "Meshes.");
-//   options.AddConstant("Refinement.step", refinement_.step);
+//   options.AddConstant("Refinement.step", RefineOptions::kStep);
 #pragma once
 
 #include <filesystem>

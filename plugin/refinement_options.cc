@@ -46,21 +46,21 @@ void DeclareRefinementOptions(OptionManager& options,
                      "borders of the masks where they are");
   options.AddRenamed("Refinement.hue_weight",
                      "OctahedralMeshing.chroma_weight");
-  options.AddConstant("Refinement.fine_rounds", refinement->fine_rounds);
+  options.AddConstant("Refinement.fine_rounds", RefineOptions::kFineRounds);
   options.AddConstant("Refinement.coarse_rounds", refinement->coarse_rounds);
-  options.AddConstant("Refinement.range", refinement->range);
-  options.AddConstant("Refinement.step", refinement->step);
+  options.AddConstant("Refinement.range", RefineOptions::kRange);
+  options.AddConstant("Refinement.step", RefineOptions::kStep);
   options.AddConstant("Refinement.patch_radius", refinement->patch.radius);
   options.AddConstant("Refinement.measure_spacing",
-                      refinement->measure_spacing);
+                      RefineOptions::kMeasureSpacing);
   options.AddConstant("Refinement.fit_radius", refinement->fit_radius);
   options.AddConstant("Refinement.smoothness", refinement->smoothness);
   options.AddConstant("Refinement.silhouette_weight",
-                      refinement->silhouette_weight);
+                      RefineOptions::kSilhouetteWeight);
   options.AddRemoved("Refinement.hull_tolerance",
                      "the tolerance is estimated in each round");
-  options.AddConstant("Refinement.pixel_noise", refinement->patch.pixel_noise);
-  options.AddConstant("Refinement.min_score", refinement->min_score);
+  options.AddConstant("Refinement.pixel_noise", PatchOptions::kPixelNoise);
+  options.AddConstant("Refinement.min_score", RefineOptions::kMinScore);
   const ViewChoiceOptions& views = refinement->views;
   options.AddConstant("Refinement.max_views", views.max_views);
   options.AddConstant("Refinement.max_angle", views.max_angle);

@@ -23,22 +23,6 @@ void DepthSweepOptions::Check() const {
               "depth_sweep.max_angle",
               max_angle,
               "must be at most 90");
-  CheckOption(samples_per_voxel >= 0.5 && samples_per_voxel <= 4,
-              "depth_sweep.samples_per_voxel",
-              samples_per_voxel,
-              "must be in 0.5 .. 4");
-  CheckOption(planes_per_voxel >= 0.5 && planes_per_voxel <= 4,
-              "depth_sweep.planes_per_voxel",
-              planes_per_voxel,
-              "must be in 0.5 .. 4");
-  CheckOption(window_radius >= 1 && window_radius <= 8,
-              "depth_sweep.window_radius",
-              window_radius,
-              "must be in 1 .. 8");
-  CheckOption(min_score > 0 && min_score < 1,
-              "depth_sweep.min_score",
-              min_score,
-              "must lie between 0 and 1");
   CheckOption(plain_deviation > 0 && plain_deviation <= 64,
               "depth_sweep.plain_deviation",
               plain_deviation,
@@ -57,21 +41,24 @@ std::vector<SweptDepthMap> SweepDepths(
       views, options.num_neighbors, options.min_angle, options.max_angle);
   std::vector<SweepView> reduced(views.size());
   ParallelEach(context, views.size(), 1, [&](size_t i) {
-    reduced[i] = ReduceForSweep(views[i], hull, options.samples_per_voxel);
+    reduced[i] =
+        ReduceForSweep(views[i], hull, DepthSweepOptions::kSamplesPerVoxel);
     phase.Advance();
   });
   std::vector<SweptDepthMap> maps(views.size());
-  const float spacing =
-      1.0f / float(hull.Resolution()) / float(options.planes_per_voxel);
+  const float spacing = 1.0f / float(hull.Resolution()) /
+                        float(DepthSweepOptions::kPlanesPerVoxel);
   ParallelEach(context, views.size(), 1, [&](size_t i) {
     // One neighbour alone cannot tell an occlusion from a mismatch.
     const ScoreVolume volume =
         (*neighbors)[i].size() >= 2
             ? ScorePlanes(reduced, int(i), (*neighbors)[i], spacing, options)
             : ScoreVolume();
-    maps[i] = PickDepths(reduced[i], volume, float(options.min_score));
-    const cv::Mat1f detail = ShareWithDetail(
-        reduced[i].grey, options.window_radius, float(options.plain_deviation));
+    maps[i] =
+        PickDepths(reduced[i], volume, float(DepthSweepOptions::kMinScore));
+    const cv::Mat1f detail = ShareWithDetail(reduced[i].grey,
+                                             DepthSweepOptions::kWindowRadius,
+                                             float(options.plain_deviation));
     maps[i].detail.assign(detail.begin(), detail.end());
     phase.Advance();
   });
@@ -80,11 +67,10 @@ std::vector<SweptDepthMap> SweepDepths(
 
 size_t EstimateSweepBytes(size_t num_views,
                           int hull_level,
-                          const DepthSweepOptions& options,
                           const Context& context) {
   const double resolution = double(1u << hull_level);
-  const double side = resolution * options.samples_per_voxel;
-  const double num_planes = resolution * options.planes_per_voxel;
+  const double side = resolution * DepthSweepOptions::kSamplesPerVoxel;
+  const double num_planes = resolution * DepthSweepOptions::kPlanesPerVoxel;
   // A reduced view and its depths, and those of a second sweep with their
   // confidence: 41 bytes per sample. The scores of all planes for each thread.
   return size_t(side * side *

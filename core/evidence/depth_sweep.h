@@ -20,13 +20,16 @@ namespace octacut {
 // Larger sweeps do not pay (six neighbours, windows of 7 x 7, a least score of
 // 0.4): docs/experiments/interior.md.
 struct DepthSweepOptions {
-  int num_neighbors = 4;         // views compared with each view; 2 .. 8
-  double min_angle = 4;          // degrees between the viewing directions
-  double max_angle = 45;         // of neighbours
-  double samples_per_voxel = 2;  // pixels across a hull voxel
-  double planes_per_voxel = 1;   // depth planes across a hull voxel
-  int window_radius = 2;         // of the correlation window, in samples
-  double min_score = 0.5;        // correlation of an accepted depth
+  int num_neighbors = 4;  // views compared with each view; 2 .. 8
+  double min_angle = 4;   // degrees between the viewing directions
+  double max_angle = 45;  // of neighbours
+  // Pixels and depth planes across a hull voxel.
+  static constexpr double kSamplesPerVoxel = 2;
+  static constexpr double kPlanesPerVoxel = 1;
+  // Of the correlation window, in samples.
+  static constexpr int kWindowRadius = 2;
+  // Correlation of an accepted depth.
+  static constexpr double kMinScore = 0.5;
   // Grey levels: its square is added to the variance of every window, so that
   // windows of less contrast do not correlate.
   double plain_deviation = 2;
@@ -95,7 +98,6 @@ std::vector<SweptDepthMap> SweepDepths(
 // roughly.
 size_t EstimateSweepBytes(size_t num_views,
                           int hull_level,
-                          const DepthSweepOptions& options,
                           const Context& context);
 
 }  // namespace octacut

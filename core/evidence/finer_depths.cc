@@ -151,7 +151,8 @@ FinerMaps SweepNearSurface(const ViewSet& views,
   FinerMaps maps;
   maps.swept.resize(views.size());
   ParallelEach(context, views.size(), 1, [&](size_t i) {
-    reduced[i] = ReduceForSweep(views[i], cut, sweep.samples_per_voxel);
+    reduced[i] =
+        ReduceForSweep(views[i], cut, DepthSweepOptions::kSamplesPerVoxel);
     phase.Advance();
   });
   const SurfaceSweep around(

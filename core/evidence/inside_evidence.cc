@@ -152,11 +152,6 @@ void InsideEvidenceOptions::Check() const {
   CheckEvidenceWeight("ballooning", ballooning);
   CheckEvidenceWeight("matter_weight", matter_weight);
   CheckEvidenceWeight("free_space_weight", free_space_weight);
-  CheckOption(
-      cover_weight > 0 && cover_weight <= kMaxEvidenceWeight,
-      "cover_weight",
-      cover_weight,
-      fmt::format("must be positive and at most {}", kMaxEvidenceWeight));
   CheckOption(cover_rounds >= 0 && cover_rounds <= 8,
               "cover_rounds",
               cover_rounds,

@@ -44,7 +44,7 @@ struct InsideEvidenceOptions {
   // leaves its ray empty, spread over the hull voxels on that ray. It doubles
   // with every round until nearly all are covered, `cover_rounds` times at
   // most. Since it doubles, where it begins only changes the number of rounds.
-  double cover_weight = 1;
+  static constexpr double kCoverWeight = 1;
   int cover_rounds = 5;  // 0 .. 8; 0: silhouettes are not asked on any level
   void Check() const;
 };

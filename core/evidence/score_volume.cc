@@ -118,7 +118,7 @@ struct Reference {
 
 Reference PrepareReference(const SweepView& view,
                            const DepthSweepOptions& options) {
-  const int radius = options.window_radius;
+  const int radius = DepthSweepOptions::kWindowRadius;
   Reference reference;
   reference.plain_variance =
       float(options.plain_deviation * options.plain_deviation);
@@ -245,7 +245,7 @@ ScoreVolume ScorePlanes(const std::vector<SweepView>& views,
   volume.frame = reference.frame;
   volume.num_rays = reference.grey.size();
   volume.scores.resize(volume.num_rays * volume.num_planes);
-  WindowSums sums(volume.frame.width, options.window_radius);
+  WindowSums sums(volume.frame.width, DepthSweepOptions::kWindowRadius);
   std::vector<float> warped(volume.frame.width);
   std::vector<std::vector<float>> scores(
       neighbors.size(), std::vector<float>(volume.num_rays, -1.0f));

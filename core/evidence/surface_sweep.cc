@@ -127,7 +127,7 @@ void SurfaceSweep::SweepSquare(const SweepView& view,
                                const std::vector<int>& others,
                                std::vector<SweepView>* compared,
                                SweptDepthMap* map) const {
-  const int radius = options_.window_radius;
+  const int radius = DepthSweepOptions::kWindowRadius;
   const int left = std::max(0, square.x0 - radius);
   const int top = std::max(0, square.y0 - radius);
   const cv::Rect part(left,
@@ -159,7 +159,7 @@ void SurfaceSweep::SweepSquare(const SweepView& view,
   const ScoreVolume volume =
       ScorePlanes(*compared, 0, others, kSpacing * voxel_, options_, true);
   const SweptDepthMap depths =
-      PickDepths(crop, volume, float(options_.min_score));
+      PickDepths(crop, volume, float(DepthSweepOptions::kMinScore));
   const float margin = kEndPlanes * volume.spacing;
   for (int y = square.y0; y < square.y1; ++y) {
     for (int x = square.x0; x < square.x1; ++x) {

@@ -50,8 +50,7 @@ void Step(const VertexCorners& neighbors,
 
 void SmoothOptions::Check() const {
   CheckOption(iterations >= 0, "iterations", iterations, "must be at least 0");
-  CheckOption(lambda > 0 && lambda <= 1, "lambda", lambda, "must be in (0, 1]");
-  CheckOption(taubin_mu == 0 || (taubin_mu <= -lambda && taubin_mu >= -1.2),
+  CheckOption(taubin_mu == 0 || (taubin_mu <= -kLambda && taubin_mu >= -1.2),
               "taubin_mu",
               taubin_mu,
               "must be 0 (none) or in [-1.2, -lambda]");
@@ -80,7 +79,7 @@ IndexedMesh SmoothSurface(IndexedMesh mesh,
       positions.swap(buffer);
     };
     for (int i = 0; i < options.iterations; ++i) {
-      step(options.lambda);
+      step(SmoothOptions::kLambda);
       if (options.taubin_mu != 0) {
         step(options.taubin_mu);
       }

@@ -10,7 +10,7 @@ struct SmoothOptions {
   int iterations = 3;
   // V <- V + lambda * Laplacian(V), with the uniform umbrella operator: mean of
   // the neighbours less the vertex. Half way; iterations say how much.
-  double lambda = 0.5;
+  static constexpr double kLambda = 0.5;
   // With mu <= -lambda, every iteration is followed by one of V <- V + mu *
   // Laplacian(V), which gives back the volume that smoothing takes (Taubin,
   // SIGGRAPH 1995) but smooths less per iteration. 0: none.

@@ -32,7 +32,7 @@ OctahedralCut CutByEvidence(const LevelInputs& inputs,
       std::vector<float>(crust.voxels.Size(), NeutralWeight(options)),
       std::move(*evidence)};
   OctahedralCutState state;
-  double weight = options.evidence.cover_weight;
+  double weight = InsideEvidenceOptions::kCoverWeight;
   for (int round = 0;; ++round, weight *= 2) {
     OctahedralCut cut = steps->Cut(crust, terms, &state);
     const UncoveredSilhouettes missed = steps->FindMissed(crust, cut, round);

@@ -60,7 +60,7 @@ std::vector<SurfaceShape> LevelSteps::ShapesOf(const Crust& crust,
         crust.voxels,
         crust.ties,
         crust.prior,
-        inputs_.options.normal_blur,
+        ReconstructionOptions::kNormalBlur,
         inputs_.context,
         added.AreAll() ? std::span<const uint8_t>() : added.is_added);
   });

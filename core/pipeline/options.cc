@@ -15,7 +15,6 @@ void EnergyOptions::Check() const {
               "must be in 1e-12 .. 1");
   CheckEvidenceWeight("silhouette_weight", silhouette_weight);
   CheckEvidenceWeight("mask_border_weight", mask_border_weight);
-  CheckEvidenceWeight("unseen_weight", unseen_weight);
 }
 
 void ReconstructionOptions::Check() const {
@@ -36,10 +35,6 @@ void ReconstructionOptions::Check() const {
               "max_grow_rounds",
               max_grow_rounds,
               "must be in 0 .. 16");
-  CheckOption(normal_blur >= 1 && normal_blur <= 64,
-              "normal_blur",
-              normal_blur,
-              "must be in 1 .. 64");
 }
 
 }  // namespace octacut

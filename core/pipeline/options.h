@@ -28,7 +28,7 @@ struct EnergyOptions {
   // Evidence for inside of a voxel of a finer level that fewer than two views
   // see, in units of the weights at l0; halved with every level. 0.15, 0.1 and
   // 0.01 are worse: docs/experiments/crusts.md.
-  double unseen_weight = 0.05;
+  static constexpr double kUnseenWeight = 0.05;
   void Check() const;
 };
 
@@ -49,8 +49,8 @@ struct ReconstructionOptions {
   // followed by another cut; 0 .. 16.
   int max_grow_rounds = 2;
   // Averagings of the inside over neighbouring voxels before its gradient is
-  // taken for the normal; 1 .. 64. Not varied alone.
-  int normal_blur = 12;
+  // taken for the normal. Not varied alone.
+  static constexpr int kNormalBlur = 12;
   bool confidence = false;  // of the mesh's vertices, wanted with the verdict
   void Check() const;
 };

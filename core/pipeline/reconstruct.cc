@@ -320,10 +320,8 @@ size_t EstimateReconstructionBytes(const Scene& scene,
   return EstimateViewBytes(scene) +
          std::max({EstimateLevelBytes(area, options),
                    refinement_bytes,
-                   EstimateSweepBytes(scene.views.size(),
-                                      options.hull.hull_level,
-                                      options.evidence.sweep,
-                                      context)});
+                   EstimateSweepBytes(
+                       scene.views.size(), options.hull.hull_level, context)});
 }
 
 }  // namespace octacut

@@ -34,7 +34,7 @@ AddedVoxels FindAddedVoxels(const Crust& crust, const VoxelTerms& terms) {
 }
 
 float UnseenEvidence(int level, const ReconstructionOptions& options) {
-  return AtLevel(options.energy.unseen_weight, level, options);
+  return AtLevel(EnergyOptions::kUnseenWeight, level, options);
 }
 
 VoxelTerms MergeTerms(const VoxelGrid& crust,

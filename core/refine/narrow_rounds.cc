@@ -99,7 +99,7 @@ void RefineNarrowParts(const RoundInputs& inputs,
   options.fit_radius = kNarrowFitRadius;
   options.smoothness = kNarrowSmoothness;
   RoundInputs narrow{inputs.start, inputs.neighbors, inputs.pixel, options};
-  plan.range = options.range;
+  plan.range = RefineOptions::kRange;
   TakenBack taken_back =
       RunPass(narrow, {plan, 1}, context, views, mesh, rounds);
   plan.range *= kLaterRange;

@@ -108,9 +108,9 @@ OffsetSearch MakeOffsetSearch(const RefineOptions& options,
                               double range,
                               double scale) {
   return {.range = range * scale,
-          .step = options.step * scale,
+          .step = RefineOptions::kStep * scale,
           .spacing = scale,
-          .min_score = options.min_score,
+          .min_score = RefineOptions::kMinScore,
           .patch = options.patch};
 }
 

@@ -23,7 +23,7 @@ struct OffsetSearch {
   PatchOptions patch;
 };
 
-// `range` and the step of `options` in units of `scale` pixels.
+// `range` and the step of RefineOptions in units of `scale` pixels.
 OffsetSearch MakeOffsetSearch(const RefineOptions& options,
                               double range,
                               double scale);

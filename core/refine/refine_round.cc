@@ -82,7 +82,7 @@ SeenSurface LookAt(const ViewSet& views,
                    const Context& context,
                    IndexedMesh* mesh) {
   const double spacing =
-      inputs.options.measure_spacing * plan.scale * inputs.pixel;
+      RefineOptions::kMeasureSpacing * plan.scale * inputs.pixel;
   return LookAtSurface({.views = views,
                         .neighbors = inputs.neighbors,
                         .options = inputs.options,
@@ -125,7 +125,7 @@ OffsetProblem MakeProblem(const SeenSurface& seen,
   }
   AddContourTargets(contours,
                     pixel,
-                    inputs.options.silhouette_weight * borders.contour_weight,
+                    RefineOptions::kSilhouetteWeight * borders.contour_weight,
                     &problem);
   problem.is_free = Dilate(seen.is_seen, seen.points.neighbors, kBlendRings);
   return problem;
@@ -150,7 +150,7 @@ double MovePoints(SeenSurface seen,
       std::max(MeanSpacing(*mesh, seen.points), seen.edge);
   const SolveOffsetsOptions solving{
       .smoothness = inputs.options.smoothness,
-      .outlier_scale = inputs.options.outlier_scale};
+      .outlier_scale = RefineOptions::kOutlierScale};
   MovedPoints moved;
   moved.offsets = SolveOffsets(problem, neighbors, solving, context);
   for (double& offset : moved.offsets) {

@@ -28,16 +28,16 @@ std::vector<RoundPlan> PlanRounds(const RefineOptions& options) {
       // surface is not good enough to align the views.
       const bool later = pass > 0;
       plan.push_back({.scale = double(1 << i),
-                      .range = options.range,
+                      .range = RefineOptions::kRange,
                       .smooths = !later,
                       .aligns = later && i == 1});
     }
   }
-  double range = options.range;
-  for (int i = 0; i < options.fine_rounds; ++i) {
+  double range = RefineOptions::kRange;
+  for (int i = 0; i < RefineOptions::kFineRounds; ++i) {
     plan.push_back({.range = range, .aligns = true});
     // A peak needs a neighbour on both sides.
-    range = std::max(range / 2, 2 * options.step);
+    range = std::max(range / 2, 2 * RefineOptions::kStep);
   }
   return plan;
 }

@@ -41,10 +41,6 @@ void PatchOptions::Check() const {
               "refinement.patch_radius",
               radius,
               "must be in 1 .. 4");
-  CheckOption(pixel_noise > 0 && pixel_noise <= 64,
-              "refinement.pixel_noise",
-              pixel_noise,
-              "must be positive and at most 64");
   CheckOption(chroma_weight >= 0 && chroma_weight <= 8,
               "refinement.chroma_weight",
               chroma_weight,
@@ -55,7 +51,7 @@ SurfacePatch::SurfacePatch(const ViewSet& views, const PatchOptions& options)
     : views_(views),
       radius_(options.radius),
       num_samples_((2 * radius_ + 1) * (2 * radius_ + 1)),
-      noise_(float(3 * options.pixel_noise * options.pixel_noise)),
+      noise_(float(3 * PatchOptions::kPixelNoise * PatchOptions::kPixelNoise)),
       chroma_weight_(float(options.chroma_weight)) {
   const float scale = 1 / (kSigma * float(radius_));
   float sum = 0;

@@ -31,7 +31,7 @@ struct PatchOptions {
   int radius = 3;
   // Standard deviation of the images' noise, grey levels: contrast below it
   // counts as plain. 1 is worse: docs/experiments/refinement_rounds.md.
-  double pixel_noise = 0.5;
+  static constexpr double kPixelNoise = 0.5;
   // Weight of differences in chroma relative to differences in brightness,
   // which highlights change most (see WeightChroma); 0 .. 8.
   double chroma_weight = 2;

@@ -48,10 +48,6 @@ DepthMap RenderSurface(const ViewProjection& projection,
 }  // namespace
 
 void VisibilityOptions::Check() const {
-  CheckOption(max_angle > 0 && max_angle < 90,
-              "max_angle",
-              max_angle,
-              "must lie between 0 and 90 degrees");
   CheckOption(max_views >= 2 && max_views <= Visibility::kMaxViews,
               "max_views",
               max_views,
@@ -72,7 +68,7 @@ Visibility Visibility::Estimate(const ViewSet& views,
   Visibility visibility;
   visibility.views_ = &views;
   visibility.min_cosine_ =
-      float(std::cos(options.max_angle * std::numbers::pi / 180));
+      float(std::cos(VisibilityOptions::kMaxAngle * std::numbers::pi / 180));
   visibility.tolerance_ = float(options.depth_tolerance / double(1 << level));
   visibility.voxel_ = 1 / float(1 << level);
   visibility.max_views_ = options.max_views;

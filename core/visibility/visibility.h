@@ -18,7 +18,7 @@ namespace octacut {
 struct VisibilityOptions {
   // Views at more than this angle (degrees) to the normal do not count. This
   // and the next two are of docs/experiments/visibility.md; not varied alone.
-  double max_angle = 70;
+  static constexpr double kMaxAngle = 70;
   // At most this many views per voxel, those of most weight; 2 .. 16.
   int max_views = 8;
   // Depth tolerance in voxels, measured along the normal: what lies in the

@@ -110,9 +110,9 @@ void MeshEvaluator::DeclareOptions(OptionManager& options) {
   options.AddConstant("Reprojection.max_angle",
                       evaluate_.reprojection.max_angle);
   options.AddConstant("Reprojection.window_radius",
-                      evaluate_.reprojection.window_radius);
+                      ReprojectionOptions::kWindowRadius);
   options.AddConstant("Reprojection.min_contrast",
-                      evaluate_.reprojection.min_contrast);
+                      ReprojectionOptions::kMinContrast);
 }
 
 std::vector<std::string> TableRow(const std::string& name,
@@ -227,8 +227,8 @@ void MeshEvaluator::WritePage(const CommandEnvironment& environment,
         evaluate_.reprojection.num_neighbors,
         evaluate_.reprojection.min_angle,
         evaluate_.reprojection.max_angle,
-        2 * evaluate_.reprojection.window_radius + 1,
-        2 * evaluate_.reprojection.window_radius + 1));
+        2 * ReprojectionOptions::kWindowRadius + 1,
+        2 * ReprojectionOptions::kWindowRadius + 1));
     page_.procedure.emplace_back(
         "Colours of the photographs: mean over the three views that see a "
         "vertex most from the front, for every mesh alike. The difference to a "

@@ -71,12 +71,6 @@ void AlignMeshesOptions::Check() const {
               "alignment.num_samples",
               num_samples,
               "must be from 10 to 100000000");
-  CheckOption(max_iterations >= 1,
-              "alignment.max_iterations",
-              max_iterations,
-              "must be positive");
-  CheckOption(
-      tolerance >= 0, "alignment.tolerance", tolerance, "must not be negative");
 }
 
 MeshAlignment AlignMeshes(const IndexedMesh& mesh,
@@ -118,10 +112,11 @@ MeshAlignment AlignMeshes(const MeshWithScene& mesh,
             found.median + kSameMedian * DiagonalOf(icp.ReferenceSamples()));
   }
   const Phase phase(context, "alignment");
-  const IcpResult result = icp.Run(
-      start,
-      {options.max_iterations, options.estimate_scale, options.tolerance},
-      context);
+  const IcpResult result = icp.Run(start,
+                                   {AlignMeshesOptions::kMaxIterations,
+                                    options.estimate_scale,
+                                    AlignMeshesOptions::kTolerance},
+                                   context);
   alignment.reference_from_mesh = result.reference_from_mesh;
   alignment.num_iterations = result.num_iterations;
   alignment.converged = result.converged;

@@ -15,11 +15,11 @@ namespace octacut {
 // mean the same.
 struct AlignMeshesOptions {
   int64_t num_samples = 20000;  // on each surface
-  int max_iterations = 60;
+  static constexpr int kMaxIterations = 60;
   bool estimate_scale = true;
   // Ends when no point of the mesh moves further in an iteration; fraction of
   // the reference's size.
-  double tolerance = 1e-6;
+  static constexpr double kTolerance = 1e-6;
   // Looks for rotation, scale and position first: the mesh may be anywhere.
   bool global_search = false;
 

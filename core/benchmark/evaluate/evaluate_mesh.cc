@@ -31,8 +31,8 @@ MeshEvaluation EvaluateMesh(const IndexedMesh& mesh,
                                                   options.reprojection,
                                                   context);
     if (options.reprojection.keep_maps) {
-      evaluation.view_support = MeasureViewSupport(
-          views, evaluation.reprojection->maps, options.reprojection, context);
+      evaluation.view_support =
+          MeasureViewSupport(views, evaluation.reprojection->maps, context);
       evaluation.vertex_support = SupportOfPoints(mesh.positions,
                                                   views,
                                                   depths,

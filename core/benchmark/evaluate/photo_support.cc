@@ -31,7 +31,7 @@ cv::Mat BoxMean(const cv::Mat& values, int radius) {
 }
 
 // 1 at the object's pixels whose whole window is in the frame and not plain.
-cv::Mat TexturedPixels(const View& view, const ReprojectionOptions& options) {
+cv::Mat TexturedPixels(const View& view) {
   if (view.image.empty()) {
     throw InputError(
         fmt::format("photo support: view {} has no image", view.name));
@@ -39,10 +39,11 @@ cv::Mat TexturedPixels(const View& view, const ReprojectionOptions& options) {
   cv::Mat grey;
   cv::cvtColor(view.image, grey, cv::COLOR_BGR2GRAY);
   grey.convertTo(grey, CV_64F);
-  const int radius = options.window_radius;
+  const int radius = ReprojectionOptions::kWindowRadius;
   const cv::Mat mean = BoxMean(grey, radius);
   const cv::Mat variance = BoxMean(grey.mul(grey), radius) - mean.mul(mean);
-  cv::Mat textured = (variance > options.min_contrast * options.min_contrast) &
+  cv::Mat textured = (variance > ReprojectionOptions::kMinContrast *
+                                     ReprojectionOptions::kMinContrast) &
                      (view.mask >= kObjectThreshold);
   cv::Mat inner = cv::Mat::zeros(textured.size(), CV_8UC1);
   const cv::Rect frame(radius,
@@ -81,11 +82,10 @@ ViewSupport SupportOfView(const cv::Mat& textured, const cv::Mat& map) {
 
 std::vector<ViewSupport> MeasureViewSupport(const std::vector<View>& views,
                                             const std::vector<cv::Mat>& maps,
-                                            const ReprojectionOptions& options,
                                             const Context& context) {
   std::vector<ViewSupport> support(views.size());
   ParallelEach(context, views.size(), 1, [&](size_t i) {
-    support[i] = SupportOfView(TexturedPixels(views[i], options), maps[i]);
+    support[i] = SupportOfView(TexturedPixels(views[i]), maps[i]);
   });
   return support;
 }

@@ -26,7 +26,6 @@ struct ViewSupport {
 // `maps` are those of Reprojection. Throws InputError when a view has no image.
 std::vector<ViewSupport> MeasureViewSupport(const std::vector<View>& views,
                                             const std::vector<cv::Mat>& maps,
-                                            const ReprojectionOptions& options,
                                             const Context& context);
 
 // Over the views, each with the same weight; those without textured pixels do

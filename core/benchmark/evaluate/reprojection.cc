@@ -24,12 +24,6 @@ void ReprojectionOptions::Check() const {
               min_angle,
               "must be in (0, max_angle)");
   CheckOption(max_angle <= 120, "max_angle", max_angle, "must be at most 120");
-  CheckOption(window_radius >= 1 && window_radius <= 20,
-              "window_radius",
-              window_radius,
-              "must be in [1, 20]");
-  CheckOption(
-      min_contrast >= 0, "min_contrast", min_contrast, "must not be negative");
 }
 
 std::vector<std::vector<size_t>> ReprojectionNeighbors(
@@ -161,7 +155,6 @@ Reprojection MeasureReprojection(const std::vector<View>& views,
       sums[i].pairs.push_back(
           CompareWithNeighbor({views[i], greys[i], depths[i]},
                               {views[j], greys[j], depths[j]},
-                              options,
                               &compared,
                               options.keep_maps ? &correlations : nullptr));
     }

@@ -18,10 +18,10 @@ struct ReprojectionOptions {
   // object, degrees; of these the nearest are taken.
   double min_angle = 5;
   double max_angle = 45;
-  int window_radius = 3;  // windows of (2 r + 1)^2 pixels
+  static constexpr int kWindowRadius = 3;  // windows of (2 r + 1)^2 pixels
   // Standard deviation of a window's grey levels below which it is plain: its
   // correlation says nothing, and is left out.
-  double min_contrast = 2;
+  static constexpr double kMinContrast = 2;
   // Whether Reprojection::maps is wanted, which takes four bytes per pixel.
   bool keep_maps = false;
 

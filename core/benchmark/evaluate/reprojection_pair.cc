@@ -93,11 +93,10 @@ cv::Mat WindowSum(const cv::Mat& values, int radius) {
 
 PairSums CompareWithNeighbor(const GreyView& view,
                              const GreyView& neighbor,
-                             const ReprojectionOptions& options,
                              cv::Mat* compared,
                              cv::Mat* correlations) {
   const Warped warped = WarpOverMesh(view, neighbor);
-  const int radius = options.window_radius;
+  const int radius = ReprojectionOptions::kWindowRadius;
   const double count = (2 * radius + 1) * (2 * radius + 1);
   cv::Mat own;
   view.grey.convertTo(own, CV_64F);
@@ -109,7 +108,8 @@ PairSums CompareWithNeighbor(const GreyView& view,
   const cv::Mat sum_aa = WindowSum(own.mul(own), radius);
   const cv::Mat sum_bb = WindowSum(other.mul(other), radius);
   const cv::Mat sum_ab = WindowSum(own.mul(other), radius);
-  const double least = options.min_contrast * options.min_contrast;
+  const double least =
+      ReprojectionOptions::kMinContrast * ReprojectionOptions::kMinContrast;
   PairSums result;
   for (int y = 0; y < own.rows; ++y) {
     for (int x = 0; x < own.cols; ++x) {

@@ -34,7 +34,6 @@ struct GreyView {
 // every window that is not plain: CV_32FC2, of the view's size.
 PairSums CompareWithNeighbor(const GreyView& view,
                              const GreyView& neighbor,
-                             const ReprojectionOptions& options,
                              cv::Mat* compared,
                              cv::Mat* correlations = nullptr);
 

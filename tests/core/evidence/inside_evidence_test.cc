@@ -228,8 +228,6 @@ TEST(InsideEvidenceOptions, AreRejectedWithField) {
               HasSubstr("min_agreeing_views = 0"));
   EXPECT_THAT(refusal([](auto* o) { o->min_like_samples = 10; }),
               HasSubstr("min_like_samples = 10"));
-  EXPECT_THAT(refusal([](auto* o) { o->cover_weight = 0; }),
-              HasSubstr("cover_weight = 0"));
   EXPECT_THAT(refusal([](auto* o) { o->cover_rounds = 9; }),
               HasSubstr("cover_rounds = 9"));
   EXPECT_THAT(refusal([](auto* o) { o->ballooning = -0.1; }),
@@ -238,8 +236,8 @@ TEST(InsideEvidenceOptions, AreRejectedWithField) {
               HasSubstr("matter_weight"));
   EXPECT_THAT(refusal([](auto* o) { o->free_space_weight = std::nan(""); }),
               HasSubstr("free_space_weight"));
-  EXPECT_THAT(refusal([](auto* o) { o->sweep.window_radius = 99; }),
-              HasSubstr("window_radius"));
+  EXPECT_THAT(refusal([](auto* o) { o->sweep.max_angle = 99; }),
+              HasSubstr("max_angle"));
 }
 
 }  // namespace

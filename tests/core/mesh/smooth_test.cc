@@ -174,8 +174,6 @@ TEST(SmoothOptions, RefusesBadValues) {
     EXPECT_THROW(options.Check(), OptionError);
   };
   refuses([](SmoothOptions& o) { o.iterations = -1; });
-  refuses([](SmoothOptions& o) { o.lambda = 0; });
-  refuses([](SmoothOptions& o) { o.lambda = 1.5; });
   refuses([](SmoothOptions& o) { o.taubin_mu = 0.5; });
   refuses([](SmoothOptions& o) { o.taubin_mu = -0.4; });
   refuses([](SmoothOptions& o) { o.max_displacement = -1; });

@@ -26,7 +26,7 @@ std::vector<RoundSummary> RunOn(RefineScene* scene,
   rounds[0].num_seen = 100;
   rounds[0].num_measured = num_measured;
   RefineNarrowParts({start, neighbors, pixel, options},
-                    {.range = options.range},
+                    {.range = RefineOptions::kRange},
                     Context(2),
                     &scene->test.views,
                     mesh,

@@ -18,7 +18,8 @@ std::vector<OffsetMeasurement> MeasureIn(
     const RefineScene& scene,
     double pixels,
     const RefineOptions& options = RefineOptions()) {
-  const OffsetSearch search = MakeOffsetSearch(options, options.range, 1);
+  const OffsetSearch search =
+      MakeOffsetSearch(options, RefineOptions::kRange, 1);
   const IndexedMesh mesh = scene.ToUnitMesh(RefineScene::Mesh(
       16, [&](const auto&) { return pixels * scene.Pixel(); }));
   const Context context(2);

@@ -317,23 +317,14 @@ TEST(RefineOptions, AreChecked) {
     EXPECT_THROW(options.Check(), OptionError);
   };
   refused([](RefineOptions& o) { o.views.max_views = 1; });
-  refused([](RefineOptions& o) { o.fine_rounds = 0; });
   refused([](RefineOptions& o) { o.coarse_rounds = 5; });
   refused([](RefineOptions& o) { o.coarse_passes = 0; });
-  refused([](RefineOptions& o) { o.step = 0; });
-  refused([](RefineOptions& o) { o.range = 1.5 * o.step; });
-  refused([](RefineOptions& o) { o.range = 65; });
   refused([](RefineOptions& o) { o.alignment_steps = -1; });
   refused([](RefineOptions& o) { o.alignment_steps = 17; });
   refused([](RefineOptions& o) { o.patch.radius = 5; });
-  refused([](RefineOptions& o) { o.measure_spacing = -1; });
   refused([](RefineOptions& o) { o.fit_radius = 0; });
-  refused([](RefineOptions& o) { o.min_score = 1; });
-  refused([](RefineOptions& o) { o.patch.pixel_noise = 0; });
   refused([](RefineOptions& o) { o.patch.chroma_weight = -1; });
   refused([](RefineOptions& o) { o.smoothness = 0; });
-  refused([](RefineOptions& o) { o.outlier_scale = 0; });
-  refused([](RefineOptions& o) { o.silhouette_weight = 0; });
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 fs::path TemporaryFolder() {
   std::error_code error;
-  const fs::path folder = fs::temp_directory_path(error);
+  fs::path folder = fs::temp_directory_path(error);
   if (error) {
     throw Error(
         "--log_path: there is no folder for temporary files (TMPDIR), so a "

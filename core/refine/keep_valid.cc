@@ -13,12 +13,8 @@ namespace {
 constexpr size_t kValidityGrain = 4096;
 // The least height of a triangle, pixels.
 constexpr double kMinHeight = 0.01;
-// Averagings with the neighbours, their weight, and that of the step after
-// each, which gives back what averaging takes from ridges (Taubin, SIGGRAPH
-// 1995).
+// Averagings with the neighbours.
 constexpr int kRelaxations = 5;
-constexpr double kAveraging = 0.5;
-constexpr double kGivingBack = -0.53;
 // Pixels out of a mask at which one point is as bad as another, and the steps
 // to there: a twentieth of a pixel, and five per cent.
 constexpr float kMaxReach = 200;
@@ -87,9 +83,9 @@ size_t WithdrawIntoHull(const ViewSet& views,
 }
 
 // Smooths where vertices are not where they were `wanted`, and a ring around:
-// moved back one by one they make a rough surface, or stand out of one that has
-// moved on, with normals so odd that no view or point speaks of them any more.
-// What was to stay where it was stays.
+// moved back one by one they stand out of a surface that has moved on, and with
+// normals so odd that no view or point speaks of them any more. What was to
+// stay where it was stays.
 void RelaxMoved(const std::vector<Eigen::Vector3d>& before,
                 const std::vector<Eigen::Vector3d>& wanted,
                 const VertexCorners& neighbors,
@@ -108,16 +104,13 @@ void RelaxMoved(const std::vector<Eigen::Vector3d>& before,
   }
   std::vector<Eigen::Vector3d> relaxed(vertices.size());
   for (int i = 0; i < kRelaxations; ++i) {
-    for (const double weight : {kAveraging, kGivingBack}) {
-      for (size_t k = 0; k < vertices.size(); ++k) {
-        const uint32_t v = vertices[k];
-        relaxed[k] =
-            positions[v] +
-            weight * (MeanPosition(neighbors.Of(v), positions) - positions[v]);
-      }
-      for (size_t k = 0; k < vertices.size(); ++k) {
-        positions[vertices[k]] = relaxed[k];
-      }
+    for (size_t k = 0; k < vertices.size(); ++k) {
+      const uint32_t v = vertices[k];
+      relaxed[k] =
+          0.5 * (positions[v] + MeanPosition(neighbors.Of(v), positions));
+    }
+    for (size_t k = 0; k < vertices.size(); ++k) {
+      positions[vertices[k]] = relaxed[k];
     }
   }
 }
@@ -131,18 +124,18 @@ size_t KeepValid(const ViewSet& views,
                  IndexedMesh* mesh) {
   const auto& [start, before, tolerance, pixel] = moves;
   const Phase phase(context, "refinement: validity check");
-  const std::vector<Eigen::Vector3d> wanted = mesh->positions;
-  size_t num_withdrawn =
+  const size_t num_withdrawn =
       WithdrawIntoHull(views, start, before, tolerance, context, mesh);
-  num_withdrawn +=
+  const std::vector<Eigen::Vector3d> wanted = mesh->positions;
+  const size_t num_tangled =
       Untangle(before, kMinHeight * pixel, context, mesh).num_withdrawn;
-  if (num_withdrawn > 0) {
+  if (num_tangled > 0) {
     const std::vector<Eigen::Vector3d> valid = mesh->positions;
     RelaxMoved(before, wanted, neighbors, mesh);
     WithdrawIntoHull(views, start, valid, tolerance, context, mesh);
     Untangle(valid, kMinHeight * pixel, context, mesh);
   }
-  return num_withdrawn;
+  return num_withdrawn + num_tangled;
 }
 
 size_t KeepFloatsValid(const std::vector<Eigen::Vector3d>& before,

@@ -29,9 +29,9 @@ struct ValidMoves {
 //   triangles that were at `before` stay there;
 // - of triangles that intersect others, until none do but those that did at
 //   `before`.
-// What is moved back is smoothed then, as far as it stays valid. `neighbors`
-// are those of FindVertexNeighbors, coordinates unit coordinates. Returns how
-// many vertices were moved back.
+// What is left standing out by the last two is smoothed, as far as it stays
+// valid. `neighbors` are those of FindVertexNeighbors, coordinates unit
+// coordinates. Returns how many vertices were moved back.
 size_t KeepValid(const ViewSet& views,
                  const VertexCorners& neighbors,
                  const ValidMoves& moves,

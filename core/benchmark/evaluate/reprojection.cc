@@ -31,6 +31,7 @@ std::vector<std::vector<size_t>> ReprojectionNeighbors(
     const Eigen::Vector3d& middle,
     const ReprojectionOptions& options) {
   std::vector<Eigen::Vector3d> directions;
+  directions.reserve(views.size());
   for (const View& view : views) {
     directions.push_back((view.Center() - middle).normalized());
   }

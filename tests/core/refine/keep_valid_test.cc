@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/mesh/audit.h"
 #include "core/mesh/self_intersections.h"
@@ -117,19 +116,6 @@ TEST(KeepValid, KeepsVerticesInTheHull) {
   }
   // The tolerance, and what the masks round to whole pixels.
   EXPECT_LT(*std::max_element(heights.begin(), heights.end()), 2);
-  // Averaging alone would leave 0.66: it takes ridges inward.
-  const double mean = std::accumulate(heights.begin(), heights.end(), 0.0) /
-                      double(heights.size());
-  EXPECT_GT(mean, 0.8);
-  // What is moved back is smooth: one by one, vertices would be 2.8 apart.
-  const VertexCorners neighbors = testing::RefineScene::Neighbors(mesh);
-  double step = 0;
-  for (size_t v = 0; v < heights.size(); ++v) {
-    for (const uint32_t next : neighbors.Of(v)) {
-      step = std::max(step, std::abs(heights[v] - heights[next]));
-    }
-  }
-  EXPECT_LT(step, 1);
 }
 
 // What a first move took into a mask that is too small may come out again.

@@ -94,12 +94,12 @@ TEST(VerdictText, SaysBothWhereMasksWereRepaired) {
 TEST(VerdictText, NamesTheWorstViewsFirst) {
   EXPECT_THAT(WarningsOf(WithMissed({0, 4, 0})), Not(IsEmpty()));
   EXPECT_THAT(WarningsOf(WithMissed({0, 2, 0})), IsEmpty());
-  EXPECT_THAT(
-      WarningsOf(WithMissed({10, 49, 0})),
-      ElementsAre(AllOf(HasSubstr("leaves 2.01 % of the pixels uncovered"),
-                        HasSubstr("b.jpg (5.00 %), a.jpg (1.02 %)"),
-                        Not(HasSubstr("c.jpg")),
-                        Not(HasSubstr("hull_level")))));
+  EXPECT_THAT(WarningsOf(WithMissed({10, 49, 0})),
+              ElementsAre(AllOf(
+                  HasSubstr("does not cover 2.01 % of the certain object"),
+                  HasSubstr("b.jpg (5.00 %), a.jpg (1.02 %)"),
+                  Not(HasSubstr("c.jpg")),
+                  Not(HasSubstr("hull_level")))));
 }
 
 TEST(VerdictText, SuggestsAFinerHullForThinParts) {
@@ -124,7 +124,7 @@ TEST(VerdictText, SaysWhatMinComponentHasTaken) {
   EXPECT_THAT(WarningsOf(verdict), IsEmpty());
   verdict.removed_pixels = {0, 7, 0};
   EXPECT_THAT(WarningsOf(verdict),
-              ElementsAre(AllOf(HasSubstr("leaves 7 pixels uncovered"),
+              ElementsAre(AllOf(HasSubstr("7 certain object pixels"),
                                 HasSubstr("most of them in b.jpg"),
                                 HasSubstr("min_component"))));
 }

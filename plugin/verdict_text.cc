@@ -14,8 +14,8 @@
 namespace octacut {
 namespace {
 
-// The share of the certain object pixels that may be missed: as many
-// as smoothing takes from the tips of a good mesh.
+// The share of the certain object pixels that may be missed: as many as
+// smoothing takes from the tips of a good mesh.
 constexpr double kMaxMissed = 0.001;
 // The share of them that may be missed because components were removed.
 constexpr double kMaxRemoved = 0.001;

@@ -84,7 +84,7 @@ void AtomicFiles::Write(const fs::path& path,
   file.temporary = CreateTemporary(file.target);
   std::ofstream stream(file.temporary, std::ios::binary | std::ios::trunc);
   if (stream) {
-    write(stream);
+    NamingErrors(path.string(), [&] { write(stream); });
   }
   stream.close();
   if (!stream) {

@@ -15,7 +15,8 @@ namespace octacut {
 //
 // Throws InputError that names the path when its folder is missing or cannot
 // be written to, when it is there but no regular file, or when not everything
-// could be written (a full disk); passes on what `write` throws.
+// could be written (a full disk), and in front of what an InputError of `write`
+// says; passes on what else `write` throws.
 void WriteFile(const std::filesystem::path& path,
                const std::function<void(std::ostream&)>& write);
 

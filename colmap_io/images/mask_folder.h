@@ -34,9 +34,9 @@ void RequireOnlyOwnMasks(const std::filesystem::path& folder,
 // Writes, all together: the PNG file of every view in the list that has one in
 // `pngs` (in the same order; the others are left as they are), the list with
 // the names and hashes of these files, and the contact sheet unless it is
-// empty. Earlier masks of octacut's are removed
-// where the view is unsure now. What an earlier list of the folder says of
-// other images is kept, as far as their masks are there. Throws InputError.
+// empty. Earlier masks of octacut's are removed where the view is unsure now.
+// What an earlier list of the folder says of other images is kept, as far as
+// their masks are there. Throws InputError.
 void WriteMaskFolder(const std::filesystem::path& folder,
                      MaskList list,
                      const std::vector<std::vector<uchar>>& pngs,

@@ -127,9 +127,8 @@ MeshFile ReadMesh(std::istream& stream,
 void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
   const MeshFormat format = MeshFormatOf(path);
   CheckSizes(mesh);
-  WriteFile(path, [&](std::ostream& stream) {
-    NamingErrors(path.string(), [&] { WriteMesh(stream, format, mesh); });
-  });
+  WriteFile(path,
+            [&](std::ostream& stream) { WriteMesh(stream, format, mesh); });
 }
 
 void WriteMeshWithValues(const std::filesystem::path& path,

@@ -75,6 +75,15 @@ TEST(WriteFile, FailureKeepsTheOldFileAndRemovesTheTemporary) {
 }
 
 // The system refuses whatever goes beyond a size.
+TEST(WriteFile, NamesTheFileOfWhatItsWriterRefuses) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "a.txt";
+  EXPECT_THAT(
+      [&] { WriteFile(path, [](std::ostream&) { throw InputError("odd"); }); },
+      ThrowsMessage<InputError>(path.string() + ": odd"));
+  EXPECT_EQ(folder.NumFiles(), 0u);
+}
+
 TEST(WriteFile, AFullDiskIsAnError) {
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "a";

@@ -16,26 +16,24 @@ namespace {
 
 constexpr size_t kSampleGrain = 8192;
 
-std::vector<double> CumulativeAreas(const IndexedMesh& mesh) {
-  std::vector<double> cumulative;
-  cumulative.reserve(mesh.triangles.size());
-  double total = 0;
-  for (const auto& triangle : mesh.triangles) {
-    total += TriangleArea(mesh, triangle);
-    cumulative.push_back(total);
-  }
-  if (!(total > 0) || !std::isfinite(total)) {
-    throw InputError(
-        fmt::format("mesh to sample: its {} triangles have the area {}",
-                    mesh.triangles.size(),
-                    total));
-  }
-  return cumulative;
-}
-
 // Fixed-point multiples of the inverse of the plastic number and its square.
 constexpr uint64_t kR2First = 0xc13fa9a902a6328f;
 constexpr uint64_t kR2Second = 0x91e10da5c79e7b1d;
+
+}  // namespace
+
+std::vector<double> CumulativeAreas(const IndexedMesh& mesh,
+                                    size_t begin,
+                                    size_t end) {
+  std::vector<double> cumulative;
+  cumulative.reserve(end - begin);
+  double total = 0;
+  for (size_t i = begin; i < end; ++i) {
+    total += TriangleArea(mesh, mesh.triangles[i]);
+    cumulative.push_back(total);
+  }
+  return cumulative;
+}
 
 Eigen::Vector3d PointInTriangle(const IndexedMesh& mesh,
                                 uint32_t triangle,
@@ -53,14 +51,20 @@ Eigen::Vector3d PointInTriangle(const IndexedMesh& mesh,
          v * (mesh.positions[c] - origin);
 }
 
-}  // namespace
-
 std::vector<SurfaceSample> SampleSurface(const IndexedMesh& mesh,
                                          size_t count,
                                          uint64_t seed,
                                          const Context& context) {
-  const std::vector<double> cumulative = CumulativeAreas(mesh);
-  const double piece = cumulative.back() / static_cast<double>(count);
+  const std::vector<double> cumulative =
+      CumulativeAreas(mesh, 0, mesh.triangles.size());
+  const double total = cumulative.empty() ? 0 : cumulative.back();
+  if (!(total > 0) || !std::isfinite(total)) {
+    throw InputError(
+        fmt::format("mesh to sample: its {} triangles have the area {}",
+                    mesh.triangles.size(),
+                    total));
+  }
+  const double piece = total / static_cast<double>(count);
   const uint64_t seed_mix = HashBits(seed);
   const uint64_t shift_first = HashBits(seed_mix + 1);
   const uint64_t shift_second = HashBits(seed_mix + 2);
@@ -71,8 +75,7 @@ std::vector<SurfaceSample> SampleSurface(const IndexedMesh& mesh,
     auto found = std::upper_bound(cumulative.begin(), cumulative.end(), area);
     if (found == cumulative.end()) {
       // Rounding: the first triangle that reaches the whole area.
-      found = std::lower_bound(
-          cumulative.begin(), cumulative.end(), cumulative.back());
+      found = std::lower_bound(cumulative.begin(), cumulative.end(), total);
     }
     const auto triangle = static_cast<uint32_t>(found - cumulative.begin());
     samples[i] = {PointInTriangle(mesh,

@@ -1,6 +1,7 @@
 // Points spread evenly over a surface.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <Eigen/Core>
 #include <vector>
@@ -9,6 +10,18 @@
 #include "core/mesh/indexed_mesh.h"
 
 namespace octacut {
+
+// The areas of the triangles from `begin` to `end` (excluded), summed up to
+// and including each of them.
+std::vector<double> CumulativeAreas(const IndexedMesh& mesh,
+                                    size_t begin,
+                                    size_t end);
+
+// A point of a triangle that is evenly distributed if u and v are so in [0, 1).
+Eigen::Vector3d PointInTriangle(const IndexedMesh& mesh,
+                                uint32_t triangle,
+                                double u,
+                                double v);
 
 struct SurfaceSample {
   Eigen::Vector3d point;

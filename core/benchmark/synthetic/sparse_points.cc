@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/benchmark/synthetic/noise.h"
+#include "core/mesh/surface_samples.h"
 #include "core/mesh/triangle_normal.h"
 
 namespace octacut {
@@ -15,7 +16,7 @@ namespace {
 // Cosine of the steepest slant under which a feature is still found.
 constexpr double kMinCosine = 0.25;
 
-struct SurfaceSample {
+struct OrientedPoint {
   Eigen::Vector3d position;
   Eigen::Vector3d normal;
   uint32_t triangle;
@@ -27,43 +28,26 @@ struct Part {
   size_t end;
 };
 
-// Cumulated areas of the triangles of the part.
-std::vector<double> CumulateAreas(const IndexedMesh& mesh, const Part& part) {
-  std::vector<double> areas;
-  double total = 0;
-  for (size_t i = part.begin; i < part.end; ++i) {
-    total += TriangleArea(mesh, mesh.triangles[i]);
-    areas.push_back(total);
-  }
-  return areas;
-}
-
-SurfaceSample SampleSurface(const IndexedMesh& mesh,
-                            const Part& part,
-                            const std::vector<double>& areas,
-                            uint64_t bits) {
+// `areas` are the cumulative ones of the part.
+OrientedPoint RandomPoint(const IndexedMesh& mesh,
+                          const Part& part,
+                          const std::vector<double>& areas,
+                          uint64_t bits) {
   const double target = areas.back() * HashUniform(HashBits(bits, 1));
-  const size_t triangle =
+  const auto triangle = static_cast<uint32_t>(
       part.begin +
       std::min<size_t>(
           std::upper_bound(areas.begin(), areas.end(), target) - areas.begin(),
-          areas.size() - 1);
-  double u = HashUniform(HashBits(bits, 2));
-  double v = HashUniform(HashBits(bits, 3));
-  if (u + v > 1) {
-    u = 1 - u;
-    v = 1 - v;
-  }
-  const auto& corners = mesh.triangles[triangle];
-  const Eigen::Vector3d& a = mesh.positions[corners[0]];
-  const Eigen::Vector3d ab = mesh.positions[corners[1]] - a;
-  const Eigen::Vector3d ac = mesh.positions[corners[2]] - a;
-  return {a + u * ab + v * ac,
-          ab.cross(ac).normalized(),
-          static_cast<uint32_t>(triangle)};
+          areas.size() - 1));
+  return {PointInTriangle(mesh,
+                          triangle,
+                          HashUniform(HashBits(bits, 2)),
+                          HashUniform(HashBits(bits, 3))),
+          AreaNormal(mesh, mesh.triangles[triangle]).normalized(),
+          triangle};
 }
 
-bool IsSeen(const SurfaceSample& sample,
+bool IsSeen(const OrientedPoint& sample,
             const SyntheticView& view,
             const RayScene& rays) {
   const Eigen::Vector3d in_cam = view.true_cam_from_world * sample.position;
@@ -88,11 +72,12 @@ class PointSampler {
       : scene_(scene), subject_(subject) {}
 
   void AddSurface(const Part& part, int count, uint64_t stream) {
-    const std::vector<double> areas = CumulateAreas(subject_.mesh, part);
+    const std::vector<double> areas =
+        CumulativeAreas(subject_.mesh, part.begin, part.end);
     for (int i = 0; i < count; ++i) {
       const uint64_t bits = HashBits(scene_.spec.seed, stream, i);
-      const SurfaceSample sample =
-          SampleSurface(subject_.mesh, part, areas, bits);
+      const OrientedPoint sample =
+          RandomPoint(subject_.mesh, part, areas, bits);
       SyntheticPoint point;
       point.on_object = part.begin == 0;
       point.color =
@@ -117,7 +102,7 @@ class PointSampler {
       if (subject_.rays.FirstHit(world_from_cam.translation, ray)) {
         continue;
       }
-      SurfaceSample sample;
+      OrientedPoint sample;
       sample.position = RoomWall(subject_, world_from_cam.translation, ray);
       sample.normal = (subject_.center - sample.position).normalized();
       sample.triangle = 0;
@@ -133,7 +118,7 @@ class PointSampler {
   std::vector<SyntheticPoint> Points() && { return std::move(points_); }
 
  private:
-  void Add(const SurfaceSample& sample, uint64_t bits, SyntheticPoint point) {
+  void Add(const OrientedPoint& sample, uint64_t bits, SyntheticPoint point) {
     const double noise = scene_.spec.observation_noise;
     point.position = sample.position;
     for (uint32_t k = 0; k < scene_.views.size(); ++k) {

@@ -125,37 +125,29 @@ void Extractor::Propose() {
                   network.InputSize().height));
 }
 
-// What is known for sure in the photograph; empty where nothing is.
+// What is known for sure in the photograph; strokes take precedence.
 cv::Mat Extractor::FullLabels(size_t view) const {
   const UnsegmentedView& input = files_.input.views[view];
   const SegmentationFile& file = files_.files[view];
-  const bool has_strokes =
-      !file.strokes.empty() && !file.strokes_are_turntable_mask;
-  if (!has_strokes && !input.is_turntable && input.stand.empty()) {
-    return {};
-  }
-  cv::Mat labels = has_strokes ? ReadStrokes(file)
-                               : cv::Mat(int(file.camera->height),
-                                         int(file.camera->width),
-                                         CV_8U,
-                                         cv::Scalar(kNoLabel));
-  const auto set_surroundings = [&](const cv::Mat& pixels) {
-    cv::Mat values;
-    pixels.convertTo(values, CV_32F);
-    labels.setTo(
-        kSurroundingsLabel,
-        CarryBack(values, input.pose.camera, *file.camera) >= kObjectThreshold);
-  };
+  cv::Mat surroundings = ExcludedByOthers(segmentation_.views[view]);
   if (!input.stand.empty()) {
     // Windows reach across the border of the object.
     cv::Mat stand;
     cv::erode(input.stand >= 1,
               stand,
               cv::Mat::ones(kStandWindow, kStandWindow, CV_8U));
-    set_surroundings(stand);
+    surroundings |= stand;
   }
   if (input.is_turntable) {
-    set_surroundings(input.labels == kSurroundingsLabel);
+    surroundings |= input.labels == kSurroundingsLabel;
+  }
+  surroundings.convertTo(surroundings, CV_32F);
+  const cv::Mat full = CarryBack(surroundings, input.pose.camera, *file.camera);
+  cv::Mat labels(full.size(), CV_8U, cv::Scalar(kNoLabel));
+  labels.setTo(kSurroundingsLabel, full >= kObjectThreshold);
+  if (!file.strokes.empty() && !file.strokes_are_turntable_mask) {
+    const cv::Mat strokes = ReadStrokes(file);
+    strokes.copyTo(labels, strokes != kNoLabel);
   }
   return labels;
 }

@@ -44,6 +44,10 @@ constexpr float kInsideDoubt = 2;
 // count for object only where they are this much more frequent in it.
 constexpr float kFirstDoubt = 1.5f;
 
+// What the other views say (SegmentedView::others) below which a pixel cannot
+// be object (docs/experiments/mask_excluded.md).
+constexpr float kExcluded = -0.95f;
+
 // Pixels around a point of the stand whose colours are learned.
 constexpr int kPointRadius = 1;
 
@@ -205,7 +209,7 @@ void Segmenter::CutView(size_t i) {
   view.colours = colours_[i];
   view.mask.create(view.log_odds.size(), CV_8U);
   view.mask.setTo(kNoLabel);
-  view.mask.setTo(kSurroundingsLabel, view.others < -0.95f);
+  view.mask.setTo(kSurroundingsLabel, ExcludedByOthers(view));
   const cv::Mat& said = input_.views[i].labels;
   if (!said.empty()) {
     said.copyTo(view.mask, said != kNoLabel);
@@ -311,6 +315,10 @@ Segmentation Segmenter::Run() {
 }
 
 }  // namespace
+
+cv::Mat ExcludedByOthers(const SegmentedView& view) {
+  return view.others < kExcluded;
+}
 
 Segmentation SegmentObject(const SegmentationInput& input,
                            const Context& context) {

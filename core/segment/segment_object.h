@@ -65,6 +65,10 @@ struct SegmentedView {
   cv::Mat mask;
 };
 
+// The pixels (CV_8UC1, 0 or 255) that the other views exclude: whatever they
+// look like, they are background.
+cv::Mat ExcludedByOthers(const SegmentedView& view);
+
 struct Segmentation {
   std::vector<SegmentedView> views;
   SearchRegion region;

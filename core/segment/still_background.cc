@@ -140,6 +140,18 @@ cv::Mat ToLab(const cv::Mat& image) {
   return lab;
 }
 
+cv::Mat LooksLike(const cv::Mat& lab, const cv::Mat& color, float tolerance) {
+  cv::Mat same(lab.size(), CV_32F);
+  for (int y = 0; y < lab.rows; ++y) {
+    for (int x = 0; x < lab.cols; ++x) {
+      const float distance =
+          Distance(lab.at<cv::Vec3b>(y, x), color.at<cv::Vec3f>(y, x));
+      same.at<float>(y, x) = distance < tolerance ? 1.0f : 0.0f;
+    }
+  }
+  return same;
+}
+
 StillBackground FindStillBackground(std::span<const cv::Mat> labs,
                                     const Context& context) {
   const cv::Size size = labs.front().size();
@@ -154,14 +166,8 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
   std::vector<cv::Mat> widely_shown(labs.size());
   const int wide = WideWindow(size);
   ParallelEach(context, labs.size(), 1, [&](size_t i) {
-    cv::Mat same(size, CV_32F);
-    for (int y = 0; y < size.height; ++y) {
-      for (int x = 0; x < size.width; ++x) {
-        const float distance = Distance(labs[i].at<cv::Vec3b>(y, x),
-                                        background.color.at<cv::Vec3f>(y, x));
-        same.at<float>(y, x) = distance < background.tolerance ? 1.0f : 0.0f;
-      }
-    }
+    const cv::Mat same =
+        LooksLike(labs[i], background.color, background.tolerance);
     cv::Mat part;
     cv::boxFilter(same, part, CV_32F, {kStillWindow, kStillWindow});
     shown[i] = part >= kMostOfWindow;  // 255 where it is
@@ -171,6 +177,13 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
   background.support = PartOf(shown);
   background.wide_support = PartOf(widely_shown);
   return background;
+}
+
+cv::Mat CoreOf(const cv::Mat& windows, int window) {
+  cv::Mat core;
+  const int reach = int(std::lround(0.3 * window));
+  cv::erode(windows, core, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+  return core;
 }
 
 cv::Mat WhatVaries(std::span<const cv::Mat> labs,

@@ -25,6 +25,10 @@ struct StillBackground {
   float tolerance = 0;
 };
 
+// CV_32F: 1 where `lab` (CV_8UC3) differs from `color` (CV_32FC3) by less than
+// the tolerance, 0 elsewhere.
+cv::Mat LooksLike(const cv::Mat& lab, const cv::Mat& color, float tolerance);
+
 inline constexpr int kStillWindow = 9;
 // An odd number of pixels, a twenty-fifth of the longer side.
 int WideWindow(const cv::Size& size);
@@ -33,6 +37,11 @@ int WideWindow(const cv::Size& size);
 // change least: at least as many have to show what stands still.
 StillBackground FindStillBackground(std::span<const cv::Mat> labs,
                                     const Context& context);
+
+// What remains of `windows` (CV_8U, 255 at the centres of windows of that size
+// that show something): windows around points beside it show it as well, up to
+// 0.3 of their size away.
+cv::Mat CoreOf(const cv::Mat& windows, int window);
 
 // CV_8U, 255 where the photographs that show the background differ by more than
 // noise: a plain surface that turns in the light, and not the background.

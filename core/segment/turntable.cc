@@ -17,6 +17,7 @@
 #include "core/segment/pixel_features.h"
 #include "core/segment/still_background.h"
 #include "core/segment/still_object.h"
+#include "core/segment/still_texture.h"
 #include "core/segment/view_confidence.h"
 
 namespace octacut {
@@ -38,15 +39,6 @@ constexpr float kObjectOdds = 3;
 constexpr size_t kColourSamples = 6000;
 // Part of what turns that is in one piece, since the plate holds it together.
 constexpr double kLeastOfPlate = 0.5;
-
-// Windows around points beside it show it as well, up to 0.3 of their size
-// away.
-cv::Mat CoreOf(const cv::Mat& windows, int window) {
-  cv::Mat core;
-  const int reach = int(std::lround(0.3 * window));
-  cv::erode(windows, core, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
-  return core;
-}
 
 // Of its pieces; 1 where it has none.
 double PartOfLargest(const cv::Mat& mask) {
@@ -87,6 +79,7 @@ class TurntableSegmenter {
                             : 1 - 0.5f / float(empty_labs.size());
     unreliable_ = background_.support < least;
     always_ = CoreOf(unreliable_, kStillWindow);
+    mostly_ = cv::Mat::zeros(always_.size(), CV_8U);
     if (empty_labs.empty()) {
       const cv::Mat wide = background_.wide_support < kLeastSupport;
       cv::bitwise_or(unreliable_, wide, unreliable_);
@@ -97,6 +90,9 @@ class TurntableSegmenter {
       const StillObject still = FindStillObject(of_all, varies, always_);
       doubt_ = still.doubt;
       Learn(still);
+      if (labs.size() >= kLeastForStillTexture) {
+        still_texture_ = FindStillTexture(labs, of_all, context_);
+      }
     }
     ParallelEach(
         context_, labs.size(), 1, [&](size_t i) { CutView(i, labs[i]); });
@@ -114,6 +110,7 @@ class TurntableSegmenter {
   }
   void RequireTurntable(const StillBackground& of_all) const;
   void CutView(size_t i, const cv::Mat& lab);
+  void AddHidden(size_t i, cv::Mat* log_odds) const;
   void Learn(const StillObject& still);
   void FillPieces(cv::Mat* mask) const;
   void DoubtPieces();
@@ -130,6 +127,7 @@ class TurntableSegmenter {
   // colours decide.
   cv::Mat mostly_;
   std::optional<ColourContrast> contrast_;
+  std::vector<StillTexture> still_texture_;  // of each photograph, if any
   std::string doubt_;
 };
 
@@ -174,15 +172,16 @@ void TurntableSegmenter::Learn(const StillObject& still) {
   contrast_.emplace(object, background);
 }
 
-// Background that only colours show, and that is not connected with other
-// background, is object.
+// Background that only colours or texture show, and that is not connected with
+// other background, is object.
 void TurntableSegmenter::FillPieces(cv::Mat* mask) const {
+  const cv::Mat is_hidden = mostly_ | always_ | unreliable_;
   cv::Mat labels;
   const int count = cv::connectedComponents(*mask == 0, labels);
   std::vector<uint8_t> is_known(count);
   for (int y = 0; y < labels.rows; ++y) {
     for (int x = 0; x < labels.cols; ++x) {
-      if (mostly_.at<uint8_t>(y, x) == 0) {
+      if (is_hidden.at<uint8_t>(y, x) == 0) {
         is_known[labels.at<int>(y, x)] = 1;
       }
     }
@@ -196,18 +195,32 @@ void TurntableSegmenter::FillPieces(cv::Mat* mask) const {
   }
 }
 
+// Where the object hides the background in most photographs or in all of them.
+void TurntableSegmenter::AddHidden(size_t i, cv::Mat* log_odds) const {
+  cv::Mat near = cv::Mat::zeros(log_odds->size(), CV_8U);
+  if (!still_texture_.empty()) {
+    near = still_texture_[i].near & (always_ | mostly_);
+  }
+  cv::Mat colours = cv::Mat::zeros(log_odds->size(), CV_32F);
+  if (contrast_) {
+    colours =
+        contrast_->LogOdds(PixelFeatures(input_.images[i]), mostly_ | near);
+  }
+  cv::Mat(colours + kObjectOdds).copyTo(*log_odds, mostly_);
+  log_odds->setTo(kMostOddsOfCut, always_);
+  colours.copyTo(*log_odds, near);  // the border is somewhere in it
+  if (!still_texture_.empty()) {
+    log_odds->setTo(-kMostOddsOfCut, still_texture_[i].sure);
+  }
+}
+
 void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
   const cv::Mat distance = DistanceFromBackground(lab, background_);
   cv::Mat log_odds = kMostOddsOfCut * (distance - 1);
   cv::min(log_odds, kMostOddsOfCut, log_odds);
   cv::max(log_odds, -kMostOddsOfCut, log_odds);
   cv::Mat(log_odds * kUnreliable).copyTo(log_odds, unreliable_);
-  if (contrast_) {
-    cv::Mat(contrast_->LogOdds(PixelFeatures(input_.images[i]), mostly_) +
-            kObjectOdds)
-        .copyTo(log_odds, mostly_);
-  }
-  log_odds.setTo(kMostOddsOfCut, always_);
+  AddHidden(i, &log_odds);
   // Where a whole neighbourhood is background, or object, there is nothing to
   // decide.
   const cv::Mat window = cv::Mat::ones(kStillWindow, kStillWindow, CV_8U);

@@ -172,6 +172,30 @@ TEST_F(MaskExtractorTest, StrokesAreKeptToThePixel) {
   EXPECT_GT(Overlap(Found(2), Mask(2)), 0.95);
 }
 
+// Its colours continue those of the object, so the border in the photograph
+// alone is at its far end.
+TEST_F(MaskExtractorTest, WhatTheOtherViewsExcludeIsBackground) {
+  const cv::Mat truth =
+      cv::imread(Mask(5).string(), cv::IMREAD_GRAYSCALE) > 127;
+  cv::Mat image = cv::imread(Image(5).string());
+  const cv::Rect box = cv::boundingRect(truth);
+  std::vector<cv::Point> outermost;
+  cv::findNonZero(truth.col(box.br().x - 1), outermost);
+  const int row = outermost.front().y;
+  for (int x = box.br().x; x < box.br().x + 25; ++x) {
+    image(cv::Rect(2 * box.br().x - x - 6, row - 6, 1, 12))
+        .copyTo(image(cv::Rect(x, row - 6, 1, 12)));
+  }
+  cv::imwrite(Image(5).string(), image);
+  const ProgramResult result = Extract();
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const cv::Mat found = cv::imread(Found(5).string(), cv::IMREAD_GRAYSCALE);
+  cv::Mat near;
+  cv::dilate(truth, near, cv::Mat::ones(11, 11, CV_8U));
+  EXPECT_EQ(cv::countNonZero(found & ~near), 0);
+  EXPECT_GT(Overlap(Found(5), Mask(5)), 0.96);
+}
+
 TEST_F(MaskExtractorTest, MesherMakesTheMasksIfAsked) {
   fs::remove_all(Workspace() / "masks");
   EXPECT_THAT(RunCut().err,

@@ -131,6 +131,28 @@ TEST_F(TurntableTest, FindsAPlainObjectThatTurnsInTheLight) {
   ExpectVaseAndPlate(input);
 }
 
+// An arm of a plain object hides the wall beside it, but in three photographs.
+TEST_F(TurntableTest, FindsTheBackgroundThatAPlainObjectHides) {
+  TurntableInput input;
+  std::vector<cv::Mat> truths;
+  for (int i = 0; i < 24; ++i) {
+    cv::Mat truth = PlateMask();
+    cv::Mat object = cv::Mat::zeros(truth.size(), CV_8U);
+    object(kVase).setTo(255);
+    if (i < 10 || i > 12) {
+      object(cv::Rect(120, 30, 30 + 5 * (i % 3), 50)).setTo(255);
+    }
+    cv::Mat image = Photograph(i, true);
+    image.setTo(cv::Scalar::all(120 + 5 * i), object);
+    truths.push_back(truth | object);
+    input.images.push_back(image);
+  }
+  const std::vector<TurntableView> views = Segment(input);
+  for (size_t i = 0; i < views.size(); ++i) {
+    EXPECT_GT(Overlap(views[i].mask, truths[i]), 0.95) << i;
+  }
+}
+
 // Of a vase and a plate that look the same from all sides, only highlights
 // differ.
 TEST_F(TurntableTest, DoubtsPieces) {

@@ -1,0 +1,110 @@
+#include "core/segment/still_texture.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/parallel.h"
+
+namespace octacut {
+namespace {
+
+// Part of a window that stays the same in another photograph.
+constexpr double kMostOfWindow = 0.85;
+constexpr int kLeastAgreeing = 2;
+// Standard deviation of the lightness in a window, in tolerances.
+constexpr double kLeastContrast = 1;
+// Part of a window that differs from the most frequent colours, and how its
+// lightness may correlate with theirs.
+constexpr double kLeastOther = 0.3;
+constexpr double kMostCorrelation = 0.5;
+// The smaller eigenvalue of the structure tensor, as a part of the larger one.
+constexpr double kLeastAcross = 0.1;
+
+cv::Mat MeanInWindows(const cv::Mat& values, int window = kStillWindow) {
+  cv::Mat mean;
+  cv::boxFilter(values, mean, CV_32F, {window, window});
+  return mean;
+}
+
+cv::Mat Lightness(const cv::Mat& lab) {
+  cv::Mat lightness;
+  cv::extractChannel(lab, lightness, 0);
+  lightness.convertTo(lightness, CV_32F);
+  return lightness;
+}
+
+cv::Mat Covariance(const cv::Mat& a, const cv::Mat& b) {
+  return MeanInWindows(a.mul(b)) - MeanInWindows(a).mul(MeanInWindows(b));
+}
+
+// Whether a photograph has texture that the most frequent colours have not.
+cv::Mat HasOwnTexture(const cv::Mat& lightness,
+                      const cv::Mat& most_frequent,
+                      double tolerance) {
+  const cv::Mat variance = Covariance(lightness, lightness);
+  const cv::Mat covariance = Covariance(lightness, most_frequent);
+  const cv::Mat limit = kMostCorrelation * kMostCorrelation *
+                        variance.mul(Covariance(most_frequent, most_frequent));
+  const double least = kLeastContrast * tolerance;
+  return (variance > least * least) &
+         ((covariance < 0) | (covariance.mul(covariance) < limit));
+}
+
+// Whether the lightness changes in more than one direction where there is
+// texture.
+cv::Mat HasManyDirections(const cv::Mat& lightness,
+                          const cv::Mat& texture,
+                          int window) {
+  cv::Mat x;
+  cv::Mat y;
+  cv::Sobel(lightness, x, CV_32F, 1, 0);
+  cv::Sobel(lightness, y, CV_32F, 0, 1);
+  x.setTo(0, texture == 0);
+  y.setTo(0, texture == 0);
+  const cv::Mat xx = MeanInWindows(x.mul(x), window);
+  const cv::Mat yy = MeanInWindows(y.mul(y), window);
+  const cv::Mat xy = MeanInWindows(x.mul(y), window);
+  const cv::Mat trace = xx + yy;
+  // The determinant of a tensor with just this ratio of eigenvalues.
+  constexpr double kLimit =
+      kLeastAcross / ((1 + kLeastAcross) * (1 + kLeastAcross));
+  return xx.mul(yy) - xy.mul(xy) > kLimit * trace.mul(trace);
+}
+
+// Where two of the four nearest photographs show what the i-th one does.
+cv::Mat StandsStill(std::span<const cv::Mat> labs, size_t i, float tolerance) {
+  const size_t count = labs.size();
+  cv::Mat votes = cv::Mat::zeros(labs[i].size(), CV_8U);
+  for (const size_t step : {size_t{1}, size_t{2}, count - 2, count - 1}) {
+    cv::Mat other;
+    labs[(i + step) % count].convertTo(other, CV_32F);
+    const cv::Mat same = MeanInWindows(LooksLike(labs[i], other, tolerance));
+    votes += (same > kMostOfWindow) / 255;
+  }
+  return votes >= kLeastAgreeing;
+}
+
+}  // namespace
+
+std::vector<StillTexture> FindStillTexture(std::span<const cv::Mat> labs,
+                                           const StillBackground& background,
+                                           const Context& context) {
+  const float tolerance = background.tolerance;
+  const cv::Mat most_frequent = Lightness(background.color);
+  const int wide = WideWindow(most_frequent.size());
+  std::vector<StillTexture> result(labs.size());
+  ParallelEach(context, labs.size(), 1, [&](size_t i) {
+    const cv::Mat lightness = Lightness(labs[i]);
+    const cv::Mat is_still = StandsStill(labs, i, tolerance);
+    const cv::Mat usual =
+        MeanInWindows(LooksLike(labs[i], background.color, tolerance));
+    const cv::Mat texture = is_still & (usual < 1 - kLeastOther) &
+                            HasOwnTexture(lightness, most_frequent, tolerance);
+    StillTexture& still = result[i];
+    still.sure = texture & HasManyDirections(lightness, texture, wide);
+    cv::dilate(still.sure, still.near, cv::Mat::ones(wide, wide, CV_8U));
+    still.near &= is_still;
+  });
+  return result;
+}
+
+}  // namespace octacut

@@ -10,6 +10,9 @@ namespace {
 // Part of a window that stays the same in another photograph.
 constexpr double kMostOfWindow = 0.85;
 constexpr int kLeastAgreeing = 2;
+// Photographs that are compared are at least this part of a turn apart: in less
+// than 10 degrees, the shading of an object moves too little.
+constexpr size_t kStepsOfTurn = 36;
 // Standard deviation of the lightness in a window, in tolerances.
 constexpr double kLeastContrast = 1;
 // Part of a window that differs from the most frequent colours, and how its
@@ -70,11 +73,13 @@ cv::Mat HasManyDirections(const cv::Mat& lightness,
   return xx.mul(yy) - xy.mul(xy) > kLimit * trace.mul(trace);
 }
 
-// Where two of the four nearest photographs show what the i-th one does.
+// Where two of four photographs around the i-th one show what it does.
 cv::Mat StandsStill(std::span<const cv::Mat> labs, size_t i, float tolerance) {
   const size_t count = labs.size();
+  const size_t apart = (count + kStepsOfTurn - 1) / kStepsOfTurn;
   cv::Mat votes = cv::Mat::zeros(labs[i].size(), CV_8U);
-  for (const size_t step : {size_t{1}, size_t{2}, count - 2, count - 1}) {
+  for (const size_t step :
+       {apart, 2 * apart, count - 2 * apart, count - apart}) {
     cv::Mat other;
     labs[(i + step) % count].convertTo(other, CV_32F);
     const cv::Mat same = MeanInWindows(LooksLike(labs[i], other, tolerance));

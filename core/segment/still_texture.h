@@ -21,11 +21,12 @@ struct StillTexture {
 inline constexpr size_t kLeastForStillTexture = 5;
 
 // `labs`, of a camera that stands still, are as ToLab makes them and in the
-// order in which the object turned; `background` is theirs. What two of the
-// four nearest photographs show at the same pixels as well stands still, and is
-// background if its texture has more than one direction and is not that of the
-// most frequent colours: the texture of the plate moves, a plain object has
-// none, and its contours are lines (docs/experiments/mask_turntables.md).
+// order in which the object turned once; `background` is theirs. What two of
+// the four photographs that are some 10 and 20 degrees away show at the same
+// pixels as well stands still, and is background if its texture has more than
+// one direction and is not that of the most frequent colours: the texture of
+// the plate moves, a plain object has none, and its contours are lines
+// (docs/experiments/mask_turntables.md).
 std::vector<StillTexture> FindStillTexture(std::span<const cv::Mat> labs,
                                            const StillBackground& background,
                                            const Context& context);

@@ -17,7 +17,7 @@ std::vector<double> CumulativeAreas(const IndexedMesh& mesh,
                                     size_t begin,
                                     size_t end);
 
-// A point of a triangle that is evenly distributed if u and v are so in [0, 1).
+// A point of a triangle; evenly distributed if u and v are so in [0, 1).
 Eigen::Vector3d PointInTriangle(const IndexedMesh& mesh,
                                 uint32_t triangle,
                                 double u,

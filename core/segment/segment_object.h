@@ -66,7 +66,7 @@ struct SegmentedView {
 };
 
 // The pixels (CV_8UC1, 0 or 255) that the other views exclude: whatever they
-// look like, they are background.
+// look like, they are background, unless labels say otherwise.
 cv::Mat ExcludedByOthers(const SegmentedView& view);
 
 struct Segmentation {

@@ -30,8 +30,6 @@ constexpr float kVaries = 2;
 constexpr float kLeastNoise = 0.5f;
 // Part of the photographs that show what is surely background.
 constexpr float kMostPhotographs = 0.5f;
-// Pixels of a window that must show the background.
-constexpr float kMostOfWindow = 0.85f;
 // Least light in a shadow; L + 16 goes with its cube root.
 constexpr float kLeastLightOfShadow = 0.4f;
 constexpr float kBlackInLab = 16 * 2.55f;
@@ -177,13 +175,6 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
   background.support = PartOf(shown);
   background.wide_support = PartOf(widely_shown);
   return background;
-}
-
-cv::Mat CoreOf(const cv::Mat& windows, int window) {
-  cv::Mat core;
-  const int reach = int(std::lround(0.3 * window));
-  cv::erode(windows, core, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
-  return core;
 }
 
 cv::Mat WhatVaries(std::span<const cv::Mat> labs,

@@ -30,6 +30,8 @@ struct StillBackground {
 cv::Mat LooksLike(const cv::Mat& lab, const cv::Mat& color, float tolerance);
 
 inline constexpr int kStillWindow = 9;
+// Part of a window that must look like something for the window to show it.
+inline constexpr float kMostOfWindow = 0.85f;
 // An odd number of pixels, a twenty-fifth of the longer side.
 int WideWindow(const cv::Size& size);
 
@@ -37,11 +39,6 @@ int WideWindow(const cv::Size& size);
 // change least: at least as many have to show what stands still.
 StillBackground FindStillBackground(std::span<const cv::Mat> labs,
                                     const Context& context);
-
-// What remains of `windows` (CV_8U, 255 at the centres of windows of that size
-// that show something): windows around points beside it show it as well, up to
-// 0.3 of their size away.
-cv::Mat CoreOf(const cv::Mat& windows, int window);
 
 // CV_8U, 255 where the photographs that show the background differ by more than
 // noise: a plain surface that turns in the light, and not the background.

@@ -2,19 +2,19 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/parallel.h"
-
 namespace octacut {
 namespace {
 
-// Part of a window that stays the same in another photograph.
-constexpr double kMostOfWindow = 0.85;
 constexpr int kLeastAgreeing = 2;
-// Photographs that are compared are at least this part of a turn apart: in less
-// than 10 degrees, the shading of an object moves too little.
+// A turn has at most so many steps: in less than 10 degrees, the shading of an
+// object moves too little.
 constexpr size_t kStepsOfTurn = 36;
+// With fewer, those around one of them are not four others.
+constexpr size_t kLeastPhotographs = 5;
 // Standard deviation of the lightness in a window, in tolerances.
-constexpr double kLeastContrast = 1;
+constexpr double kLeastDeviation = 1;
+// Squared grey levels, by rounding.
+constexpr double kRoundingVariance = 0.25;
 // Part of a window that differs from the most frequent colours, and how its
 // lightness may correlate with theirs.
 constexpr double kLeastOther = 0.3;
@@ -22,7 +22,7 @@ constexpr double kMostCorrelation = 0.5;
 // The smaller eigenvalue of the structure tensor, as a part of the larger one.
 constexpr double kLeastAcross = 0.1;
 
-cv::Mat MeanInWindows(const cv::Mat& values, int window = kStillWindow) {
+cv::Mat WindowMean(const cv::Mat& values, int window = kStillWindow) {
   cv::Mat mean;
   cv::boxFilter(values, mean, CV_32F, {window, window});
   return mean;
@@ -36,36 +36,38 @@ cv::Mat Lightness(const cv::Mat& lab) {
 }
 
 cv::Mat Covariance(const cv::Mat& a, const cv::Mat& b) {
-  return MeanInWindows(a.mul(b)) - MeanInWindows(a).mul(MeanInWindows(b));
+  return WindowMean(a.mul(b)) - WindowMean(a).mul(WindowMean(b));
 }
 
-// Whether a photograph has texture that the most frequent colours have not.
-cv::Mat HasOwnTexture(const cv::Mat& lightness,
-                      const cv::Mat& most_frequent,
-                      double tolerance) {
+// Where a photograph has texture that the most frequent colours do not have.
+cv::Mat OwnTexture(const cv::Mat& lightness,
+                   const cv::Mat& most_frequent,
+                   double tolerance) {
   const cv::Mat variance = Covariance(lightness, lightness);
   const cv::Mat covariance = Covariance(lightness, most_frequent);
-  const cv::Mat limit = kMostCorrelation * kMostCorrelation *
-                        variance.mul(Covariance(most_frequent, most_frequent));
-  const double least = kLeastContrast * tolerance;
+  const cv::Mat other =
+      cv::max(Covariance(most_frequent, most_frequent), kRoundingVariance);
+  const cv::Mat limit =
+      kMostCorrelation * kMostCorrelation * variance.mul(other);
+  const double least = kLeastDeviation * tolerance;
   return (variance > least * least) &
          ((covariance < 0) | (covariance.mul(covariance) < limit));
 }
 
-// Whether the lightness changes in more than one direction where there is
+// Where the lightness changes in more than one direction, as far as there is
 // texture.
-cv::Mat HasManyDirections(const cv::Mat& lightness,
-                          const cv::Mat& texture,
-                          int window) {
+cv::Mat ManyDirections(const cv::Mat& lightness,
+                       const cv::Mat& texture,
+                       int window) {
   cv::Mat x;
   cv::Mat y;
   cv::Sobel(lightness, x, CV_32F, 1, 0);
   cv::Sobel(lightness, y, CV_32F, 0, 1);
   x.setTo(0, texture == 0);
   y.setTo(0, texture == 0);
-  const cv::Mat xx = MeanInWindows(x.mul(x), window);
-  const cv::Mat yy = MeanInWindows(y.mul(y), window);
-  const cv::Mat xy = MeanInWindows(x.mul(y), window);
+  const cv::Mat xx = WindowMean(x.mul(x), window);
+  const cv::Mat yy = WindowMean(y.mul(y), window);
+  const cv::Mat xy = WindowMean(x.mul(y), window);
   const cv::Mat trace = xx + yy;
   // The determinant of a tensor with just this ratio of eigenvalues.
   constexpr double kLimit =
@@ -82,33 +84,33 @@ cv::Mat StandsStill(std::span<const cv::Mat> labs, size_t i, float tolerance) {
        {apart, 2 * apart, count - 2 * apart, count - apart}) {
     cv::Mat other;
     labs[(i + step) % count].convertTo(other, CV_32F);
-    const cv::Mat same = MeanInWindows(LooksLike(labs[i], other, tolerance));
-    votes += (same > kMostOfWindow) / 255;
+    const cv::Mat same = WindowMean(LooksLike(labs[i], other, tolerance));
+    votes += (same >= kMostOfWindow) / 255;
   }
   return votes >= kLeastAgreeing;
 }
 
 }  // namespace
 
-std::vector<StillTexture> FindStillTexture(std::span<const cv::Mat> labs,
-                                           const StillBackground& background,
-                                           const Context& context) {
+StillTexture FindStillTexture(std::span<const cv::Mat> labs,
+                              size_t i,
+                              const StillBackground& background) {
+  StillTexture result(labs[i].size());
+  if (labs.size() < kLeastPhotographs) {
+    return result;
+  }
   const float tolerance = background.tolerance;
-  const cv::Mat most_frequent = Lightness(background.color);
-  const int wide = WideWindow(most_frequent.size());
-  std::vector<StillTexture> result(labs.size());
-  ParallelEach(context, labs.size(), 1, [&](size_t i) {
-    const cv::Mat lightness = Lightness(labs[i]);
-    const cv::Mat is_still = StandsStill(labs, i, tolerance);
-    const cv::Mat usual =
-        MeanInWindows(LooksLike(labs[i], background.color, tolerance));
-    const cv::Mat texture = is_still & (usual < 1 - kLeastOther) &
-                            HasOwnTexture(lightness, most_frequent, tolerance);
-    StillTexture& still = result[i];
-    still.sure = texture & HasManyDirections(lightness, texture, wide);
-    cv::dilate(still.sure, still.near, cv::Mat::ones(wide, wide, CV_8U));
-    still.near &= is_still;
-  });
+  const cv::Mat lightness = Lightness(labs[i]);
+  const cv::Mat is_still = StandsStill(labs, i, tolerance);
+  const cv::Mat usual =
+      WindowMean(LooksLike(labs[i], background.color, tolerance));
+  const cv::Mat texture =
+      is_still & (usual < 1 - kLeastOther) &
+      OwnTexture(lightness, Lightness(background.color), tolerance);
+  const int wide = WideWindow(lightness.size());
+  result.sure = texture & ManyDirections(lightness, texture, wide);
+  cv::dilate(result.sure, result.near, cv::Mat::ones(wide, wide, CV_8U));
+  result.near &= is_still;
   return result;
 }
 

@@ -40,6 +40,15 @@ constexpr size_t kColourSamples = 6000;
 // Part of what turns that is in one piece, since the plate holds it together.
 constexpr double kLeastOfPlate = 0.5;
 
+// Windows around points beside it show it as well, up to 0.3 of their size
+// away.
+cv::Mat CoreOf(const cv::Mat& windows, int window) {
+  cv::Mat core;
+  const int reach = int(std::lround(0.3 * window));
+  cv::erode(windows, core, cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U));
+  return core;
+}
+
 // Of its pieces; 1 where it has none.
 double PartOfLargest(const cv::Mat& mask) {
   cv::Mat labels;
@@ -64,15 +73,16 @@ class TurntableSegmenter {
 
   std::vector<TurntableView> Run() {
     Phase phase(context_, "search for the turning object");
-    const std::vector<cv::Mat> labs = Labs(input_.images);
+    labs_ = Labs(input_.images);
     const std::vector<cv::Mat> empty_labs = Labs(input_.empty_set);
-    const StillBackground of_all = FindStillBackground(labs, context_);
+    const StillBackground of_all = FindStillBackground(labs_, context_);
     background_ =
         empty_labs.empty() ? of_all : FindStillBackground(empty_labs, context_);
     background_.tolerance = of_all.tolerance;
     RequireTurntable(of_all);
-    // What never shows the background: object, and a plate with a pattern. With
-    // photographs of the empty set, the plate is what differs among them.
+    // What hardly ever shows the background: object, and a plate with a
+    // pattern. With photographs of the empty set, the plate is what differs
+    // among them.
     // Half a photograph less than all of them: shares are rounded.
     const float least = empty_labs.empty()
                             ? kLeastSupport
@@ -85,17 +95,13 @@ class TurntableSegmenter {
       cv::bitwise_or(unreliable_, wide, unreliable_);
       cv::bitwise_or(
           always_, CoreOf(wide, WideWindow(always_.size())), always_);
-      const cv::Mat varies = WhatVaries(labs, of_all, context_);
+      const cv::Mat varies = WhatVaries(labs_, of_all, context_);
       cv::bitwise_or(unreliable_, varies, unreliable_);
       const StillObject still = FindStillObject(of_all, varies, always_);
       doubt_ = still.doubt;
       Learn(still);
-      if (labs.size() >= kLeastForStillTexture) {
-        still_texture_ = FindStillTexture(labs, of_all, context_);
-      }
     }
-    ParallelEach(
-        context_, labs.size(), 1, [&](size_t i) { CutView(i, labs[i]); });
+    ParallelEach(context_, labs_.size(), 1, [&](size_t i) { CutView(i); });
     DoubtPieces();
     return std::move(result_);
   }
@@ -109,8 +115,8 @@ class TurntableSegmenter {
     return labs;
   }
   void RequireTurntable(const StillBackground& of_all) const;
-  void CutView(size_t i, const cv::Mat& lab);
-  void AddHidden(size_t i, cv::Mat* log_odds) const;
+  void CutView(size_t i);
+  void DecideHidden(size_t i, cv::Mat* log_odds) const;
   void Learn(const StillObject& still);
   void FillPieces(cv::Mat* mask) const;
   void DoubtPieces();
@@ -118,8 +124,11 @@ class TurntableSegmenter {
   const TurntableInput& input_;
   const Context& context_;
   std::vector<TurntableView> result_;
+  std::vector<cv::Mat> labs_;
   StillBackground background_;
-  cv::Mat always_;  // CV_8U, 255 where object or plate always are
+  // CV_8U, 255 where object or plate hide the background in so many photographs
+  // that its colour is not known.
+  cv::Mat always_;
   // CV_8U, 255 where the background may be the most frequent colour of plate or
   // object.
   cv::Mat unreliable_;
@@ -127,7 +136,6 @@ class TurntableSegmenter {
   // colours decide.
   cv::Mat mostly_;
   std::optional<ColourContrast> contrast_;
-  std::vector<StillTexture> still_texture_;  // of each photograph, if any
   std::string doubt_;
 };
 
@@ -172,8 +180,9 @@ void TurntableSegmenter::Learn(const StillObject& still) {
   contrast_.emplace(object, background);
 }
 
-// Background that only colours or texture show, and that is not connected with
-// other background, is object.
+// Background where a plain object hides it in most photographs, and that is not
+// connected with other background, is object: highlights and shades look like
+// background as well.
 void TurntableSegmenter::FillPieces(cv::Mat* mask) const {
   const cv::Mat is_hidden = mostly_ | always_ | unreliable_;
   cv::Mat labels;
@@ -195,12 +204,13 @@ void TurntableSegmenter::FillPieces(cv::Mat* mask) const {
   }
 }
 
-// Where the object hides the background in most photographs or in all of them.
-void TurntableSegmenter::AddHidden(size_t i, cv::Mat* log_odds) const {
-  cv::Mat near = cv::Mat::zeros(log_odds->size(), CV_8U);
-  if (!still_texture_.empty()) {
-    near = still_texture_[i].near & (always_ | mostly_);
-  }
+// Where the object hides the background in most photographs, and where texture
+// shows the background.
+void TurntableSegmenter::DecideHidden(size_t i, cv::Mat* log_odds) const {
+  const StillTexture texture = input_.empty_set.empty()
+                                   ? FindStillTexture(labs_, i, background_)
+                                   : StillTexture(labs_[i].size());
+  const cv::Mat near = texture.near & (always_ | mostly_);
   cv::Mat colours = cv::Mat::zeros(log_odds->size(), CV_32F);
   if (contrast_) {
     colours =
@@ -209,18 +219,17 @@ void TurntableSegmenter::AddHidden(size_t i, cv::Mat* log_odds) const {
   cv::Mat(colours + kObjectOdds).copyTo(*log_odds, mostly_);
   log_odds->setTo(kMostOddsOfCut, always_);
   colours.copyTo(*log_odds, near);  // the border is somewhere in it
-  if (!still_texture_.empty()) {
-    log_odds->setTo(-kMostOddsOfCut, still_texture_[i].sure);
-  }
+  log_odds->setTo(-kMostOddsOfCut, texture.sure);
 }
 
-void TurntableSegmenter::CutView(size_t i, const cv::Mat& lab) {
+void TurntableSegmenter::CutView(size_t i) {
+  const cv::Mat& lab = labs_[i];
   const cv::Mat distance = DistanceFromBackground(lab, background_);
   cv::Mat log_odds = kMostOddsOfCut * (distance - 1);
   cv::min(log_odds, kMostOddsOfCut, log_odds);
   cv::max(log_odds, -kMostOddsOfCut, log_odds);
   cv::Mat(log_odds * kUnreliable).copyTo(log_odds, unreliable_);
-  AddHidden(i, &log_odds);
+  DecideHidden(i, &log_odds);
   // Where a whole neighbourhood is background, or object, there is nothing to
   // decide.
   const cv::Mat window = cv::Mat::ones(kStillWindow, kStillWindow, CV_8U);

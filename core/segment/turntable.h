@@ -17,7 +17,8 @@
 namespace octacut {
 
 struct TurntableInput {
-  // CV_8UC3, BGR, at least three, of one size and from one camera.
+  // CV_8UC3, BGR, at least three, of one size and from one camera, in the order
+  // in which the object turned, once around.
   std::vector<cv::Mat> images;
   // The same set without the object, with the plate or without; may be empty.
   std::vector<cv::Mat> empty_set;

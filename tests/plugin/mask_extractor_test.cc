@@ -172,8 +172,8 @@ TEST_F(MaskExtractorTest, StrokesAreKeptToThePixel) {
   EXPECT_GT(Overlap(Found(2), Mask(2)), 0.95);
 }
 
-// Its colours continue those of the object, so the border in the photograph
-// alone is at its far end.
+// In one view, a patch beside the object continues its colours: in the
+// photograph alone, the border is at the far end of the patch.
 TEST_F(MaskExtractorTest, WhatTheOtherViewsExcludeIsBackground) {
   const cv::Mat truth =
       cv::imread(Mask(5).string(), cv::IMREAD_GRAYSCALE) > 127;

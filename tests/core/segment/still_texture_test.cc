@@ -80,7 +80,7 @@ TEST(StillTexture, ComparesPhotographsThatAreTenDegreesApart) {
 
 TEST(StillTexture, CreasesAndContoursAreNone) {
   cv::Mat crease = PlainLab();
-  cv::line(crease, {0, 40}, {kStillWidth, 60}, {70, 128, 128}, 3);
+  cv::line(crease, {0, 40}, {kStillWidth, 60}, {70, 128, 128}, 5);
   const std::vector<cv::Mat> labs(36, crease);
   const StillTexture found =
       FindStillTexture(labs, 1, MostFrequent(PlainLab()));

@@ -30,9 +30,9 @@ void DeclareMainOptions(OptionManager& options,
   options.Add(
       "OctahedralMeshing.ballooning",
       &meshing->evidence.ballooning,
-      "Weight of the bias towards the inside of the object for voxels whose "
-      "depth the photographs do not determine. Lower values open "
-      "deeper concavities, higher values keep untextured parts.");
+      "Weight of the preference for the inside of the object where the "
+      "photographs do not determine the surface. Higher values move it outward "
+      "and keep untextured parts, lower values open deeper concavities.");
   DeclareChromaWeight(options, &meshing->consistency.chroma_weight);
   options.Add("OctahedralMeshing.min_component",
               &meshing->finish.min_component,

@@ -113,8 +113,7 @@ cv::Mat Scatter(std::span<const cv::Mat> labs,
     }
     scatter.at<float>(y, x) = std::sqrt(sum / float(std::max(count, 1)));
   });
-  cv::boxFilter(scatter, scatter, CV_32F, {kStillWindow, kStillWindow});
-  return scatter;
+  return WindowMean(scatter);
 }
 
 // The share of the masks that are set, for each pixel.
@@ -130,6 +129,12 @@ cv::Mat PartOf(const std::vector<cv::Mat>& masks) {
 
 int WideWindow(const cv::Size& size) {
   return std::max(kStillWindow, std::max(size.width, size.height) / 50 * 2 + 1);
+}
+
+cv::Mat WindowMean(const cv::Mat& values, int window) {
+  cv::Mat mean;
+  cv::boxFilter(values, mean, CV_32F, {window, window});
+  return mean;
 }
 
 cv::Mat ToLab(const cv::Mat& image) {
@@ -166,11 +171,8 @@ StillBackground FindStillBackground(std::span<const cv::Mat> labs,
   ParallelEach(context, labs.size(), 1, [&](size_t i) {
     const cv::Mat same =
         LooksLike(labs[i], background.color, background.tolerance);
-    cv::Mat part;
-    cv::boxFilter(same, part, CV_32F, {kStillWindow, kStillWindow});
-    shown[i] = part >= kMostOfWindow;  // 255 where it is
-    cv::boxFilter(same, part, CV_32F, {wide, wide});
-    widely_shown[i] = part >= kMostOfWindow;
+    shown[i] = WindowMean(same) >= kMostOfWindow;  // 255 where it is
+    widely_shown[i] = WindowMean(same, wide) >= kMostOfWindow;
   });
   background.support = PartOf(shown);
   background.wide_support = PartOf(widely_shown);

@@ -30,6 +30,8 @@ struct StillBackground {
 cv::Mat LooksLike(const cv::Mat& lab, const cv::Mat& color, float tolerance);
 
 inline constexpr int kStillWindow = 9;
+// CV_32F: the means of windows of so many pixels around each one.
+cv::Mat WindowMean(const cv::Mat& values, int window = kStillWindow);
 // Part of a window that must look like something for the window to show it.
 inline constexpr float kMostOfWindow = 0.85f;
 // An odd number of pixels, a twenty-fifth of the longer side.

@@ -22,12 +22,6 @@ constexpr double kMostCorrelation = 0.5;
 // The smaller eigenvalue of the structure tensor, as a part of the larger one.
 constexpr double kLeastAcross = 0.1;
 
-cv::Mat WindowMean(const cv::Mat& values, int window = kStillWindow) {
-  cv::Mat mean;
-  cv::boxFilter(values, mean, CV_32F, {window, window});
-  return mean;
-}
-
 cv::Mat Lightness(const cv::Mat& lab) {
   cv::Mat lightness;
   cv::extractChannel(lab, lightness, 0);
@@ -69,7 +63,7 @@ cv::Mat ManyDirections(const cv::Mat& lightness,
   const cv::Mat yy = WindowMean(y.mul(y), window);
   const cv::Mat xy = WindowMean(x.mul(y), window);
   const cv::Mat trace = xx + yy;
-  // The determinant of a tensor with just this ratio of eigenvalues.
+  // The determinant by the squared trace, of just this ratio of eigenvalues.
   constexpr double kLimit =
       kLeastAcross / ((1 + kLeastAcross) * (1 + kLeastAcross));
   return xx.mul(yy) - xy.mul(xy) > kLimit * trace.mul(trace);

@@ -27,6 +27,7 @@ def time_rows:
      $mesh.input.image_seconds, $steps.hull.seconds,
      $steps.prepare_seconds, $steps.evidence.seconds, $levels,
      $steps.meshing.seconds, ($steps.refinement.seconds // 0),
+     ($steps.recuts.seconds // 0),
      $steps.coloring_seconds,
      ($mesh | phase("picture"))] as $parts
   | [.name, ($parts[] | seconds),
@@ -123,10 +124,11 @@ pow(2; $level) as $resolution
   "",
   "## Time and memory",
   "",
-  "Seconds. Levels: the sum of the table above. Hull alone: `octacut visual_hull_mesher`.",
+  "Seconds. Levels: the sum of the table above. Recuts: of the second level around its refined surface, and what shows whether they are needed. Hull alone: `octacut visual_hull_mesher`.",
   "",
   table(["scene", "masks", "region", "images", "hull", "preparation",
-         "evidence", "levels", "meshing", "refinement", "colours", "picture",
+         "evidence", "levels", "meshing", "refinement", "recuts", "colours",
+         "picture",
          "other", "total", "peak memory, GB", "hull alone, s", "hull alone, GB"];
         time_rows),
   "",

@@ -16,6 +16,8 @@ struct CrustOptions {
   // Times that the proxy surface is dilated (d of the paper); 1 .. 8.
   // Wider crusts gain nothing: docs/experiments/crusts.md.
   int crust_dilation = 2;
+  // Voxels from the surface of the coarser level to the border of the crust.
+  int HalfWidth() const { return crust_dilation + 1; }
   void Check() const;
 };
 

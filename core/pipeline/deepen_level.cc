@@ -9,6 +9,7 @@
 #include "core/crust/crust.h"
 #include "core/crust/medial_voxels.h"
 #include "core/evidence/finer_depths.h"
+#include "core/pipeline/level_step.h"
 
 namespace octacut {
 namespace {
@@ -43,25 +44,6 @@ std::vector<FaceLabels> CutByFinerDepths(const LevelInputs& inputs,
   return std::move(cut.labels);
 }
 
-// The second cut: photo-consistency, and the free space of finer depths.
-SolvedLevel CutByPhotographs(Crust crust,
-                             const std::vector<FaceLabels>& first,
-                             const std::vector<float>& finer,
-                             const SilhouetteTerms& silhouettes,
-                             LevelSteps* steps) {
-  const VoxelTerms terms = steps->EstimateTerms(
-      steps->EstimateVisibility(crust.voxels, first), crust, silhouettes);
-  Decision decision;
-  CutTerms energy = steps->EnergyOf(crust, terms, &decision);
-  for (size_t i = 0; i < energy.evidence.size(); ++i) {
-    energy.evidence[i] += kFreeSpaceShare * std::min(finer[i], 0.0f);
-  }
-  OctahedralCutState state;
-  OctahedralCut cut = steps->Cut(crust, energy, &state);
-  steps->CoverSilhouettes(crust, {{}, terms.hull_depth}, &energy, &state, &cut);
-  return steps->Finish(std::move(decision), std::move(crust), std::move(cut));
-}
-
 }  // namespace
 
 SolvedLevel DeepenLevel(const LevelInputs& inputs,
@@ -94,8 +76,12 @@ SolvedLevel DeepenLevel(const LevelInputs& inputs,
       CutByFinerDepths(inputs, crust, finer.values, silhouettes, &steps);
   steps.OnCrust(
       [&] { AdoptCut(first, kMinMedialDepth, inputs.context, &crust); });
+  std::vector<float> free_space = finer.values;
+  for (float& value : free_space) {
+    value = kFreeSpaceShare * std::min(value, 0.0f);
+  }
   return CutByPhotographs(
-      std::move(crust), first, finer.values, silhouettes, &steps);
+      std::move(crust), first, free_space, silhouettes, &steps);
 }
 
 }  // namespace octacut

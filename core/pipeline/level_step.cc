@@ -110,6 +110,24 @@ SolvedLevel SolveFinerLevel(const LevelInputs& inputs,
   }
 }
 
+SolvedLevel CutByPhotographs(Crust crust,
+                             const std::vector<FaceLabels>& surface,
+                             const std::vector<float>& evidence,
+                             const SilhouetteTerms& silhouettes,
+                             LevelSteps* steps) {
+  const VoxelTerms terms = steps->EstimateTerms(
+      steps->EstimateVisibility(crust.voxels, surface), crust, silhouettes);
+  Decision decision;
+  CutTerms energy = steps->EnergyOf(crust, terms, &decision);
+  for (size_t i = 0; i < evidence.size(); ++i) {
+    energy.evidence[i] += evidence[i];
+  }
+  OctahedralCutState state;
+  OctahedralCut cut = steps->Cut(crust, energy, &state);
+  steps->CoverSilhouettes(crust, {{}, terms.hull_depth}, &energy, &state, &cut);
+  return steps->Finish(std::move(decision), std::move(crust), std::move(cut));
+}
+
 size_t EstimateLevelBytes(double area, const ReconstructionOptions& options) {
   // Grid, ties, prior, phi, weights, evidence, normals and depth maps. The
   // state of a cut is there beside them while its crust may grow.

@@ -20,6 +20,15 @@ SolvedLevel SolveFinerLevel(const LevelInputs& inputs,
                             const LabelHierarchy& hierarchy,
                             LevelSummary* summary);
 
+// The labelling of a crust that does not grow. `surface` are the labels of its
+// voxels by the best surface that is known, from which visibility is estimated;
+// `evidence` is added to that of the silhouettes, and empty if there is none.
+SolvedLevel CutByPhotographs(Crust crust,
+                             const std::vector<FaceLabels>& surface,
+                             const std::vector<float>& evidence,
+                             const SilhouetteTerms& silhouettes,
+                             LevelSteps* steps);
+
 // Bytes that the last level will need at its peak, roughly, for a surface of
 // that area in unit coordinates.
 size_t EstimateLevelBytes(double area, const ReconstructionOptions& options);

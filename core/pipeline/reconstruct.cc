@@ -1,23 +1,18 @@
 #include "core/pipeline/reconstruct.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
-#include "core/base/error.h"
 #include "core/base/stopwatch.h"
-#include "core/crust/label_hierarchy.h"
 #include "core/evidence/trim_hull.h"
 #include "core/hull/hull_surface.h"
+#include "core/pipeline/build_mesh.h"
 #include "core/pipeline/color_mesh.h"
-#include "core/pipeline/deepen_level.h"
 #include "core/pipeline/finish_mesh.h"
-#include "core/pipeline/hull_border.h"
 #include "core/pipeline/judge_dents.h"
 #include "core/pipeline/level_step.h"
 #include "core/pipeline/prepare_scene.h"
+#include "core/pipeline/run_step.h"
 #include "core/pipeline/shown_surface.h"
 #include "core/scene/surface_area.h"
 #include "core/views/view_set.h"
@@ -31,26 +26,6 @@ void CheckInput(const Scene& scene,
   options.Check();
   CheckScene(scene, true);
   CheckFloatsResolve(region.cube, options.target_level);
-}
-
-void ReportLevel(const LevelSummary& level, const Context& context) {
-  context.Info(fmt::format(
-      "Level {} ({}^3 voxels) is done: the cut passes through {} of "
-      "the crust's {} voxels.",
-      level.level,
-      level.resolution,
-      level.num_cut_voxels,
-      level.num_crust_voxels));
-}
-
-// Returns what `step` returns; its seconds are shown, and added to *seconds.
-template <typename Step>
-auto RunStep(const Context& context,
-             std::string_view name,
-             double* seconds,
-             const Step& step) {
-  const Phase phase(context, name);
-  return Timed(seconds, step);
 }
 
 PreparedScene Prepare(const Scene& scene,
@@ -146,81 +121,6 @@ InsideEvidence EstimateEvidence(const ViewSet& views,
   return evidence;
 }
 
-// Crust, visibility, photo-consistency and cut of the level after those in
-// `hierarchy`; the first one begins with the hull.
-SolvedLevel SolveLevel(const LevelInputs& inputs,
-                       const VoxelGrid& hull,
-                       const LabelHierarchy& hierarchy,
-                       LevelSummary* summary) {
-  const int level =
-      hierarchy.Empty() ? hull.Level() : hierarchy.Finest().voxels.Level() + 1;
-  const Phase phase(
-      inputs.context,
-      fmt::format("crust, photo-consistency and cut of level {}", level));
-  SolvedLevel solved = hierarchy.Empty()
-                           ? SolveInitialLevel(inputs, hull, summary)
-                           : SolveFinerLevel(inputs, hierarchy, summary);
-  if (level == hull.Level() + 1) {
-    solved = DeepenLevel(inputs, hierarchy, std::move(solved), summary);
-  }
-  return solved;
-}
-
-void RequireSurface(const LabeledVoxels& surface,
-                    const ReconstructionOptions& options) {
-  if (std::none_of(surface.labels.begin(), surface.labels.end(), IsCut)) {
-    throw InputError(fmt::format(
-        "the surface vanished: with ballooning = {}, no part of the visual "
-        "hull is inside; raise `ballooning`",
-        options.evidence.ballooning));
-  }
-}
-
-// Adds that level. Returns how far photographs decide on it, as SolvedLevel has
-// it.
-std::vector<float> AddLevel(const LevelInputs& inputs,
-                            const VoxelGrid& hull,
-                            LabelHierarchy* hierarchy,
-                            ReconstructionSummary* summary) {
-  LevelSummary& level = summary->levels.emplace_back();
-  SolvedLevel solved = SolveLevel(inputs, hull, *hierarchy, &level);
-  RequireSurface(solved.surface, inputs.options);
-  hierarchy->Add(std::move(solved.surface));
-  ReportLevel(level, inputs.context);
-  return std::move(solved.decided);
-}
-
-// The mesh of the last level: the labelling's surface, smoothed, and where it
-// is near the hull's border moved towards that.
-FinishedMesh MeshOf(const LabeledVoxels& surface,
-                    const std::vector<float>& decided,
-                    const SilhouetteHull& hull,
-                    const ReconstructionOptions& options,
-                    const Context& context,
-                    ReconstructionSummary* summary) {
-  return RunStep(
-      context, "mesh extraction and smoothing", &summary->meshing_seconds, [&] {
-        FinishedMesh finished =
-            FinalMesh(hull.views, surface, hull.cube, options.finish, context);
-        summary->finish = finished.summary;
-        summary->num_moved_to_hull = MoveToHullBorder(
-            hull, {surface.voxels, decided}, context, &finished.mesh);
-        return finished;
-      });
-}
-
-IndexedMesh Refine(IndexedMesh mesh,
-                   const BoundingCube& cube,
-                   const ReconstructionOptions& options,
-                   const Context& context,
-                   ViewSet* views,
-                   ReconstructionSummary* summary) {
-  RefinedSurface refined =
-      RefineSurface(std::move(mesh), cube, options.refinement, context, views);
-  summary->refinement = std::move(refined.summary);
-  return std::move(refined.mesh);
-}
-
 MeshVerdict Judge(const FinishedMesh& finished,
                   const JudgedScene& scene,
                   const std::vector<double>& moved_inwards,
@@ -261,35 +161,15 @@ Reconstruction Reconstruct(const Scene& scene,
   const InsideEvidence evidence = EstimateEvidence(
       views, hull.surface, options, context, &hull.voxels, &summary);
 
-  LabelHierarchy hierarchy;
-  std::vector<float> decided;
-  for (int level = hull.voxels.Level(); level <= options.target_level;
-       ++level) {
-    decided = AddLevel(
-        {views, evidence, options, context}, hull.voxels, &hierarchy, &summary);
-    if (observer) {
-      observer(level, PositionedMesh(hierarchy.Finest(), region.cube, context));
-    }
-  }
-
-  FinishedMesh finished = MeshOf(hierarchy.Finest(),
-                                 decided,
-                                 {views, evidence.mask_confidence, region.cube},
-                                 options,
-                                 context,
-                                 &summary);
-  if (options.refine) {
-    finished.mesh = Refine(std::move(finished.mesh),
-                           region.cube,
-                           options,
-                           context,
-                           &views,
-                           &summary);
-  }
+  BuiltMesh built = BuildMesh(
+      {hull.voxels, evidence, region.cube, options, context, observer},
+      &views,
+      &summary);
+  FinishedMesh& finished = built.finished;
   result.mesh = Timed(&summary.coloring_seconds, [&] {
     return ColoredMesh(finished.mesh,
                        views,
-                       hierarchy.Finest(),
+                       built.surface,
                        region.cube,
                        options.visibility,
                        context);

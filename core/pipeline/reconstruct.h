@@ -9,6 +9,7 @@
 #include "core/mesh/audit.h"
 #include "core/mesh/indexed_mesh.h"
 #include "core/mesh/surface_mesh.h"
+#include "core/pipeline/build_mesh.h"
 #include "core/pipeline/options.h"
 #include "core/pipeline/summary.h"
 #include "core/scene/region.h"
@@ -25,9 +26,6 @@ struct Reconstruction {
   MeshVerdict verdict;
   ReconstructionSummary summary;
 };
-
-// Receives the hull (level -1) and every level's surface, before smoothing.
-using LevelObserver = std::function<void(int level, const IndexedMesh& mesh)>;
 
 // Throws InputError when the scene cannot be reconstructed (no hull, a view
 // without image, a surface that vanishes), InvariantError when the mesh is

@@ -44,6 +44,14 @@ struct LevelSummary {
   double cover_seconds = 0;
 };
 
+// Cuts of the level after l0 around its refined surface (BuildMesh).
+struct RecutSummary {
+  // Shares of the vertices that coarse refinement moves out of the crust:
+  // before each cut, and after the last one unless there were three.
+  std::vector<double> moved;
+  double seconds = 0;
+};
+
 struct ReconstructionSummary {
   size_t num_false_gaps = 0;  // in masks, filled
   // By view: pixels by which the borders of its mask were moved inwards, singly
@@ -52,7 +60,8 @@ struct ReconstructionSummary {
   std::optional<BorderEdges> border_edges;
   VisualHullSummary hull;
   InsideEvidenceSummary evidence;
-  std::vector<LevelSummary> levels;
+  std::vector<LevelSummary> levels;  // of the mesh that is kept
+  RecutSummary recuts;
   FinishSummary finish;
   size_t num_moved_to_hull = 0;             // vertices, MoveToHullBorder
   std::optional<RefineSummary> refinement;  // where options.refine says so

@@ -30,8 +30,11 @@ std::vector<RoundPlan> PlanRounds(const RefineOptions& options) {
       plan.push_back({.scale = double(1 << i),
                       .range = RefineOptions::kRange,
                       .smooths = !later,
-                      .aligns = later && i == 1});
+                      .aligns = later && i == 1 && !options.coarse_only});
     }
+  }
+  if (options.coarse_only) {
+    return plan;
   }
   double range = RefineOptions::kRange;
   for (int i = 0; i < RefineOptions::kFineRounds; ++i) {
@@ -119,7 +122,9 @@ void RefineInRounds(const RoundInputs& inputs,
                     IndexedMesh* mesh,
                     RefineSummary* summary) {
   std::vector<RoundPlan> rounds = PlanRounds(inputs.options);
-  Phase phase(context, "refinement", rounds.size() + 1);
+  Phase phase(context,
+              inputs.options.coarse_only ? "coarse refinement" : "refinement",
+              rounds.size() + 1);
   const Look look{*views, inputs.neighbors, inputs.options, inputs.pixel};
   double agreement_seconds = 0;
   SurfaceAgreement agreement = Timed(&agreement_seconds, [&] {
@@ -150,6 +155,9 @@ void RefineInRounds(const RoundInputs& inputs,
     summary->border_shift = round.border_shift;
     summary->rounds.push_back(round);
     phase.Advance();
+  }
+  if (inputs.options.coarse_only) {
+    return;
   }
   RoundPlan narrow = rounds.back();
   narrow.aligns = false;
@@ -196,7 +204,9 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
   SummarizeMoves(start, unit, pixel, &summary);
   summary.num_withdrawn +=
       MoveMesh(start, unit.positions, cube, summary.pixel_size, context, &mesh);
-  ReportBorders(summary, context);
+  if (!options.coarse_only) {
+    ReportBorders(summary, context);
+  }
   mesh.normals = ComputeVertexNormals(mesh, context);
   result.mesh = std::move(mesh);
   summary.seconds = whole.Lap();

@@ -1,0 +1,40 @@
+#include "core/pipeline/recut_level.h"
+
+#include <utility>
+#include <vector>
+
+#include "core/crust/crust.h"
+#include "core/crust/medial_voxels.h"
+#include "core/crust/mesh_labels.h"
+#include "core/grid/morphology.h"
+#include "core/pipeline/level_step.h"
+
+namespace octacut {
+
+SolvedLevel RecutLevel(const LevelInputs& inputs,
+                       const VoxelGrid& hull,
+                       const IndexedMesh& mesh,
+                       LabelHierarchy* hierarchy,
+                       LevelSummary* summary) {
+  const Context& context = inputs.context;
+  LevelSteps steps(inputs, hull.Level() + 1, summary);
+  LabeledVoxels known;
+  Crust crust = steps.OnCrust([&] {
+    *hierarchy = LabelHierarchy();
+    hierarchy->Add(LabelByMesh(
+        mesh, Union(hull, VoxelsOfMesh(mesh, hull.Level())), context));
+    known = LabelByMesh(mesh,
+                        Dilate(VoxelsOfMesh(mesh, hull.Level() + 1),
+                               inputs.options.crust.HalfWidth(),
+                               context),
+                        context);
+    Crust made = WidenCrust(*hierarchy, known, known.voxels, context);
+    AdoptCut(known.labels, kMinMedialDepth, context, &made);
+    return made;
+  });
+  const SilhouetteTerms silhouettes = steps.EstimateSilhouettes(crust.voxels);
+  return CutByPhotographs(
+      std::move(crust), known.labels, {}, silhouettes, &steps);
+}
+
+}  // namespace octacut

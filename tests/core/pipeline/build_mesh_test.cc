@@ -1,0 +1,53 @@
+#include "core/pipeline/build_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/core/pipeline/reconstruction_checks.h"
+#include "tests/core/views/render_once.h"
+
+namespace octacut {
+namespace {
+
+using testing::PipelineSpec;
+using testing::QuickOptions;
+using testing::ReconstructedScene;
+using testing::ReconstructScene;
+
+// The jug in the back of the example is filled by its hull and opened by
+// refinement, in several steps.
+ReconstructedScene ReconstructExample() {
+  ReconstructionOptions options;
+  options.hull.hull_level = 6;
+  options.target_level = 7;
+  return ReconstructScene(
+      testing::RenderOnce(std::string("example"),
+                          [](const auto& name) { return PipelineSpec(name); }),
+      options);
+}
+
+TEST(BuildMesh, CutsAgainWhereRefinementLeavesTheCrust) {
+  const ReconstructedScene scene = ReconstructExample();
+  const ReconstructionSummary& summary = scene.result.summary;
+  const std::vector<double>& moved = summary.recuts.moved;
+  ASSERT_GE(moved.size(), 2u);
+  EXPECT_LE(moved.size(), 3u);
+  EXPECT_GT(moved.front(), 0.01);
+  EXPECT_LT(moved.back(), moved.front() / 2);
+  EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
+  // The levels of the mesh that is kept.
+  ASSERT_EQ(summary.levels.size(), 2u);
+  EXPECT_EQ(summary.levels[0].level, 6);
+  EXPECT_EQ(summary.levels[1].level, 7);
+}
+
+TEST(BuildMesh, KeepsACutThatRefinementStaysNear) {
+  const ReconstructedScene scene =
+      ReconstructScene(PipelineSpec("sphere"), QuickOptions());
+  ASSERT_EQ(scene.result.summary.recuts.moved.size(), 1u);
+  EXPECT_LE(scene.result.summary.recuts.moved[0], 0.01);
+}
+
+}  // namespace
+}  // namespace octacut

@@ -124,12 +124,11 @@ pow(2; $level) as $resolution
   "",
   "## Time and memory",
   "",
-  "Seconds. Levels: the sum of the table above. Recuts: of the second level around its refined surface, and what shows whether they are needed. Hull alone: `octacut visual_hull_mesher`.",
+  "Seconds. Levels: the sum of the table above. Recuts: the coarse refinement that tells whether the second level has to be cut again around its refined surface, and these cuts. Hull alone: `octacut visual_hull_mesher`.",
   "",
   table(["scene", "masks", "region", "images", "hull", "preparation",
          "evidence", "levels", "meshing", "refinement", "recuts", "colours",
-         "picture",
-         "other", "total", "peak memory, GB", "hull alone, s", "hull alone, GB"];
+         "picture", "other", "total", "peak memory, GB", "hull alone, s", "hull alone, GB"];
         time_rows),
   "",
   "## Audit",

@@ -63,7 +63,9 @@ class MeshBuilder {
       Settle();
     }
     AddLevels(last);
-    ExtractMesh();
+    if (finished_.mesh.positions.empty()) {
+      ExtractMesh();
+    }
     if (inputs_.options.refine) {
       Refine(false);
     }
@@ -76,7 +78,8 @@ class MeshBuilder {
   }
 
   // Cuts the level after l0 again around its refined surface as long as
-  // refinement leaves the crust, by what its coarse rounds show.
+  // refinement leaves the crust, by what its coarse rounds show. Leaves that
+  // level's mesh as it was extracted, or none after a cut.
   void Settle() {
     Timed(&summary_.recuts.seconds, [&] {
       for (int i = 0; i < kMaxRecuts; ++i) {
@@ -84,6 +87,7 @@ class MeshBuilder {
         const IndexedMesh extracted = finished_.mesh;
         Refine(true);
         const double moved = ShareMovedOut(extracted);
+        finished_.mesh = extracted;
         summary_.recuts.moved.push_back(moved);
         if (moved <= kLeavesCrust) {
           break;
@@ -93,7 +97,6 @@ class MeshBuilder {
             "level {}, so that level is cut again around the refined surface.",
             100 * moved,
             hierarchy_.Finest().voxels.Level()));
-        finished_.mesh = extracted;
         Refine(false);
         Recut();
       }
@@ -160,6 +163,7 @@ class MeshBuilder {
     RequireSurface(solved.surface, inputs_.options);
     hierarchy_.Add(std::move(solved.surface));
     decided_ = std::move(solved.decided);
+    finished_ = {};
     ReportLevel(summary, inputs_.context);
     if (inputs_.observer) {
       inputs_.observer(
@@ -192,7 +196,7 @@ class MeshBuilder {
   }
 
   void Refine(bool coarsely) {
-    // By a better surface than before, if there was one.
+    // Each refinement aligns the views anew, by a better surface.
     for (size_t i = 0; i < given_.size(); ++i) {
       views_[i].projection = given_[i];
     }
@@ -213,7 +217,7 @@ class MeshBuilder {
   std::vector<ViewProjection> given_;  // of the views, before any alignment
   LabelHierarchy hierarchy_;
   std::vector<float> decided_;  // of the finest level, as SolvedLevel has it
-  FinishedMesh finished_;
+  FinishedMesh finished_;  // of the finest level; empty until it is extracted
 };
 
 }  // namespace

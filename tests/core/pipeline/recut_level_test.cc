@@ -3,10 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
-#include "core/evidence/silhouette_samples.h"
 #include "core/hull/visual_hull.h"
-#include "core/raycast/unit_mesh.h"
 #include "tests/core/extract/label_crust.h"
 #include "tests/core/views/test_scene.h"
 

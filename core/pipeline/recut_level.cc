@@ -19,15 +19,16 @@ SolvedLevel RecutLevel(const LevelInputs& inputs,
   const Context& context = inputs.context;
   LevelSteps steps(inputs, hull.Level() + 1, summary);
   LabeledVoxels known;
+  const auto around_mesh = [&](int level) {
+    return Dilate(
+        VoxelsOfMesh(mesh, level), inputs.options.crust.HalfWidth(), context);
+  };
   Crust crust = steps.OnCrust([&] {
+    // The crust may leave the hull, if its level holds what is around.
     *hierarchy = LabelHierarchy();
-    hierarchy->Add(LabelByMesh(
-        mesh, Union(hull, VoxelsOfMesh(mesh, hull.Level())), context));
-    known = LabelByMesh(mesh,
-                        Dilate(VoxelsOfMesh(mesh, hull.Level() + 1),
-                               inputs.options.crust.HalfWidth(),
-                               context),
-                        context);
+    hierarchy->Add(
+        LabelByMesh(mesh, Union(hull, around_mesh(hull.Level())), context));
+    known = LabelByMesh(mesh, around_mesh(hull.Level() + 1), context);
     Crust made = WidenCrust(*hierarchy, known, known.voxels, context);
     AdoptCut(known.labels, kMinMedialDepth, context, &made);
     return made;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/extract/extract_surface.h"
 #include "core/hull/visual_hull.h"
 #include "tests/core/extract/label_crust.h"
 #include "tests/core/views/test_scene.h"
@@ -75,6 +76,20 @@ TEST_F(RecutLevelTest, CutsAroundTheMesh) {
   ASSERT_GT(num_clear, 10000u);
   // Photographs lead it from where the mesh is to where the cup is.
   EXPECT_GT(double(num_right), 0.95 * double(num_clear));
+}
+
+// As where masks are too small: what is inside of the mesh and out of the hull
+// is inside.
+TEST_F(RecutLevelTest, LeavesTheHull) {
+  std::vector<uint8_t> is_kept;
+  hull_.ForEach([&](VoxelGrid::Index, MortonCode code) {
+    is_kept.push_back(DecodeMorton(code).x() < hull_.Resolution() / 2);
+  });
+  hull_ = Subset(hull_, is_kept);
+  const LabeledVoxels surface = Recut(Mesh(0));
+  const ExtractedSurface extracted = ExtractSurface(
+      surface.voxels, surface.labels, test_.region.cube, context_);
+  EXPECT_GT(extracted.mesh.triangles.size(), 1000u);
 }
 
 TEST_F(RecutLevelTest, KnowsInsideAndOutsideByTheMesh) {

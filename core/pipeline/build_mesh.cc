@@ -59,7 +59,9 @@ class MeshBuilder {
     const int recut_level = inputs_.hull.Level() + 1;
     const int last = inputs_.options.target_level;
     AddLevels(std::min(recut_level, last));
-    if (inputs_.options.refine && recut_level <= last) {
+    // Refinement of a mirror follows its outlines alone, and so does its cut.
+    if (inputs_.options.refine && recut_level <= last &&
+        !inputs_.evidence.is_mirror) {
       Settle();
     }
     AddLevels(last);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/benchmark/synthetic/material.h"
 #include "tests/core/pipeline/reconstruction_checks.h"
 #include "tests/core/views/render_once.h"
 
@@ -47,6 +48,13 @@ TEST(BuildMesh, KeepsACutThatRefinementStaysNear) {
       ReconstructScene(PipelineSpec("sphere"), QuickOptions());
   ASSERT_EQ(scene.result.summary.recuts.moved.size(), 1u);
   EXPECT_LE(scene.result.summary.recuts.moved[0], 0.01);
+}
+
+TEST(BuildMesh, KeepsTheCutOfAMirror) {
+  SceneSpec spec = PipelineSpec("lump");
+  spec.material = MaterialKind::kMetal;
+  const ReconstructedScene scene = ReconstructScene(spec, QuickOptions());
+  EXPECT_EQ(scene.result.summary.recuts.moved.size(), 0u);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/extract/extract_surface.h"
+#include "core/grid/morphology.h"
 #include "core/hull/visual_hull.h"
 #include "tests/core/extract/label_crust.h"
 #include "tests/core/views/test_scene.h"

@@ -53,6 +53,8 @@ class OccupancyGrid {
   // that most of them hold for object: above 0 for object. CV_32F of the view's
   // size; at least -3 * kOneViewsWord.
   cv::Mat WordOfOthers(size_t view) const;
+  // The same where that many other views are all sure of the object.
+  static float WordOfSure(size_t num_others);
 
  private:
   struct EvidenceView {

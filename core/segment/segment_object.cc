@@ -47,6 +47,11 @@ constexpr float kFirstDoubt = 1.5f;
 // What the other views say (SegmentedView::others) below which a pixel cannot
 // be object (docs/experiments/mask_excluded.md).
 constexpr float kExcluded = -0.95f;
+// Of what sure views say, so that it does not depend on how many they are.
+constexpr float kSurelyShown = 0.5f;
+
+// SegmentedView::others for OccupancyGrid::WordOfOthers.
+float OfOthers(float word) { return std::tanh(word / kOneViewsWord); }
 
 // Pixels around a point of the stand whose colours are learned.
 constexpr int kPointRadius = 1;
@@ -193,7 +198,7 @@ bool Segmenter::Round(const BoundingCube& cube, int resolution) {
     SegmentedView& view = result_.views[i];
     view.others = grid.WordOfOthers(i);
     for (float& value : cv::Mat_<float>(view.others)) {
-      value = std::tanh(value / kOneViewsWord);
+      value = OfOthers(value);
     }
     cv::Mat smooth;
     cv::GaussianBlur(colours_[i], smooth, cv::Size(), 1);
@@ -318,6 +323,11 @@ Segmentation Segmenter::Run() {
 
 cv::Mat ExcludedByOthers(const SegmentedView& view) {
   return view.others < kExcluded;
+}
+
+cv::Mat ShownByOthers(const SegmentedView& view, size_t num_others) {
+  return view.others >
+         OfOthers(kSurelyShown * OccupancyGrid::WordOfSure(num_others));
 }
 
 Segmentation SegmentObject(const SegmentationInput& input,

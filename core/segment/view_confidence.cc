@@ -22,6 +22,9 @@ constexpr double kLeastConfidence = 0.5;
 // standard deviations, by the median of their distances.
 constexpr double kLeastSpread = 0.25;
 constexpr double kSpreads = 3 * 1.4826;
+// Of ViewConfidence::lost. Silhouettes that are right have up to 0.07, since
+// the others know the object to some voxels.
+constexpr double kMostLost = 0.08;
 
 cv::Mat DistanceToOther(const cv::Mat& mask) {
   cv::Mat distance;
@@ -38,6 +41,15 @@ double Agreement(const cv::Mat& mask, const cv::Mat& others) {
   const int common = cv::countNonZero(mask & allowed & counted);
   const int either = cv::countNonZero((mask | allowed) & counted);
   return either == 0 ? 0 : double(common) / either;
+}
+
+double Lost(const cv::Mat& mask, const cv::Mat& shown) {
+  cv::Mat lost = shown & ~mask;
+  // What lies beyond the frame is not known to be lost.
+  cv::copyMakeBorder(lost, lost, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  double radius = 0;
+  cv::minMaxLoc(DistanceToOther(lost), nullptr, &radius);
+  return radius / std::sqrt(std::max(1, cv::countNonZero(mask)));
 }
 
 }  // namespace
@@ -64,6 +76,7 @@ std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
     judged.agreement = Agreement(masks[i], view.others);
     judged.contrast = BorderContrast(masks[i], view.colours);
     judged.confidence = judged.agreement * judged.contrast;
+    judged.lost = Lost(masks[i], ShownByOthers(view, masks.size() - 1));
     agreements.push_back(judged.agreement);
   }
   const double usual = Median(agreements);
@@ -89,6 +102,9 @@ std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
           "where {:.0f} % are usual",
           100 * judged.agreement,
           100 * usual);
+    } else if (judged.lost > kMostLost) {
+      judged.doubt =
+          "its silhouette lacks a part of the object that the other views show";
     }
   }
   return result;

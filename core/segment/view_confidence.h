@@ -19,6 +19,9 @@ struct ViewConfidence {
   double contrast = 0;
   // The product of both: 0 to 1.
   double confidence = 0;
+  // Radius of the largest disc that the others surely call object and the
+  // silhouette does not, over the square root of the silhouette's area.
+  double lost = 0;
   // Why the view is not trusted, as a part of a sentence; empty when it is.
   std::string doubt;
 };
@@ -30,8 +33,9 @@ double BorderContrast(const cv::Mat& mask, const cv::Mat& log_odds);
 // `masks` are the final silhouettes at the size of the segmented views, CV_8UC1
 // of 0 and 255. A view is not trusted when its silhouette is empty, when half
 // of it or of its border is in doubt, or when it agrees with the others far
-// less than is usual among these views: where few views carve the object, what
-// they leave is larger for all of them.
+// less than is usual among these views (where few views carve the object, what
+// they leave is larger for all of them), or when it lacks a thick part that the
+// others surely show (docs/experiments/mask_lost.md).
 std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
                                        std::span<const cv::Mat> masks);
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "tests/core/segment/ring_scene.h"
 
 namespace octacut {
@@ -39,6 +41,21 @@ TEST_F(ViewConfidenceTest, DoubtsASilhouetteThatTheOthersContradict) {
   EXPECT_THAT(judged[7].doubt, HasSubstr("not found"));
   EXPECT_THAT(judged[5].doubt, IsEmpty());
   EXPECT_LT(judged[4].confidence, judged[5].confidence);
+}
+
+// Most of it is there, so it agrees well with the others.
+TEST_F(ViewConfidenceTest, DoubtsASilhouetteThatLacksAPart) {
+  const cv::Rect box = cv::boundingRect(masks_[4]);
+  // A quarter of its width is cut off, or as many pixels all around it.
+  const int width = box.width / 4;
+  masks_[4](cv::Rect(box.x, box.y, width, box.height)).setTo(0);
+  const cv::Mat ring = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});
+  cv::erode(masks_[9], masks_[9], ring);
+  const std::vector<ViewConfidence> judged = JudgeViews(segmentation_, masks_);
+  EXPECT_GT(judged[4].agreement, 0.7);
+  EXPECT_THAT(judged[4].doubt, HasSubstr("lacks a part of the object"));
+  EXPECT_GT(judged[4].lost, 2 * judged[5].lost);
+  EXPECT_THAT(judged[9].doubt, IsEmpty());
 }
 
 TEST_F(ViewConfidenceTest, DoubtsABorderThatColoursDoNotShow) {

@@ -62,12 +62,10 @@ class MeshBuilder {
     // Refinement of a mirror follows its outlines alone, and so does its cut.
     if (inputs_.options.refine && recut_level <= last &&
         !inputs_.evidence.is_mirror) {
-      Settle();
+      Settle(last);
     }
     AddLevels(last);
-    if (finished_.mesh.positions.empty()) {
-      ExtractMesh();
-    }
+    ExtractMesh();
     if (inputs_.options.refine) {
       Refine(false);
     }
@@ -80,34 +78,28 @@ class MeshBuilder {
   }
 
   // Cuts the level after l0 again around its refined surface as long as
-  // refinement leaves the crust, by what its coarse rounds show. Leaves that
-  // level's mesh as it was extracted, or none after a cut.
-  void Settle() {
+  // refinement leaves the crust; the last of these cuts is of the next level,
+  // unless that is finer than `last`. Leaves the mesh as it was extracted, or
+  // none after a cut.
+  void Settle(int last) {
+    const int level = inputs_.hull.Level() + 1;
     Timed(&summary_.recuts.seconds, [&] {
-      for (int i = 0; i < kMaxRecuts; ++i) {
-        ExtractMesh();
-        const IndexedMesh extracted = finished_.mesh;
-        Refine(true);
-        const double moved = ShareMovedOut(extracted);
-        finished_.mesh = extracted;
-        summary_.recuts.moved.push_back(moved);
+      for (int i = 1; i <= kMaxRecuts; ++i) {
+        const double moved = ShareMovedOut();
         if (moved <= kLeavesCrust) {
           break;
         }
-        inputs_.context.Info(fmt::format(
-            "Refinement moves {:.1f} % of the surface out of the crust of "
-            "level {}, so that level is cut again around the refined surface.",
-            100 * moved,
-            hierarchy_.Finest().voxels.Level()));
-        Refine(false);
-        Recut();
+        Recut(i < kMaxRecuts ? level : std::min(level + 1, last), moved);
       }
     });
   }
 
-  // Of the vertices, from where they are in `extracted`, out of the crust of
-  // the level after l0.
-  double ShareMovedOut(const IndexedMesh& extracted) const {
+  // The share of the vertices of the level after l0 that refinement moves out
+  // of its crust, by what its coarse rounds show.
+  double ShareMovedOut() {
+    ExtractMesh();
+    const IndexedMesh extracted = finished_.mesh;
+    Refine(true);
     const double distance = inputs_.options.crust.HalfWidth() *
                             inputs_.cube.VoxelSize(inputs_.hull.Level() + 1);
     size_t moved = 0;
@@ -115,7 +107,10 @@ class MeshBuilder {
       moved += (finished_.mesh.positions[v] - extracted.positions[v]).norm() >
                distance;
     }
-    return double(moved) / double(extracted.positions.size());
+    finished_.mesh = extracted;
+    summary_.recuts.moved.push_back(double(moved) /
+                                    double(extracted.positions.size()));
+    return summary_.recuts.moved.back();
   }
 
   // The levels after those that are solved, up to `last`.
@@ -143,13 +138,21 @@ class MeshBuilder {
     return solved;
   }
 
-  // The level after l0, around the mesh.
-  void Recut() {
-    summary_.levels.resize(1);
-    AddLevel(inputs_.hull.Level() + 1, [&](LevelSummary* summary) {
+  // Refines the extracted mesh and cuts `level` around it.
+  void Recut(int level, double moved) {
+    inputs_.context.Info(fmt::format(
+        "Refinement moves {:.1f} % of the surface out of the crust of level "
+        "{}, so level {} is cut around the refined surface.",
+        100 * moved,
+        inputs_.hull.Level() + 1,
+        level));
+    Refine(false);
+    summary_.levels.resize(size_t(level - inputs_.hull.Level()));
+    AddLevel(level, [&](LevelSummary* summary) {
       return RecutLevel(Inputs(),
                         inputs_.hull,
                         UnitMesh(finished_.mesh, inputs_.cube),
+                        level,
                         &hierarchy_,
                         summary);
     });
@@ -175,8 +178,11 @@ class MeshBuilder {
   }
 
   // The labelling's surface, smoothed, and where it is near the hull's border
-  // moved towards that.
+  // moved towards that; unless it has been extracted.
   void ExtractMesh() {
+    if (!finished_.mesh.positions.empty()) {
+      return;
+    }
     summary_.meshing_seconds = 0;
     RunStep(inputs_.context,
             "mesh extraction and smoothing",

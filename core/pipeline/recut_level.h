@@ -9,13 +9,15 @@
 
 namespace octacut {
 
-// The labelling of `level` in the crust around `mesh` (unit coordinates, as
-// RefineSurface returns it): as wide as that of RefineCrust, with the mesh as
-// the surface that is known so far. `hierarchy` becomes the mesh's labels of
-// `hull`, the visual hull of the level before.
+// The labelling of `level`, which is finer than that of `hull`, in the crust
+// around `mesh` (unit coordinates, as RefineSurface returns it): as wide as
+// that of RefineCrust, with the mesh as the surface that is known so far.
+// `hierarchy` becomes the mesh's labels of the visual hull and of the levels
+// between.
 SolvedLevel RecutLevel(const LevelInputs& inputs,
                        const VoxelGrid& hull,
                        const IndexedMesh& mesh,
+                       int level,
                        LabelHierarchy* hierarchy,
                        LevelSummary* summary);
 

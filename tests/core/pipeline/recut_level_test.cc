@@ -43,8 +43,9 @@ class RecutLevelTest : public ::testing::Test {
                  UnitCube());
   }
 
-  LabeledVoxels Recut(const IndexedMesh& mesh) {
-    return RecutLevel(inputs_, hull_, mesh, &hierarchy_, &summary_).surface;
+  LabeledVoxels Recut(const IndexedMesh& mesh, int level = 6) {
+    return RecutLevel(inputs_, hull_, mesh, level, &hierarchy_, &summary_)
+        .surface;
   }
 
   TestScene test_ = testing::MakeOpenCup(kRecutCupDepth);
@@ -91,6 +92,24 @@ TEST_F(RecutLevelTest, LeavesTheHull) {
   const ExtractedSurface extracted = ExtractSurface(
       surface.voxels, surface.labels, test_.region.cube, context_);
   EXPECT_GT(extracted.mesh.triangles.size(), 1000u);
+}
+
+TEST_F(RecutLevelTest, CutsAFinerLevel) {
+  const LabeledVoxels surface = Recut(Mesh(0), 7);
+  EXPECT_EQ(surface.voxels.Level(), 7);
+  ASSERT_FALSE(hierarchy_.Empty());
+  EXPECT_EQ(hierarchy_.Finest().voxels.Level(), 6);
+  const IndexedMesh mesh =
+      ExtractSurface(
+          surface.voxels, surface.labels, test_.region.cube, context_)
+          .mesh;
+  ASSERT_GT(mesh.positions.size(), 10000u);
+  size_t num_near = 0;
+  for (const Eigen::Vector3d& position : mesh.positions) {
+    num_near += std::abs(test_.Value(test_.region.cube.ToUnit(position))) <
+                2 * test_.VoxelSize(7);
+  }
+  EXPECT_GT(double(num_near), 0.95 * double(mesh.positions.size()));
 }
 
 TEST_F(RecutLevelTest, KnowsInsideAndOutsideByTheMesh) {

@@ -34,6 +34,15 @@ void RequireSurface(const LabeledVoxels& surface,
   }
 }
 
+bool LeavesCube(const IndexedMesh& unit_mesh) {
+  return std::any_of(unit_mesh.positions.begin(),
+                     unit_mesh.positions.end(),
+                     [](const Eigen::Vector3d& position) {
+                       return (position.array() <= 0).any() ||
+                              (position.array() >= 1).any();
+                     });
+}
+
 void ReportLevel(const LevelSummary& level, const Context& context) {
   context.Info(fmt::format(
       "Level {} ({}^3 voxels) is done: the cut passes through {} of "
@@ -86,10 +95,10 @@ class MeshBuilder {
     Timed(&summary_.recuts.seconds, [&] {
       for (int i = 1; i <= kMaxRecuts; ++i) {
         const double moved = ShareMovedOut();
-        if (moved <= kLeavesCrust) {
+        if (moved <= kLeavesCrust ||
+            !Recut(i < kMaxRecuts ? level : std::min(level + 1, last), moved)) {
           break;
         }
-        Recut(i < kMaxRecuts ? level : std::min(level + 1, last), moved);
       }
     });
   }
@@ -138,24 +147,32 @@ class MeshBuilder {
     return solved;
   }
 
-  // Refines the extracted mesh and cuts `level` around it.
-  void Recut(int level, double moved) {
+  // Refines the extracted mesh and cuts `level` around it. False, and the mesh
+  // as it was, where the refined one leaves the cube, as it may if a bounding
+  // box cuts the object.
+  bool Recut(int level, double moved) {
     inputs_.context.Info(fmt::format(
         "Refinement moves {:.1f} % of the surface out of the crust of level "
-        "{}, so level {} is cut around the refined surface.",
+        "{}. The surface is refined, and level {} is cut around it.",
         100 * moved,
         inputs_.hull.Level() + 1,
         level));
+    const FinishedMesh extracted = finished_;
     Refine(false);
+    const IndexedMesh refined = UnitMesh(finished_.mesh, inputs_.cube);
+    if (LeavesCube(refined)) {
+      inputs_.context.Info(
+          "The refined surface leaves the bounding box, so this cut is left "
+          "out.");
+      finished_ = extracted;
+      return false;
+    }
     summary_.levels.resize(size_t(level - inputs_.hull.Level()));
     AddLevel(level, [&](LevelSummary* summary) {
-      return RecutLevel(Inputs(),
-                        inputs_.hull,
-                        UnitMesh(finished_.mesh, inputs_.cube),
-                        level,
-                        &hierarchy_,
-                        summary);
+      return RecutLevel(
+          Inputs(), inputs_.hull, refined, level, &hierarchy_, summary);
     });
+    return true;
   }
 
   template <typename Solve>

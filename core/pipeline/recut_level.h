@@ -10,7 +10,7 @@
 namespace octacut {
 
 // The labelling of `level`, which is finer than that of `hull`, in the crust
-// around `mesh` (unit coordinates, as RefineSurface returns it): as wide as
+// around `mesh` (within the unit cube, as RefineSurface returns it): as wide as
 // that of RefineCrust, with the mesh as the surface that is known so far.
 // `hierarchy` becomes the mesh's labels of the visual hull and of the levels
 // between.

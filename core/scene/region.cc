@@ -91,7 +91,9 @@ Region MakeTolerantRegion(const std::vector<View>& views,
         std::max(slack, mask_tolerance * view.scale * depth / view.camera.fx);
   }
   Region region = MakeRegion(box, RegionSource::kSilhouettes);
-  const Eigen::Vector3d most = Eigen::Vector3d::Constant(region.cube.edge / 2);
+  // Half of the cube's margin is left, so that a surface can close in it.
+  const Eigen::Vector3d most = Eigen::Vector3d::Constant(
+      region.cube.edge / 2 * (1 + kCubeMargin / 2) / (1 + kCubeMargin));
   const Eigen::AlignedBox3d cube(box.center() - most, box.center() + most);
   const Eigen::Vector3d grown = Eigen::Vector3d::Constant(slack);
   region.box = cube.intersection(

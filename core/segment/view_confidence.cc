@@ -16,15 +16,33 @@ constexpr double kBorder = 2;
 // Pixels from the border whose colours are looked at.
 constexpr double kRing = 4;
 constexpr double kLeastConfidence = 0.5;
-// A view that agrees less than the median by more than this is an exception.
-// From a side that few views look from, the others leave a fifth more than
-// there is for a true silhouette. Where views differ more anyway: three
-// standard deviations, by the median of their distances.
-constexpr double kLeastSpread = 0.25;
+// No view within so many standard deviations of the median, estimated from the
+// median of the distances from it, is an exception.
 constexpr double kSpreads = 3 * 1.4826;
-// Of ViewConfidence::lost. Silhouettes that are right have up to 0.07, since
-// the others know the object to some voxels.
-constexpr double kMostLost = 0.08;
+// An exception agrees less than the median by this or more: from a side that
+// few views look from, the others leave a fifth more than there is for a true
+// silhouette.
+constexpr double kLeastSpread = 0.25;
+// An exception has lost this or more: silhouettes that are right have up to
+// 0.07, since the others know the object to some voxels.
+constexpr double kLeastLoss = 0.08;
+
+// The median of values, and how far from it they usually lie.
+struct UsualValue {
+  double median = 0;
+  double spread = 0;
+};
+
+UsualValue UsualOf(const std::vector<double>& values) {
+  UsualValue usual{.median = Median(values)};
+  std::vector<double> distances;
+  distances.reserve(values.size());
+  for (const double value : values) {
+    distances.push_back(std::abs(value - usual.median));
+  }
+  usual.spread = kSpreads * Median(std::move(distances));
+  return usual;
+}
 
 cv::Mat DistanceToOther(const cv::Mat& mask) {
   cv::Mat distance;
@@ -70,6 +88,7 @@ std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
                                        std::span<const cv::Mat> masks) {
   std::vector<ViewConfidence> result(masks.size());
   std::vector<double> agreements;
+  std::vector<double> losses;
   for (size_t i = 0; i < masks.size(); ++i) {
     const SegmentedView& view = segmentation.views[i];
     ViewConfidence& judged = result[i];
@@ -78,16 +97,14 @@ std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
     judged.confidence = judged.agreement * judged.contrast;
     judged.lost = Lost(masks[i], ShownByOthers(view, masks.size() - 1));
     agreements.push_back(judged.agreement);
+    losses.push_back(judged.lost);
   }
-  const double usual = Median(agreements);
-  std::vector<double> distances;
-  distances.reserve(agreements.size());
-  for (const double agreement : agreements) {
-    distances.push_back(std::abs(agreement - usual));
-  }
-  const double least =
-      std::max(kLeastConfidence,
-               usual - std::max(kLeastSpread, kSpreads * Median(distances)));
+  const UsualValue usual = UsualOf(agreements);
+  const double least = std::max(
+      kLeastConfidence, usual.median - std::max(kLeastSpread, usual.spread));
+  const UsualValue usual_loss = UsualOf(losses);
+  const double most_lost =
+      std::max(kLeastLoss, usual_loss.median + usual_loss.spread);
   for (size_t i = 0; i < masks.size(); ++i) {
     ViewConfidence& judged = result[i];
     if (cv::countNonZero(masks[i]) == 0) {
@@ -101,8 +118,8 @@ std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
           "its silhouette agrees to {:.0f} % with those of the other views, "
           "where {:.0f} % are usual",
           100 * judged.agreement,
-          100 * usual);
-    } else if (judged.lost > kMostLost) {
+          100 * usual.median);
+    } else if (judged.lost > most_lost) {
       judged.doubt =
           "its silhouette lacks a part of the object that the other views show";
     }

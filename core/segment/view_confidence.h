@@ -34,8 +34,8 @@ double BorderContrast(const cv::Mat& mask, const cv::Mat& log_odds);
 // of 0 and 255. A view is not trusted when its silhouette is empty, when half
 // of it or of its border is in doubt, or when it agrees with the others far
 // less than is usual among these views (where few views carve the object, what
-// they leave is larger for all of them), or when it lacks a thick part that the
-// others surely show (docs/experiments/mask_lost.md).
+// they leave is larger for all of them), or when it lacks a thicker part than
+// is usual that the others surely show (docs/experiments/mask_lost.md).
 std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
                                        std::span<const cv::Mat> masks);
 

@@ -50,6 +50,20 @@ TEST(BuildMesh, KeepsACutThatRefinementStaysNear) {
   EXPECT_LE(scene.result.summary.recuts.moved[0], 0.01);
 }
 
+// Where a bounding box cuts the object, its outlines pull the surface out of
+// the box, where there are no voxels.
+TEST(BuildMesh, KeepsACutWhoseRefinedSurfaceLeavesTheCube) {
+  SceneSpec spec = PipelineSpec("cup", 96, 72);
+  spec.parameters.cup_depth = 2;
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(-0.7, -0.7, -1.0),
+                                Eigen::Vector3d(0.7, 0.7, 0.9));
+  const ReconstructedScene scene = ReconstructScene(
+      MakeScene(spec, Context(2)), QuickOptions(), {.bounding_box = box});
+  ASSERT_EQ(scene.result.summary.recuts.moved.size(), 1u);
+  EXPECT_GT(scene.result.summary.recuts.moved[0], 0.01);
+  EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
+}
+
 TEST(BuildMesh, KeepsTheCutOfAMirror) {
   SceneSpec spec = PipelineSpec("lump");
   spec.material = MaterialKind::kMetal;

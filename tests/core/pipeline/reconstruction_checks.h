@@ -40,15 +40,16 @@ inline SceneSpec PipelineSpec(const std::string& object,
   return spec;
 }
 
-inline ReconstructedScene ReconstructScene(
-    SyntheticScene synthetic, const ReconstructionOptions& options) {
+inline ReconstructedScene ReconstructScene(SyntheticScene synthetic,
+                                           const ReconstructionOptions& options,
+                                           const RegionOptions& region = {}) {
   const Context context(2);
   ReconstructedScene scene;
   scene.options = options;
   scene.synthetic = std::move(synthetic);
   scene.scene = ToScene(scene.synthetic);
-  scene.region = EstimateRegion(
-      scene.scene.views, scene.scene.points, RegionOptions(), context);
+  scene.region =
+      EstimateRegion(scene.scene.views, scene.scene.points, region, context);
   scene.result = Reconstruct(scene.scene, scene.region, options, context);
   scene.mesh = ToIndexedMesh(scene.result.mesh);
   return scene;

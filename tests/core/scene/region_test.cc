@@ -86,7 +86,9 @@ TEST(Region, AToleranceOfTheMasksMakesTheBoxLargerButNotTheCube) {
   }
   options.mask_tolerance = 64;
   const Region largest = EstimateRegion(views, {}, options, Context(2));
-  EXPECT_TRUE(largest.box.sizes().isApproxToConstant(strict.cube.edge));
+  // The cube is larger, so that a surface can close within it.
+  EXPECT_GT(largest.box.sizes().minCoeff(), strict.box.sizes().maxCoeff());
+  EXPECT_LT(largest.box.sizes().maxCoeff(), 0.97 * strict.cube.edge);
 }
 
 TEST(Region, HoldsALongObjectOffTheMiddle) {

@@ -58,6 +58,17 @@ TEST_F(ViewConfidenceTest, DoubtsASilhouetteThatLacksAPart) {
   EXPECT_THAT(judged[9].doubt, IsEmpty());
 }
 
+// Of few or small views, the others leave more than there is for all of them.
+TEST_F(ViewConfidenceTest, TrustsSilhouettesThatAllLackAsMuch) {
+  for (SegmentedView& view : segmentation_.views) {
+    cv::circle(view.others, {20, 20}, 10, 1, cv::FILLED);
+  }
+  for (const ViewConfidence& view : JudgeViews(segmentation_, masks_)) {
+    EXPECT_GT(view.lost, 0.08);
+    EXPECT_THAT(view.doubt, IsEmpty());
+  }
+}
+
 TEST_F(ViewConfidenceTest, DoubtsABorderThatColoursDoNotShow) {
   segmentation_.views[2].colours.setTo(-1);
   const std::vector<ViewConfidence> judged = JudgeViews(segmentation_, masks_);

@@ -47,8 +47,10 @@ constexpr float kFirstDoubt = 1.5f;
 // What the other views say (SegmentedView::others) below which a pixel cannot
 // be object (docs/experiments/mask_excluded.md).
 constexpr float kExcluded = -0.95f;
-// Of what sure views say, so that it does not depend on how many they are.
+// Of what sure views say, so that it does not depend on how many they are; at
+// most so much that two views could deny it, which tanh still tells from more.
 constexpr float kSurelyShown = 0.5f;
+constexpr float kShownToAll = 2 * kOneViewsWord;
 
 // SegmentedView::others for OccupancyGrid::WordOfOthers.
 float OfOthers(float word) { return std::tanh(word / kOneViewsWord); }
@@ -326,8 +328,8 @@ cv::Mat ExcludedByOthers(const SegmentedView& view) {
 }
 
 cv::Mat ShownByOthers(const SegmentedView& view, size_t num_others) {
-  return view.others >
-         OfOthers(kSurelyShown * OccupancyGrid::WordOfSure(num_others));
+  const float of_sure = kSurelyShown * OccupancyGrid::WordOfSure(num_others);
+  return view.others > OfOthers(std::min(of_sure, kShownToAll));
 }
 
 Segmentation SegmentObject(const SegmentationInput& input,

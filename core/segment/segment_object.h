@@ -70,8 +70,9 @@ struct SegmentedView {
 cv::Mat ExcludedByOthers(const SegmentedView& view);
 
 // The pixels (CV_8UC1, 0 or 255) that the `num_others` other views surely show
-// as object: they say half of what they would if all were sure, or more, and
-// one that denies a point takes away what eleven say.
+// as object: they say half of what they would if all were sure, or more, or so
+// much that two could deny it. One that denies a point takes away what eleven
+// say.
 cv::Mat ShownByOthers(const SegmentedView& view, size_t num_others);
 
 struct Segmentation {

@@ -44,7 +44,8 @@ struct LevelSummary {
   double cover_seconds = 0;
 };
 
-// Cuts of the level after l0 around its refined surface (BuildMesh).
+// Cuts of the level after l0, or the next one, around its refined surface
+// (BuildMesh).
 struct RecutSummary {
   // Shares of the vertices that coarse refinement moves out of the crust:
   // before each cut, and after the last one unless there were three.

@@ -46,7 +46,7 @@ TEST_F(ViewConfidenceTest, DoubtsASilhouetteThatTheOthersContradict) {
 // Most of it is there, so it agrees well with the others.
 TEST_F(ViewConfidenceTest, DoubtsASilhouetteThatLacksAPart) {
   const cv::Rect box = cv::boundingRect(masks_[4]);
-  // A quarter of its width is cut off, or as many pixels all around it.
+  // A quarter of its width is cut off; of another one, two pixels all around.
   const int width = box.width / 4;
   masks_[4](cv::Rect(box.x, box.y, width, box.height)).setTo(0);
   const cv::Mat ring = cv::getStructuringElement(cv::MORPH_ELLIPSE, {5, 5});

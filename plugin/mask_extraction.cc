@@ -19,6 +19,7 @@
 #include "core/base/error.h"
 #include "core/scene/region.h"
 #include "core/segment/labels.h"
+#include "core/segment/other_views.h"
 #include "core/segment/refine_border.h"
 #include "core/segment/stand_pixels.h"
 #include "core/segment/view_confidence.h"
@@ -129,7 +130,7 @@ void Extractor::Propose() {
 cv::Mat Extractor::FullLabels(size_t view) const {
   const UnsegmentedView& input = files_.input.views[view];
   const SegmentationFile& file = files_.files[view];
-  cv::Mat surroundings = ExcludedByOthers(segmentation_.views[view]);
+  cv::Mat surroundings = ExcludedByOthers(segmentation_.views[view].others);
   if (!input.stand.empty()) {
     // Windows reach across the border of the object.
     cv::Mat stand;

@@ -21,7 +21,6 @@ constexpr float kUneven = 2;
 // differ from the others.
 constexpr float kFewViewsDiffer = 0.4f;
 constexpr float kMostViewsDiffer = 0.6f;
-constexpr float kDeviationOfMedian = 1.4826f;  // of a normal distribution
 // The standard deviation over the median brightness. Seen at up to 60 degrees
 // from a light at the camera, a matt surface is between fully and half as
 // bright: at most 0.25.
@@ -49,14 +48,10 @@ float Mattness(std::vector<float> brightness) {
   if (deviation <= kEven) {
     return 1;
   }
-  const float median = Median(brightness);
-  for (float& value : brightness) {
-    value = std::abs(value - median);
-  }
-  const float of_most = kDeviationOfMedian * Median(std::move(brightness));
+  const MedianSpread most = SpreadAroundMedian(std::move(brightness));
   const float like_shading =
-      Ramp(of_most / deviation, kFewViewsDiffer, kMostViewsDiffer) *
-      Ramp(deviation / std::max(median, 1.0f), kMoreThanShading, kShading);
+      Ramp(most.deviation / deviation, kFewViewsDiffer, kMostViewsDiffer) *
+      Ramp(deviation / std::max(most.median, 1.0f), kMoreThanShading, kShading);
   return std::max(Ramp(deviation, kUneven, kEven), like_shading);
 }
 

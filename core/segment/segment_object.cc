@@ -13,6 +13,7 @@
 #include "core/segment/label_cut.h"
 #include "core/segment/labels.h"
 #include "core/segment/occupancy.h"
+#include "core/segment/other_views.h"
 #include "core/segment/pixel_features.h"
 #include "core/segment/view_confidence.h"
 
@@ -37,24 +38,9 @@ constexpr float kSure = 1;
 // The smoothness of the cut in each view: a border of one pixel's length costs
 // as much as the certain evidence of one view.
 constexpr float kSmoothness = kOneViewsWord;
-// What the others hold for object need not be: they leave more than there is.
-// So their word for it counts by this much less than that against it.
-constexpr float kInsideDoubt = 2;
 // Before the object is known, the middle shows surroundings as well, so colours
 // count for object only where they are this much more frequent in it.
 constexpr float kFirstDoubt = 1.5f;
-
-// What the other views say (SegmentedView::others) below which a pixel cannot
-// be object (docs/experiments/mask_excluded.md).
-constexpr float kExcluded = -0.95f;
-// Of what sure views say, so that it does not depend on how many they are; at
-// most so much that two views could deny it, which tanh still tells from more.
-constexpr float kSurelyShown = 0.5f;
-constexpr float kShownToAll = 2 * kOneViewsWord;
-
-// SegmentedView::others for OccupancyGrid::WordOfOthers.
-float OfOthers(float word) { return std::tanh(word / kOneViewsWord); }
-
 // Pixels around a point of the stand whose colours are learned.
 constexpr int kPointRadius = 1;
 
@@ -62,11 +48,6 @@ constexpr int kPointRadius = 1;
 // and from what hides it.
 cv::Mat StandEvidence(const cv::Mat& stand) {
   return kOneViewsWord * (cv::max(-stand, 0) - 2 * cv::max(stand, 0));
-}
-
-// Log odds of the object from what the other views say, in [-1, 1].
-cv::Mat EvidenceOfOthers(const cv::Mat& others) {
-  return kOneViewsWord * others - kInsideDoubt * cv::max(others, 0);
 }
 
 void ClampToOneViewsWord(cv::Mat* log_odds) {
@@ -198,10 +179,7 @@ bool Segmenter::Round(const BoundingCube& cube, int resolution) {
   result_.object_box = grid.ObjectBox();
   ParallelEach(context_, poses_.size(), 1, [&](size_t i) {
     SegmentedView& view = result_.views[i];
-    view.others = grid.WordOfOthers(i);
-    for (float& value : cv::Mat_<float>(view.others)) {
-      value = OfOthers(value);
-    }
+    view.others = WordOfOthers(grid, i);
     cv::Mat smooth;
     cv::GaussianBlur(colours_[i], smooth, cv::Size(), 1);
     view.log_odds = smooth + EvidenceOfOthers(view.others);
@@ -216,7 +194,7 @@ void Segmenter::CutView(size_t i) {
   view.colours = colours_[i];
   view.mask.create(view.log_odds.size(), CV_8U);
   view.mask.setTo(kNoLabel);
-  view.mask.setTo(kSurroundingsLabel, ExcludedByOthers(view));
+  view.mask.setTo(kSurroundingsLabel, ExcludedByOthers(view.others));
   const cv::Mat& said = input_.views[i].labels;
   if (!said.empty()) {
     said.copyTo(view.mask, said != kNoLabel);
@@ -322,15 +300,6 @@ Segmentation Segmenter::Run() {
 }
 
 }  // namespace
-
-cv::Mat ExcludedByOthers(const SegmentedView& view) {
-  return view.others < kExcluded;
-}
-
-cv::Mat ShownByOthers(const SegmentedView& view, size_t num_others) {
-  const float of_sure = kSurelyShown * OccupancyGrid::WordOfSure(num_others);
-  return view.others > OfOthers(std::min(of_sure, kShownToAll));
-}
 
 Segmentation SegmentObject(const SegmentationInput& input,
                            const Context& context) {

@@ -59,21 +59,11 @@ struct SegmentedView {
   // views) and from the stand, without the other silhouettes; within
   // +-kOneViewsWord but where labels say more.
   cv::Mat colours;
-  // CV_32F: what the other views alone say, in [-1, 1]; 1 is object.
+  // The word of the other views, as WordOfOthers has it.
   cv::Mat others;
   // CV_8UC1 of that size, 0 or 255: the minimal cut by those log odds.
   cv::Mat mask;
 };
-
-// The pixels (CV_8UC1, 0 or 255) that the other views exclude: whatever they
-// look like, they are background, unless labels say otherwise.
-cv::Mat ExcludedByOthers(const SegmentedView& view);
-
-// The pixels (CV_8UC1, 0 or 255) that the `num_others` other views surely show
-// as object: they say half of what they would if all were sure, or more, or so
-// much that two could deny it. One that denies a point takes away what eleven
-// say.
-cv::Mat ShownByOthers(const SegmentedView& view, size_t num_others);
 
 struct Segmentation {
   std::vector<SegmentedView> views;

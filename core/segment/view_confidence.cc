@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "core/base/median.h"
+#include "core/segment/other_views.h"
 
 namespace octacut {
 namespace {
@@ -16,9 +18,8 @@ constexpr double kBorder = 2;
 // Pixels from the border whose colours are looked at.
 constexpr double kRing = 4;
 constexpr double kLeastConfidence = 0.5;
-// No view within so many standard deviations of the median, estimated from the
-// median of the distances from it, is an exception.
-constexpr double kSpreads = 3 * 1.4826;
+// No view within so many standard deviations of the median is an exception.
+constexpr double kUsualDeviations = 3;
 // An exception agrees less than the median by this or more: from a side that
 // few views look from, the others leave a fifth more than there is for a true
 // silhouette.
@@ -26,23 +27,6 @@ constexpr double kLeastSpread = 0.25;
 // An exception has lost this or more: silhouettes that are right have up to
 // 0.07, since the others know the object to some voxels.
 constexpr double kLeastLoss = 0.08;
-
-// The median of values, and how far from it they usually lie.
-struct UsualValue {
-  double median = 0;
-  double spread = 0;
-};
-
-UsualValue UsualOf(const std::vector<double>& values) {
-  UsualValue usual{.median = Median(values)};
-  std::vector<double> distances;
-  distances.reserve(values.size());
-  for (const double value : values) {
-    distances.push_back(std::abs(value - usual.median));
-  }
-  usual.spread = kSpreads * Median(std::move(distances));
-  return usual;
-}
 
 cv::Mat DistanceToOther(const cv::Mat& mask) {
   cv::Mat distance;
@@ -95,16 +79,18 @@ std::vector<ViewConfidence> JudgeViews(const Segmentation& segmentation,
     judged.agreement = Agreement(masks[i], view.others);
     judged.contrast = BorderContrast(masks[i], view.colours);
     judged.confidence = judged.agreement * judged.contrast;
-    judged.lost = Lost(masks[i], ShownByOthers(view, masks.size() - 1));
+    judged.lost = Lost(masks[i], ShownByOthers(view.others, masks.size() - 1));
     agreements.push_back(judged.agreement);
     losses.push_back(judged.lost);
   }
-  const UsualValue usual = UsualOf(agreements);
-  const double least = std::max(
-      kLeastConfidence, usual.median - std::max(kLeastSpread, usual.spread));
-  const UsualValue usual_loss = UsualOf(losses);
-  const double most_lost =
-      std::max(kLeastLoss, usual_loss.median + usual_loss.spread);
+  const MedianSpread usual = SpreadAroundMedian(std::move(agreements));
+  const double least =
+      std::max(kLeastConfidence,
+               usual.median -
+                   std::max(kLeastSpread, kUsualDeviations * usual.deviation));
+  const MedianSpread usual_loss = SpreadAroundMedian(std::move(losses));
+  const double most_lost = std::max(
+      kLeastLoss, usual_loss.median + kUsualDeviations * usual_loss.deviation);
   for (size_t i = 0; i < masks.size(); ++i) {
     ViewConfidence& judged = result[i];
     if (cv::countNonZero(masks[i]) == 0) {

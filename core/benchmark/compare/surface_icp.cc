@@ -16,8 +16,6 @@ namespace {
 
 constexpr size_t kSearchGrain = 512;
 constexpr double kTukey = 4.685;
-// The standard deviation of a normal distribution over its median deviation.
-constexpr double kDeviationOfMedian = 1.4826;
 
 std::vector<SurfaceSample> TakeSamples(const IndexedMesh& mesh,
                                        int64_t count,

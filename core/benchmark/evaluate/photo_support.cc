@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/median.h"
@@ -20,7 +21,6 @@ constexpr size_t kPointGrain = 4096;
 constexpr double kBehindPixels = 3;
 
 constexpr double kContradictionSigmas = 3;
-constexpr double kSigmaOfMad = 1.4826;  // of normal deviations
 constexpr double kLeastContradiction = 0.05;
 
 cv::Mat BoxMean(const cv::Mat& values, int radius) {
@@ -113,15 +113,10 @@ std::vector<bool> ContradictingViews(const std::vector<ViewSupport>& support) {
   if (values.empty()) {
     return contradicts;
   }
-  const double median = Median(values);
-  std::vector<double> deviations;
-  deviations.reserve(values.size());
-  for (const double value : values) {
-    deviations.push_back(std::abs(value - median));
-  }
-  const double limit = median - std::max(kLeastContradiction,
-                                         kContradictionSigmas * kSigmaOfMad *
-                                             Median(deviations));
+  const MedianSpread usual = SpreadAroundMedian(std::move(values));
+  const double limit =
+      usual.median -
+      std::max(kLeastContradiction, kContradictionSigmas * usual.deviation);
   for (size_t i = 0; i < support.size(); ++i) {
     contradicts[i] =
         support[i].textured_pixels > 0 && support[i].support < limit;

@@ -23,6 +23,9 @@ namespace {
 constexpr double kLeavesCrust = 0.01;
 // Each gains less than the one before.
 constexpr int kMaxRecuts = 3;
+// A cut is worse if the mean agreement of the photographs over the refined
+// surface falls by more than this (docs/experiments/recut.md).
+constexpr double kLessAgreement = 0.003;
 
 void RequireSurface(const LabeledVoxels& surface,
                     const ReconstructionOptions& options) {
@@ -78,34 +81,50 @@ class MeshBuilder {
     if (inputs_.options.refine) {
       Refine(false);
     }
-    return {std::move(finished_), hierarchy_.Finest()};
+    summary_.levels = std::move(solution_.levels);
+    return {std::move(finished_), solution_.hierarchy.Finest()};
   }
 
  private:
+  // What the cuts so far have found.
+  struct Solution {
+    LabelHierarchy hierarchy;
+    std::vector<float> decided;  // of the finest level, as SolvedLevel has it
+    std::vector<LevelSummary> levels;
+  };
+
   LevelInputs Inputs() const {
     return {views_, inputs_.evidence, inputs_.options, inputs_.context};
   }
 
   // Cuts the level after l0 again around its refined surface as long as
   // refinement leaves the crust; the last of these cuts is of the next level,
-  // unless that is finer than `last`. Leaves the mesh as it was extracted, or
-  // none after a cut.
+  // unless that is finer than `last`. One after which the photographs agree
+  // less is undone. Leaves the mesh as it was extracted, or none after a cut.
   void Settle(int last) {
     const int level = inputs_.hull.Level() + 1;
+    Solution before;  // the last cut
     Timed(&summary_.recuts.seconds, [&] {
-      for (int i = 1; i <= kMaxRecuts; ++i) {
-        const double moved = ShareMovedOut();
-        if (moved <= kLeavesCrust ||
-            !Recut(i < kMaxRecuts ? level : std::min(level + 1, last), moved)) {
+      for (int i = 1; i <= kMaxRecuts && RefinementLeavesCrust(); ++i) {
+        const IndexedMesh extracted = finished_.mesh;
+        Refine(false);
+        if (AgreesLess()) {
+          Undo(std::move(before));
+          break;
+        }
+        before = solution_;
+        if (!Recut(i < kMaxRecuts ? level : std::min(level + 1, last))) {
+          finished_.mesh = extracted;
           break;
         }
       }
     });
+    ForgetAlignment();
   }
 
-  // The share of the vertices of the level after l0 that refinement moves out
+  // Whether refinement moves more than a few vertices of the level after l0 out
   // of its crust, by what its coarse rounds show.
-  double ShareMovedOut() {
+  bool RefinementLeavesCrust() {
     ExtractMesh();
     const IndexedMesh extracted = finished_.mesh;
     Refine(true);
@@ -117,15 +136,24 @@ class MeshBuilder {
                distance;
     }
     finished_.mesh = extracted;
-    summary_.recuts.moved.push_back(double(moved) /
-                                    double(extracted.positions.size()));
-    return summary_.recuts.moved.back();
+    const double share = double(moved) / double(extracted.positions.size());
+    summary_.recuts.moved.push_back(share);
+    if (share <= kLeavesCrust) {
+      return false;
+    }
+    inputs_.context.Info(fmt::format(
+        "Refinement moves {:.1f} % of the surface out of the crust of level "
+        "{}. The surface is refined, and cut again around that.",
+        100 * share,
+        inputs_.hull.Level() + 1));
+    return true;
   }
 
   // The levels after those that are solved, up to `last`.
   void AddLevels(int last) {
-    int level = hierarchy_.Empty() ? inputs_.hull.Level()
-                                   : hierarchy_.Finest().voxels.Level() + 1;
+    int level = solution_.hierarchy.Empty()
+                    ? inputs_.hull.Level()
+                    : solution_.hierarchy.Finest().voxels.Level() + 1;
     for (; level <= last; ++level) {
       AddLevel(level, [&](LevelSummary* summary) {
         return SolveLevel(level, summary);
@@ -140,57 +168,77 @@ class MeshBuilder {
     if (level == first) {
       return SolveInitialLevel(Inputs(), inputs_.hull, summary);
     }
-    SolvedLevel solved = SolveFinerLevel(Inputs(), hierarchy_, summary);
+    SolvedLevel solved =
+        SolveFinerLevel(Inputs(), solution_.hierarchy, summary);
     if (level == first + 1) {
-      solved = DeepenLevel(Inputs(), hierarchy_, std::move(solved), summary);
+      solved = DeepenLevel(
+          Inputs(), solution_.hierarchy, std::move(solved), summary);
     }
     return solved;
   }
 
-  // Refines the extracted mesh and cuts `level` around it. False, and the mesh
-  // as it was, where the refined one leaves the cube, as it may if a bounding
-  // box cuts the object.
-  bool Recut(int level, double moved) {
-    inputs_.context.Info(fmt::format(
-        "Refinement moves {:.1f} % of the surface out of the crust of level "
-        "{}. The surface is refined, and level {} is cut around it.",
-        100 * moved,
-        inputs_.hull.Level() + 1,
-        level));
-    const FinishedMesh extracted = finished_;
-    Refine(false);
+  // Whether the photographs agree less over the refined mesh than over that
+  // before the last cut.
+  bool AgreesLess() {
+    std::vector<double>& agreements = summary_.recuts.agreements;
+    agreements.push_back(summary_.refinement->agreement_after);
+    return agreements.size() > 1 &&
+           agreements.back() < *(agreements.end() - 2) - kLessAgreement;
+  }
+
+  // Cuts `level` around the refined mesh. Does nothing and returns false where
+  // that leaves the cube, as it may if a bounding box cuts the object.
+  bool Recut(int level) {
     const IndexedMesh refined = UnitMesh(finished_.mesh, inputs_.cube);
     if (LeavesCube(refined)) {
       inputs_.context.Info(
           "The refined surface leaves the bounding box, so this cut is left "
           "out.");
-      finished_ = extracted;
       return false;
     }
-    summary_.levels.resize(size_t(level - inputs_.hull.Level()));
+    solution_.levels.resize(size_t(level - inputs_.hull.Level()));
     AddLevel(level, [&](LevelSummary* summary) {
-      return RecutLevel(
-          Inputs(), inputs_.hull, refined, level, &hierarchy_, summary);
+      return RecutLevel(Inputs(),
+                        inputs_.hull,
+                        refined,
+                        level,
+                        &solution_.hierarchy,
+                        summary);
     });
+    ++summary_.recuts.num_kept;
     return true;
+  }
+
+  // Goes back to what was found before the last cut.
+  void Undo(Solution before) {
+    inputs_.context.Info(
+        "The photographs agree less after the last cut, so it is undone.");
+    solution_ = std::move(before);
+    --summary_.recuts.num_kept;
+    ShowSurface();
   }
 
   template <typename Solve>
   void AddLevel(int level, const Solve& solve) {
-    LevelSummary& summary = summary_.levels.emplace_back();
+    LevelSummary& summary = solution_.levels.emplace_back();
     const Phase phase(
         inputs_.context,
         fmt::format("crust, photo-consistency and cut of level {}", level));
     SolvedLevel solved = solve(&summary);
     RequireSurface(solved.surface, inputs_.options);
-    hierarchy_.Add(std::move(solved.surface));
-    decided_ = std::move(solved.decided);
-    finished_ = {};
+    solution_.hierarchy.Add(std::move(solved.surface));
+    solution_.decided = std::move(solved.decided);
     ReportLevel(summary, inputs_.context);
+    ShowSurface();
+  }
+
+  // To the observer. The surface of the finest level is not extracted yet.
+  void ShowSurface() {
+    finished_ = {};
     if (inputs_.observer) {
-      inputs_.observer(
-          level,
-          PositionedMesh(hierarchy_.Finest(), inputs_.cube, inputs_.context));
+      const LabeledVoxels& surface = solution_.hierarchy.Finest();
+      inputs_.observer(surface.voxels.Level(),
+                       PositionedMesh(surface, inputs_.cube, inputs_.context));
     }
   }
 
@@ -205,7 +253,7 @@ class MeshBuilder {
             "mesh extraction and smoothing",
             &summary_.meshing_seconds,
             [&] {
-              const LabeledVoxels& surface = hierarchy_.Finest();
+              const LabeledVoxels& surface = solution_.hierarchy.Finest();
               finished_ = FinalMesh(views_,
                                     surface,
                                     inputs_.cube,
@@ -214,17 +262,21 @@ class MeshBuilder {
               summary_.finish = finished_.summary;
               summary_.num_moved_to_hull = MoveToHullBorder(
                   {views_, inputs_.evidence.mask_confidence, inputs_.cube},
-                  {surface.voxels, decided_},
+                  {surface.voxels, solution_.decided},
                   inputs_.context,
                   &finished_.mesh);
             });
   }
 
-  void Refine(bool coarsely) {
-    // Each refinement aligns the views anew, by a better surface.
+  // Of the views, by refinement.
+  void ForgetAlignment() {
     for (size_t i = 0; i < given_.size(); ++i) {
       views_[i].projection = given_[i];
     }
+  }
+
+  void Refine(bool coarsely) {
+    ForgetAlignment();  // this aligns them anew, by a better surface
     RefineOptions options = inputs_.options.refinement;
     options.coarse_only = coarsely;
     RefinedSurface refined = RefineSurface(std::move(finished_.mesh),
@@ -240,8 +292,7 @@ class MeshBuilder {
   ViewSet& views_;
   ReconstructionSummary& summary_;
   std::vector<ViewProjection> given_;  // of the views, before any alignment
-  LabelHierarchy hierarchy_;
-  std::vector<float> decided_;  // of the finest level, as SolvedLevel has it
+  Solution solution_;
   FinishedMesh finished_;  // of the finest level; empty until it is extracted
 };
 

@@ -47,9 +47,13 @@ struct LevelSummary {
 // Cuts of the level after l0, or the next one, around its refined surface
 // (BuildMesh).
 struct RecutSummary {
-  // Shares of the vertices that coarse refinement moves out of the crust:
-  // before each cut, and after the last one unless there were three.
+  int num_kept = 0;
+  // Each time it was asked whether to cut: the share of the vertices that
+  // coarse refinement moves out of the crust.
   std::vector<double> moved;
+  // Each time that was too large: the mean agreement of the photographs over
+  // the refined surface.
+  std::vector<double> agreements;
   double seconds = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "core/base/parallel.h"
@@ -114,6 +115,10 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
     agreement.is_measured.push_back(measurement.is_measured);
     agreement.mattness.push_back(measurement.mattness);
   }
+  for (const ChosenViews& chosen : seen.choices) {
+    agreement.shown.push_back(std::accumulate(
+        chosen.weights.begin(), chosen.weights.begin() + chosen.count, 0.0f));
+  }
   agreement.points = std::move(seen.points);
   return agreement;
 }
@@ -122,12 +127,12 @@ SurfaceAgreement MeasureAt(SurfacePoints points,
 
 double SurfaceAgreement::Mean() const {
   double sum = 0;
-  double count = 0;
+  double all = 0;
   for (size_t i = 0; i < scores.size(); ++i) {
-    sum += is_measured[i] ? scores[i] : 0;
-    count += is_measured[i];
+    sum += is_measured[i] ? scores[i] * shown[i] : 0;
+    all += shown[i];
   }
-  return sum / std::max(count, 1.0);
+  return all > 0 ? sum / all : 0;
 }
 
 std::vector<float> SurfaceAgreement::MeansAround() const {

@@ -16,16 +16,21 @@ using testing::QuickOptions;
 using testing::ReconstructedScene;
 using testing::ReconstructScene;
 
-// The jug in the back of the example is filled by its hull and opened by
-// refinement, in several steps.
-ReconstructedScene ReconstructExample() {
+// 64^3 to 128^3.
+ReconstructionOptions FinerOptions() {
   ReconstructionOptions options;
   options.hull.hull_level = 6;
   options.target_level = 7;
+  return options;
+}
+
+// The jug in the back of the example is filled by its hull and opened by
+// refinement, in several steps.
+ReconstructedScene ReconstructExample() {
   return ReconstructScene(
       testing::RenderOnce(std::string("example"),
                           [](const auto& name) { return PipelineSpec(name); }),
-      options);
+      FinerOptions());
 }
 
 TEST(BuildMesh, CutsAgainWhereRefinementLeavesTheCrust) {
@@ -36,11 +41,28 @@ TEST(BuildMesh, CutsAgainWhereRefinementLeavesTheCrust) {
   EXPECT_LE(moved.size(), 3u);
   EXPECT_GT(moved.front(), 0.01);
   EXPECT_LT(moved.back(), moved.front() / 2);
+  EXPECT_GE(summary.recuts.num_kept, 1);
   EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
   // The levels of the mesh that is kept.
   ASSERT_EQ(summary.levels.size(), 2u);
   EXPECT_EQ(summary.levels[0].level, 6);
   EXPECT_EQ(summary.levels[1].level, 7);
+}
+
+TEST(BuildMesh, UndoesACutOverWhichPhotographsAgreeLess) {
+  SceneSpec spec = PipelineSpec("vase");
+  spec.rig.num_views = 14;
+  spec.material = MaterialKind::kPlaster;
+  const ReconstructedScene scene = ReconstructScene(spec, FinerOptions());
+  const ReconstructionSummary& summary = scene.result.summary;
+  EXPECT_EQ(summary.recuts.num_kept, 0);
+  ASSERT_EQ(summary.recuts.agreements.size(), 2u);
+  EXPECT_LT(summary.recuts.agreements[1], summary.recuts.agreements[0] - 0.003);
+  // What is kept is what would be without the cut.
+  ASSERT_EQ(summary.levels.size(), 2u);
+  EXPECT_EQ(summary.levels[1].level, 7);
+  EXPECT_GT(summary.refinement->agreement_after, summary.recuts.agreements[1]);
+  EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
 }
 
 TEST(BuildMesh, KeepsACutThatRefinementStaysNear) {
@@ -61,6 +83,7 @@ TEST(BuildMesh, KeepsACutWhoseRefinedSurfaceLeavesTheCube) {
       MakeScene(spec, Context(2)), QuickOptions(), {.bounding_box = box});
   ASSERT_EQ(scene.result.summary.recuts.moved.size(), 1u);
   EXPECT_GT(scene.result.summary.recuts.moved[0], 0.01);
+  EXPECT_EQ(scene.result.summary.recuts.num_kept, 0);
   EXPECT_EQ(scene.result.audit.DescribeFailure(), "");
 }
 

@@ -85,5 +85,16 @@ TEST(KeepGains, TakesBackWherePhotographsAreNoise) {
   EXPECT_GT(right, 0.85);
 }
 
+TEST(SurfaceAgreement, MeanCountsWhatViewsShow) {
+  SurfaceAgreement agreement;
+  EXPECT_EQ(agreement.Mean(), 0);
+  // Three views, one view and none see a point. One view alone measures
+  // nothing.
+  agreement.scores = {0.8f, -1, -1};
+  agreement.is_measured = {1, 0, 0};
+  agreement.shown = {3, 1, 0};
+  EXPECT_FLOAT_EQ(float(agreement.Mean()), 0.6f);
+}
+
 }  // namespace
 }  // namespace octacut

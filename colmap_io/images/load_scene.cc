@@ -10,10 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "colmap_io/images/filled_bites.h"
+#include "colmap_io/images/candidates.h"
 #include "colmap_io/images/for_each_file.h"
 #include "colmap_io/images/image_file.h"
-#include "colmap_io/images/mask_content.h"
 #include "colmap_io/images/mask_view.h"
 #include "colmap_io/images/most_pixels.h"
 #include "colmap_io/images/scene_points.h"
@@ -23,7 +22,6 @@
 #include "core/base/check_option.h"
 #include "core/base/error.h"
 #include "core/base/stopwatch.h"
-#include "core/scene/bites.h"
 #include "core/scene/contradictions.h"
 
 namespace octacut {
@@ -33,13 +31,6 @@ namespace fs = std::filesystem;
 
 // Decoded bytes of one photograph in flight, a pixel: image, mask, file.
 constexpr size_t kLoadedBytes = 6;
-
-// An image of the model on its way to a view.
-struct Candidate {
-  ViewFiles files;
-  MaskView mask;
-  FilledBites bites;
-};
 
 WorkspaceOptions WithImages(const LoadSceneOptions& options) {
   WorkspaceOptions workspace = options.workspace;
@@ -77,8 +68,11 @@ class Loader {
       summary.bad_views.seconds = stopwatch.Lap();
     }
 
+    // A given box may be that of one of several objects: a mask lacks the
+    // others for good reason.
     if (options_.fill_bites && !options_.region.bounding_box) {
-      FillReducedMasks();
+      summary.num_filled_bites =
+          FillBites(options_.region.mask_tolerance, context_, &candidates_);
     }
     FindRegion();
     summary.region_seconds = stopwatch.Lap();
@@ -92,15 +86,12 @@ class Loader {
  private:
   void FindCandidates();
   void ReadReducedMasks();
-  void LeaveOutMasksWithoutOutline();
   void LeaveOutBadViews();
-  void FillReducedMasks();
   void FindRegion();
   bool ShowsGivenRegion(const Candidate& candidate) const;
   void PlanWindows();
   void ReadViews();
   void ReadView(const Candidate& candidate, View* view) const;
-  void WarnOfMasksElsewhere() const;
   // Calls body(i) for all candidates, as many at a time as decode_budget
   // allows; the first candidate's error is thrown.
   void ForEachCandidate(std::string_view phase,
@@ -154,46 +145,13 @@ void Loader::ReadReducedMasks() {
     candidates_[i].mask =
         ReadMaskView(files, FrameOf(*files.camera), mask_cameras_);
   });
-  LeaveOutMasksWithoutOutline();
-  const auto suspects = std::count_if(
-      candidates_.begin(), candidates_.end(), [](const Candidate& c) {
-        return c.mask.object_all_around;
-      });
-  if (size_t(suspects) * 2 > candidates_.size()) {
-    context_.Warn(
-        fmt::format("In {} of {} masks, the whole image border is object. If "
-                    "the masks are inverted, correct them: 0 means background.",
-                    suspects,
-                    candidates_.size()));
+  const size_t left_out = LeaveOutMasksWithoutOutline(
+      options_.skip_missing_masks, context_, &candidates_);
+  if (left_out > 0) {
+    result_.summary.num_masks_without_outline = left_out;
+    RequireEnoughViews(workspace_, candidates_.size());
   }
-}
-
-void Loader::LeaveOutMasksWithoutOutline() {
-  const auto has_outline = [](const Candidate& candidate) {
-    return candidate.mask.content == MaskContent::kOutline;
-  };
-  const auto first =
-      std::find_if_not(candidates_.begin(), candidates_.end(), has_outline);
-  if (first == candidates_.end()) {
-    return;
-  }
-  const size_t num_masks = candidates_.size();
-  const auto num_outlines = size_t(
-      std::count_if(candidates_.begin(), candidates_.end(), has_outline));
-  const std::string message = fmt::format(
-      "{}: the mask is all {}; {} of {} masks show no outline",
-      first->files.mask_file.string(),
-      first->mask.content == MaskContent::kAllObject ? "object" : "background",
-      num_masks - num_outlines,
-      num_masks);
-  if (!options_.skip_missing_masks) {
-    throw InputError(message +
-                     " (--skip_missing_masks 1 leaves out their images)");
-  }
-  context_.Warn(message + "; their images are left out");
-  result_.summary.num_masks_without_outline = num_masks - num_outlines;
-  std::erase_if(candidates_, std::not_fn(has_outline));
-  RequireEnoughViews(workspace_, candidates_.size());
+  WarnOfInvertedMasks(candidates_, context_);
 }
 
 // Before the region is found, which one such view distorts.
@@ -234,28 +192,6 @@ bool Loader::ShowsGivenRegion(const Candidate& candidate) const {
                     target_level_,
                     options_.window)
       .has_value();
-}
-
-// Only without a given box, which may be that of one of several objects: a mask
-// lacks the other objects for good reason.
-void Loader::FillReducedMasks() {
-  std::vector<View> views;
-  for (const Candidate& candidate : candidates_) {
-    views.push_back(candidate.mask.view);
-  }
-  const std::vector<Bite> bites =
-      FindBites(views, options_.region.mask_tolerance, context_);
-  for (const Bite& bite : bites) {
-    Candidate& candidate = candidates_[bite.view];
-    candidate.bites.Add(candidate.mask.view.camera, bite.pixels);
-    candidate.mask.view.mask.setTo(255, bite.pixels);
-    context_.Info(fmt::format(
-        "{}: {} pixels of the mask's background are filled, since the other "
-        "masks show a piece of the object there",
-        candidate.files.mask_file.string(),
-        bite.num_pixels));
-  }
-  result_.summary.num_filled_bites = bites.size();
 }
 
 void Loader::FindRegion() {
@@ -339,29 +275,7 @@ void Loader::ReadViews() {
   ForEachCandidate("reading images", [&](size_t i) {
     ReadView(candidates_[i], &result_.scene.views[i]);
   });
-  WarnOfMasksElsewhere();
-}
-
-// A bounding box of the user's takes the place of the search for the region,
-// which would have named a mask that does not fit the others.
-void Loader::WarnOfMasksElsewhere() const {
-  size_t count = 0;
-  const Candidate* first = nullptr;
-  for (size_t i = 0; i < candidates_.size(); ++i) {
-    if (ContentOfMask(result_.scene.views[i].mask >= kObjectThreshold) ==
-        MaskContent::kAllBackground) {
-      ++count;
-      first = first == nullptr ? &candidates_[i] : first;
-    }
-  }
-  if (count > 0) {
-    context_.Warn(
-        fmt::format("{}: the mask shows no object within the bounding box; "
-                    "this holds for {} of {} masks.",
-                    first->files.mask_file.string(),
-                    count,
-                    candidates_.size()));
-  }
+  WarnOfMasksElsewhere(candidates_, result_.scene.views, context_);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
 #include <map>
 #include <opencv2/core.hpp>
@@ -20,7 +19,6 @@
 #include "colmap_io/images/view_files.h"
 #include "colmap_io/model/camera_projector.h"
 #include "core/base/check_option.h"
-#include "core/base/error.h"
 #include "core/base/stopwatch.h"
 #include "core/scene/contradictions.h"
 

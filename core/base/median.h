@@ -26,7 +26,7 @@ template <typename T>
 struct MedianSpread {
   T median = 0;
   // The standard deviation if most values are normally distributed: few others
-  // do not change it.
+  // hardly change it.
   T deviation = 0;
 };
 

@@ -99,11 +99,12 @@ class MeshBuilder {
 
   // Cuts the level after l0 again around its refined surface as long as
   // refinement leaves the crust; the last of these cuts is of the next level,
-  // unless that is finer than `last`. One after which the photographs agree
-  // less is undone. Leaves the mesh as it was extracted, or none after a cut.
+  // unless that is finer than `last`. If the surface is refined once more after
+  // a cut, and the photographs agree less, that cut is undone. Leaves the mesh
+  // as it was extracted, or none after a cut.
   void Settle(int last) {
     const int level = inputs_.hull.Level() + 1;
-    Solution before;  // the last cut
+    Solution before;  // a cut that may be undone
     Timed(&summary_.recuts.seconds, [&] {
       for (int i = 1; i <= kMaxRecuts && RefinementLeavesCrust(); ++i) {
         const IndexedMesh extracted = finished_.mesh;
@@ -112,14 +113,14 @@ class MeshBuilder {
           Undo(std::move(before));
           break;
         }
-        before = solution_;
-        if (!Recut(i < kMaxRecuts ? level : std::min(level + 1, last))) {
+        const bool is_last = i == kMaxRecuts;
+        before = is_last ? Solution() : solution_;
+        if (!Recut(is_last ? std::min(level + 1, last) : level)) {
           finished_.mesh = extracted;
           break;
         }
       }
     });
-    ForgetAlignment();
   }
 
   // Whether refinement moves more than a few vertices of the level after l0 out
@@ -143,7 +144,7 @@ class MeshBuilder {
     }
     inputs_.context.Info(fmt::format(
         "Refinement moves {:.1f} % of the surface out of the crust of level "
-        "{}. The surface is refined, and cut again around that.",
+        "{}, so the surface is refined.",
         100 * share,
         inputs_.hull.Level() + 1));
     return true;
@@ -196,6 +197,8 @@ class MeshBuilder {
           "out.");
       return false;
     }
+    inputs_.context.Info(
+        fmt::format("Level {} is cut around the refined surface.", level));
     solution_.levels.resize(size_t(level - inputs_.hull.Level()));
     AddLevel(level, [&](LevelSummary* summary) {
       return RecutLevel(Inputs(),
@@ -215,6 +218,7 @@ class MeshBuilder {
         "The photographs agree less after the last cut, so it is undone.");
     solution_ = std::move(before);
     --summary_.recuts.num_kept;
+    ForgetAlignment();
     ShowSurface();
   }
 

@@ -17,7 +17,8 @@
 
 namespace octacut {
 
-// Receives the hull (level -1) and every level's surface, before smoothing.
+// Receives the hull (level -1) and every level's surface, before smoothing;
+// again if the level is cut again.
 using LevelObserver = std::function<void(int level, const IndexedMesh& mesh)>;
 
 struct BuildInputs {
@@ -36,8 +37,8 @@ struct BuiltMesh {
 
 // Where refinement carries the surface out of its crust, as in folds and
 // hollows that the cut could not reach, the level after l0 is cut again around
-// the refined surface, before the levels after it are solved. Refinement aligns
-// `views`.
+// the refined surface, before the levels after it are solved, unless the
+// photographs then agree less. Refinement aligns `views`.
 BuiltMesh BuildMesh(const BuildInputs& inputs,
                     ViewSet* views,
                     ReconstructionSummary* summary);

@@ -20,15 +20,16 @@ struct SurfaceAgreement {
   std::vector<uint8_t> is_measured;
   std::vector<float> scores;    // -1 .. 1, where it is measured
   std::vector<float> mattness;  // 0 .. 1, where it is measured
-  // How much of the views' pixels show the point: the sum of the weights of the
+  // How much of the photographs shows the point: the sum of the weights of the
   // views that were chosen for it.
   std::vector<float> shown;
 
   // The mean around a point where nothing is measured.
   static constexpr float kUnmeasured = -2;
 
-  // The mean over what the views show, 0 where nothing is measured: a surface
-  // does not get worse by deep folds that few views look into.
+  // The mean of the scores weighted by `shown`, so that deep folds, which few
+  // views look into, count little. Points that are not measured count as 0. 0
+  // if no view shows anything.
   double Mean() const;
   // For each point, the mean score of the measured points at most three steps
   // away, itself included; kUnmeasured if there are none.

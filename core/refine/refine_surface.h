@@ -24,7 +24,7 @@ struct RefineSummary {
   // Pixels by which the masks' borders are taken to lie too far outside; where
   // nothing could be measured, that of the views.
   double border_shift = 0;
-  // Mean agreement of the views where at least two see the surface.
+  // Mean agreement over what the views show (SurfaceAgreement::Mean).
   double agreement_before = 0;
   double agreement_after = 0;
   // In all rounds, and where positions are rounded to floats.

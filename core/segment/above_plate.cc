@@ -134,7 +134,7 @@ double ContradictedPart(std::span<const cv::Mat> labels,
                            context);
   const int64_t num_contradicted =
       ParallelSum(context, poses.size(), 1, [&](size_t i, size_t) {
-        return cv::countNonZero((grid.WordOfOthers(i) < kWordOfTwo) &
+        return cv::countNonZero((grid.LogOddsOfOthers(i) < kWordOfTwo) &
                                 judged[i]);
       });
   int64_t num_judged = 0;

@@ -127,7 +127,7 @@ Eigen::Vector3d OccupancyGrid::OffsetOf(int x, int y, int z) const {
 float OccupancyGrid::ScoreOf(const Eigen::Vector3f& offset,
                              std::span<const PointProjector> projectors,
                              bool is_allowed) const {
-  static const float kMost = WordOfSure(1);
+  static const float kMost = LogOddsOfSure(1);
   float sum = 0;
   size_t num_showing = 0;
   for (size_t i = 0; i < views_.size(); ++i) {
@@ -276,11 +276,11 @@ Eigen::AlignedBox3d OccupancyGrid::ObjectBox() const {
   return box;
 }
 
-float OccupancyGrid::WordOfSure(size_t num_others) {
+float OccupancyGrid::LogOddsOfSure(size_t num_others) {
   return float(num_others) * EvidenceOf(std::numeric_limits<float>::infinity());
 }
 
-cv::Mat OccupancyGrid::WordOfOthers(size_t view) const {
+cv::Mat OccupancyGrid::LogOddsOfOthers(size_t view) const {
   const EvidenceView& own = views_[view];
   const PointProjector projector(own.pose, cube_.min_corner);
   const cv::Size size = own.evidence.size();

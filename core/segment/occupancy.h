@@ -52,9 +52,9 @@ class OccupancyGrid {
   // For each pixel of a view, what the other views say of the point on its ray
   // that most of them hold for object: above 0 for object. CV_32F of the view's
   // size; at least -3 * kOneViewsWord.
-  cv::Mat WordOfOthers(size_t view) const;
+  cv::Mat LogOddsOfOthers(size_t view) const;
   // The same where that many other views are all sure of the object.
-  static float WordOfSure(size_t num_others);
+  static float LogOddsOfSure(size_t num_others);
 
  private:
   struct EvidenceView {

@@ -23,7 +23,7 @@ float ToWord(float log_odds) { return std::tanh(log_odds / kOneViewsWord); }
 }  // namespace
 
 cv::Mat WordOfOthers(const OccupancyGrid& grid, size_t view) {
-  cv::Mat others = grid.WordOfOthers(view);
+  cv::Mat others = grid.LogOddsOfOthers(view);
   for (float& value : cv::Mat_<float>(others)) {
     value = ToWord(value);
   }
@@ -37,7 +37,7 @@ cv::Mat EvidenceOfOthers(const cv::Mat& others) {
 cv::Mat ExcludedByOthers(const cv::Mat& others) { return others < kExcluded; }
 
 cv::Mat ShownByOthers(const cv::Mat& others, size_t num_others) {
-  const float of_sure = kSurelyShown * OccupancyGrid::WordOfSure(num_others);
+  const float of_sure = kSurelyShown * OccupancyGrid::LogOddsOfSure(num_others);
   return others > ToWord(std::min(of_sure, kShownToAll));
 }
 

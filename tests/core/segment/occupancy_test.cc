@@ -57,7 +57,7 @@ TEST(Occupancy, TheOriginOfTheWorldDoesNotMatter) {
   ASSERT_TRUE(grid.KeepThingAt(shift, 1, false));
   const Eigen::AlignedBox3d box = grid.ObjectBox();
   EXPECT_LT((box.center() - shift - ball.center).cwiseAbs().maxCoeff(), 0.07);
-  EXPECT_GT(testing::Overlap(grid.WordOfOthers(3) > 0, odds[3] > 0), 0.8);
+  EXPECT_GT(testing::Overlap(grid.LogOddsOfOthers(3) > 0, odds[3] > 0), 0.8);
 }
 
 TEST(Occupancy, OneViewThatSeesNothingIsOverruled) {
@@ -69,7 +69,7 @@ TEST(Occupancy, OneViewThatSeesNothingIsOverruled) {
   ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_NEAR(grid.ObjectBox().sizes().x(), 1, 0.1);
   // To that view the others say where the ball is.
-  const cv::Mat word = grid.WordOfOthers(5);
+  const cv::Mat word = grid.LogOddsOfOthers(5);
   const cv::Mat truth = SilhouetteOf(ball, poses[5]);
   EXPECT_EQ(cv::countNonZero(truth & (word <= 0)), 0);
   EXPECT_GT(testing::Overlap(word > 0, truth), 0.8);
@@ -118,7 +118,7 @@ TEST(Occupancy, WhatIsFarFromTheObjectDoesNotComeBack) {
   for (const size_t i : {2, 5}) {
     const cv::Mat beside = SilhouetteOf(other, poses[i]) &
                            ~SilhouetteOf({{0, 0, 0}, 0.4}, poses[i]);
-    EXPECT_EQ(cv::countNonZero((grid.WordOfOthers(i) > 0) & beside), 0) << i;
+    EXPECT_EQ(cv::countNonZero((grid.LogOddsOfOthers(i) > 0) & beside), 0) << i;
   }
 }
 

@@ -28,7 +28,7 @@ TEST(ExcludedByOthers, NeedsNearlyTwoViewsThatAreSure) {
 
 TEST(ShownByOthers, NeedsHalfOfWhatSureViewsSay) {
   for (const size_t num_others : {5, 15, 35}) {
-    const float sure = OccupancyGrid::WordOfSure(num_others);
+    const float sure = OccupancyGrid::LogOddsOfSure(num_others);
     EXPECT_EQ(ShownByOthers(WordFor(0.52f * sure), num_others).at<uint8_t>(0),
               255);
     EXPECT_EQ(ShownByOthers(WordFor(0.48f * sure), num_others).at<uint8_t>(0),

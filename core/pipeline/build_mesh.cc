@@ -219,7 +219,7 @@ class MeshBuilder {
     solution_ = std::move(before);
     --summary_.recuts.num_kept;
     ForgetAlignment();
-    ShowSurface();
+    SurfaceChanged();
   }
 
   template <typename Solve>
@@ -233,11 +233,12 @@ class MeshBuilder {
     solution_.hierarchy.Add(std::move(solved.surface));
     solution_.decided = std::move(solved.decided);
     ReportLevel(summary, inputs_.context);
-    ShowSurface();
+    SurfaceChanged();
   }
 
-  // To the observer. The surface of the finest level is not extracted yet.
-  void ShowSurface() {
+  // The finest level's surface is another one: it has yet to be extracted, and
+  // the observer to see it.
+  void SurfaceChanged() {
     finished_ = {};
     if (inputs_.observer) {
       const LabeledVoxels& surface = solution_.hierarchy.Finest();

@@ -104,7 +104,7 @@ class MeshBuilder {
   // as it was extracted, or none after a cut.
   void Settle(int last) {
     const int level = inputs_.hull.Level() + 1;
-    Solution before;  // a cut that may be undone
+    Solution before;  // the last cut, if that may be undone
     Timed(&summary_.recuts.seconds, [&] {
       for (int i = 1; i <= kMaxRecuts && RefinementLeavesCrust(); ++i) {
         const IndexedMesh extracted = finished_.mesh;

@@ -284,7 +284,7 @@ cv::Mat OccupancyGrid::LogOddsOfOthers(size_t view) const {
   const EvidenceView& own = views_[view];
   const PointProjector projector(own.pose, cube_.min_corner);
   const cv::Size size = own.evidence.size();
-  cv::Mat word(size, CV_32F, cv::Scalar(kLowest));
+  cv::Mat log_odds(size, CV_32F, cv::Scalar(kLowest));
   for (int z = 0; z < resolution_; ++z) {
     for (int y = 0; y < resolution_; ++y) {
       for (int x = 0; x < resolution_; ++x) {
@@ -305,7 +305,7 @@ cv::Mat OccupancyGrid::LogOddsOfOthers(size_t view) const {
           for (int column = std::max(0, left);
                column <= std::min(left + 1, size.width - 1);
                ++column) {
-            float& value = word.at<float>(row, column);
+            float& value = log_odds.at<float>(row, column);
             value = std::max(value, others);
           }
         }
@@ -313,7 +313,7 @@ cv::Mat OccupancyGrid::LogOddsOfOthers(size_t view) const {
     }
   }
   cv::Mat result;
-  cv::resize(word, result, sizes_[view], 0, 0, cv::INTER_LINEAR);
+  cv::resize(log_odds, result, sizes_[view], 0, 0, cv::INTER_LINEAR);
   return result;
 }
 

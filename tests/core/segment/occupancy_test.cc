@@ -69,10 +69,10 @@ TEST(Occupancy, OneViewThatSeesNothingIsOverruled) {
   ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_NEAR(grid.ObjectBox().sizes().x(), 1, 0.1);
   // To that view the others say where the ball is.
-  const cv::Mat word = grid.LogOddsOfOthers(5);
+  const cv::Mat log_odds = grid.LogOddsOfOthers(5);
   const cv::Mat truth = SilhouetteOf(ball, poses[5]);
-  EXPECT_EQ(cv::countNonZero(truth & (word <= 0)), 0);
-  EXPECT_GT(testing::Overlap(word > 0, truth), 0.8);
+  EXPECT_EQ(cv::countNonZero(truth & (log_odds <= 0)), 0);
+  EXPECT_GT(testing::Overlap(log_odds > 0, truth), 0.8);
 }
 
 TEST(Occupancy, ThingsBesideTheMiddleAreBackground) {

@@ -126,6 +126,9 @@ EdgeOffsets FindEdgeOffsets(const PreparedView& view,
       if (const auto position =
               is_strongest ? at_strongest : outline(*line.nearest, line)) {
         offsets.nearest.push_back(*position - line.border);
+        if (line.nearest->stands_alone) {
+          offsets.alone.push_back(offsets.nearest.back());
+        }
       }
     }
   }

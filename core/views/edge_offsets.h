@@ -14,6 +14,8 @@ namespace octacut {
 struct EdgeOffsets {
   std::vector<float> strongest;
   std::vector<float> nearest;
+  // Those of `nearest` with no comparable edge beside them.
+  std::vector<float> alone;
 };
 
 // `view` has an image. `fits`: of all blurs that it may have.

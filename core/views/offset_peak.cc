@@ -95,22 +95,30 @@ std::optional<OffsetPeak> FindOffsetPeak(const std::vector<float>& offsets,
   if (offsets.size() < kMinPoints) {
     return std::nullopt;
   }
-  float center =
-      float(HighestPeak(CountOffsets(offsets, kEdgeRange))) * kEdgeStep -
-      kEdgeRange;
-  std::vector<float> near;
+  std::optional<OffsetPeak> peak = OffsetPeak{
+      .center = float(HighestPeak(CountOffsets(offsets, kEdgeRange))) *
+                    kEdgeStep -
+                kEdgeRange};
   for (int i = 0; i < 3; ++i) {
-    near = WithinAPixel(offsets, center);
-    if (near.size() < kMinPoints ||
-        double(near.size()) < min_share * double(offsets.size())) {
+    peak = PeakAround(peak->center, offsets);
+    if (!peak || peak->share < min_share) {
       return std::nullopt;
     }
-    center = Median(near);
   }
-  OffsetPeak peak{.center = center,
+  return peak;
+}
+
+std::optional<OffsetPeak> PeakAround(double center,
+                                     const std::vector<float>& offsets) {
+  std::vector<float> near = WithinAPixel(offsets, float(center));
+  if (near.size() < kMinPoints) {
+    return std::nullopt;
+  }
+  const float median = Median(near);
+  OffsetPeak peak{.center = median,
                   .share = double(near.size()) / double(offsets.size())};
   for (float& offset : near) {
-    offset = std::abs(offset - center);
+    offset = std::abs(offset - median);
   }
   peak.deviation = Median(std::move(near));
   return peak;

@@ -22,6 +22,11 @@ std::vector<float> WithinAPixel(const std::vector<float>& offsets,
 std::optional<OffsetPeak> FindOffsetPeak(const std::vector<float>& offsets,
                                          double min_share);
 
+// The median of those that lie within a pixel of `center`. None if these are
+// fewer than a hundred.
+std::optional<OffsetPeak> PeakAround(double center,
+                                     const std::vector<float>& offsets);
+
 // The most frequent of the offsets, which lie within `range`, to a quarter of a
 // pixel. None if there are fewer than a hundred, if it is not clearly more
 // frequent than those beside it, or if another peak is comparable to it.

@@ -1,4 +1,4 @@
-// Bilinear samples of pictures of 8 bits a channel.
+// Bilinear samples of pictures of 8 bits per channel.
 #pragma once
 
 #include <algorithm>

@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Bytes a pixel while a photograph is worked on: the file's pixels, those of
+// Bytes per pixel while a photograph is worked on: the file's pixels, those of
 // the view, its mask, and two maps of floats.
 constexpr size_t kWorkedOnBytes = 16;
 // So fine a level that no photograph is reduced.

@@ -29,7 +29,7 @@ struct EncodedPages {
 };
 
 // Positions (floats), unit normals and, where present, vertex colours, which
-// glTF wants in linear light: 16 bits a channel. Throws InputError beyond the
+// glTF wants in linear light: 16 bits per channel. Throws InputError beyond the
 // 4 GB that the format can hold.
 void WriteGlb(const IndexedMesh& mesh, std::ostream& stream);
 

@@ -1,4 +1,4 @@
-// One reader a format; every one throws InputError "<name>: ..." that names
+// One reader per format; every one throws InputError "<name>: ..." that names
 // the element (counted from 0) or the line (counted from 1).
 #pragma once
 

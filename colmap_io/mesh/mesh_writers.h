@@ -1,4 +1,4 @@
-// One writer a format, onto streams. The same bytes whatever the locale.
+// One writer per format, onto streams. The same bytes whatever the locale.
 #pragma once
 
 #include <ostream>

@@ -50,7 +50,7 @@ IndexedMesh Triangulate(PolygonMesh mesh,
                         const std::string& name,
                         std::vector<std::string>* notes);
 
-// Colours of 8 bits a channel. Values are out of `full_scale`; 0 means that
+// Colours of 8 bits per channel. Values are out of `full_scale`; 0 means that
 // nothing is known: out of 1 if none is larger, otherwise out of 255.
 std::vector<std::array<uint8_t, 3>> QuantizeColors(
     std::span<const Eigen::Vector3f> colors, float full_scale);

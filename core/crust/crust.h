@@ -45,7 +45,7 @@ Crust RefineCrust(const LabelHierarchy& hierarchy,
                   const CrustOptions& options,
                   const Context& context);
 
-// The cut voxels that touch the crust's border, as one flag a voxel; their
+// The cut voxels that touch the crust's border, as one flag per voxel; their
 // number comes back in `num_voxels`.
 std::vector<uint8_t> CutAtBorder(const Crust& crust,
                                  const std::vector<FaceLabels>& labels,

@@ -63,7 +63,7 @@ struct InsideEvidenceSummary {
 };
 
 struct InsideEvidence {
-  std::vector<float> values;  // one a hull voxel; > 0 speaks for inside
+  std::vector<float> values;  // one per hull voxel; > 0 speaks for inside
   ReliableDepths depths;      // what `values` come from
   // As ConfidenceInSpace has it, of the hull before it is trimmed.
   VoxelValues depth_confidence;

@@ -10,9 +10,9 @@
 
 namespace octacut {
 
-// One flag a voxel: it lies inside with all faces (`labels` has one element a
-// voxel) and hangs together, through faces, with at least a tenth as many such
-// voxels as the largest part has.
+// One flag per voxel: it lies inside with all faces (`labels` has one element
+// per voxel) and hangs together, through faces, with at least a tenth as many
+// such voxels as the largest part has.
 std::vector<uint8_t> FindMainMatter(const VoxelGrid& voxels,
                                     const std::vector<FaceLabels>& labels);
 

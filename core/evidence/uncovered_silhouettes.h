@@ -17,9 +17,9 @@ namespace octacut {
 struct UncoveredSilhouettes {
   size_t num_samples = 0;    // surely object, one hull voxel across each
   size_t num_uncovered = 0;  // of them, without matter on their ray
-  // One a hull voxel: for each view that shows an uncovered sample at the
+  // One per hull voxel: for each view that shows an uncovered sample at the
   // voxel one over the number of hull voxels on that ray. What is thin
-  // collects much of it, what is thick little a voxel.
+  // collects much of it, what is thick little per voxel.
   std::vector<float> shares;
 
   // The share of the samples that is uncovered.
@@ -28,7 +28,7 @@ struct UncoveredSilhouettes {
   }
 };
 
-// `labels` has one element a voxel of `hull`, as SolveOctahedralCut gives
+// `labels` has one element per voxel of `hull`, as SolveOctahedralCut gives
 // them. Samples near the silhouette's border do not count, as MapSamples says.
 UncoveredSilhouettes FindUncoveredSilhouettes(
     const ViewSet& views,

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <Eigen/Core>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,6 +40,18 @@ void RequireSurface(const LabeledVoxels& surface,
   }
 }
 
+// The share of the positions that are farther than `distance` from those before
+// they moved.
+double ShareOfMoved(const std::vector<Eigen::Vector3d>& before,
+                    const std::vector<Eigen::Vector3d>& after,
+                    double distance) {
+  size_t moved = 0;
+  for (size_t v = 0; v < before.size(); ++v) {
+    moved += (after[v] - before[v]).norm() > distance;
+  }
+  return double(moved) / double(before.size());
+}
+
 bool LeavesCube(const IndexedMesh& unit_mesh) {
   return std::any_of(unit_mesh.positions.begin(),
                      unit_mesh.positions.end(),
@@ -61,11 +76,10 @@ class MeshBuilder {
   MeshBuilder(const BuildInputs& inputs,
               ViewSet* views,
               ReconstructionSummary* summary)
-      : inputs_(inputs), views_(*views), summary_(*summary) {
-    for (const PreparedView& view : views_) {
-      given_.push_back(view.projection);
-    }
-  }
+      : inputs_(inputs),
+        views_(*views),
+        summary_(*summary),
+        given_(Projections(*views)) {}
 
   BuiltMesh Run() {
     const int recut_level = inputs_.hull.Level() + 1;
@@ -78,19 +92,30 @@ class MeshBuilder {
     }
     AddLevels(last);
     ExtractMesh();
-    if (inputs_.options.refine) {
-      Refine(false);
+    if (inputs_.options.refine && !state_.refinement) {
+      Refine([](const auto&) { return true; });
     }
-    summary_.levels = std::move(solution_.levels);
-    return {std::move(finished_), solution_.hierarchy.Finest()};
+    summary_.levels = std::move(state_.levels);
+    summary_.meshing_seconds = state_.meshing_seconds;
+    summary_.finish = state_.finished.summary;
+    summary_.num_moved_to_hull = state_.num_moved_to_hull;
+    summary_.refinement = std::move(state_.refinement);
+    return {std::move(state_.finished), state_.hierarchy.Finest()};
   }
 
  private:
-  // What the cuts so far have found.
-  struct Solution {
+  // What has been found so far.
+  struct State {
     LabelHierarchy hierarchy;
     std::vector<float> decided;  // of the finest level, as SolvedLevel has it
     std::vector<LevelSummary> levels;
+    // The finest level's surface; empty until it is extracted.
+    FinishedMesh finished;
+    double meshing_seconds = 0;
+    size_t num_moved_to_hull = 0;
+    // Once `finished` is refined; and the views as that has aligned them.
+    std::optional<RefineSummary> refinement;
+    std::vector<ViewProjection> aligned;
   };
 
   LevelInputs Inputs() const {
@@ -100,61 +125,62 @@ class MeshBuilder {
   // Cuts the level after l0 again around its refined surface as long as
   // refinement leaves the crust; the last of these cuts is of the next level,
   // unless that is finer than `last`. If the surface is refined once more after
-  // a cut, and the photographs agree less, that cut is undone. Leaves the mesh
-  // as it was extracted, or none after a cut.
+  // a cut, and the photographs agree less, that cut is undone.
   void Settle(int last) {
     const int level = inputs_.hull.Level() + 1;
-    Solution before;  // the last cut, if that may be undone
+    State before;  // the last cut
     Timed(&summary_.recuts.seconds, [&] {
-      for (int i = 1; i <= kMaxRecuts && RefinementLeavesCrust(); ++i) {
-        const IndexedMesh extracted = finished_.mesh;
-        Refine(false);
+      for (int i = 1; i <= kMaxRecuts; ++i) {
+        ExtractMesh();
+        if (!RefineIfThatLeavesCrust(level == last)) {
+          break;
+        }
         if (AgreesLess()) {
           Undo(std::move(before));
           break;
         }
-        const bool is_last = i == kMaxRecuts;
-        before = is_last ? Solution() : solution_;
-        if (!Recut(is_last ? std::min(level + 1, last) : level)) {
-          finished_.mesh = extracted;
+        before = state_;
+        if (!Recut(i == kMaxRecuts ? std::min(level + 1, last) : level)) {
           break;
         }
       }
     });
+    if (level == last && state_.refinement) {
+      summary_.recuts.seconds -= state_.refinement->seconds;
+    }
   }
 
-  // Whether refinement moves more than a few vertices of the level after l0 out
-  // of its crust, by what its coarse rounds show.
-  bool RefinementLeavesCrust() {
-    ExtractMesh();
-    const IndexedMesh extracted = finished_.mesh;
-    Refine(true);
-    const double distance = inputs_.options.crust.HalfWidth() *
-                            inputs_.cube.VoxelSize(inputs_.hull.Level() + 1);
-    size_t moved = 0;
-    for (size_t v = 0; v < extracted.positions.size(); ++v) {
-      moved += (finished_.mesh.positions[v] - extracted.positions[v]).norm() >
-               distance;
-    }
-    finished_.mesh = extracted;
-    const double share = double(moved) / double(extracted.positions.size());
+  // Refines the surface of the level after l0, but for `always`, only if the
+  // coarse rounds move more than a few of its vertices out of the crust;
+  // returns whether they do.
+  bool RefineIfThatLeavesCrust(bool always) {
+    const std::vector<Eigen::Vector3d> extracted =
+        UnitMesh(state_.finished.mesh, inputs_.cube).positions;
+    const int level = inputs_.hull.Level() + 1;
+    const double half_width = inputs_.options.crust.HalfWidth() *
+                              inputs_.cube.VoxelSize(level) / inputs_.cube.edge;
+    double share = 0;
+    Refine([&](const std::vector<Eigen::Vector3d>& coarsely) {
+      share = ShareOfMoved(extracted, coarsely, half_width);
+      return always || share > kLeavesCrust;
+    });
     summary_.recuts.moved.push_back(share);
     if (share <= kLeavesCrust) {
       return false;
     }
-    inputs_.context.Info(fmt::format(
-        "Refinement moves {:.1f} % of the surface out of the crust of level "
-        "{}, so the surface is refined.",
-        100 * share,
-        inputs_.hull.Level() + 1));
+    inputs_.context.Info(
+        fmt::format("Coarse refinement moves {:.1f} % of the vertices out of "
+                    "the crust of level {}.",
+                    100 * share,
+                    level));
     return true;
   }
 
   // The levels after those that are solved, up to `last`.
   void AddLevels(int last) {
-    int level = solution_.hierarchy.Empty()
+    int level = state_.hierarchy.Empty()
                     ? inputs_.hull.Level()
-                    : solution_.hierarchy.Finest().voxels.Level() + 1;
+                    : state_.hierarchy.Finest().voxels.Level() + 1;
     for (; level <= last; ++level) {
       AddLevel(level, [&](LevelSummary* summary) {
         return SolveLevel(level, summary);
@@ -169,11 +195,10 @@ class MeshBuilder {
     if (level == first) {
       return SolveInitialLevel(Inputs(), inputs_.hull, summary);
     }
-    SolvedLevel solved =
-        SolveFinerLevel(Inputs(), solution_.hierarchy, summary);
+    SolvedLevel solved = SolveFinerLevel(Inputs(), state_.hierarchy, summary);
     if (level == first + 1) {
-      solved = DeepenLevel(
-          Inputs(), solution_.hierarchy, std::move(solved), summary);
+      solved =
+          DeepenLevel(Inputs(), state_.hierarchy, std::move(solved), summary);
     }
     return solved;
   }
@@ -182,7 +207,7 @@ class MeshBuilder {
   // before the last cut.
   bool AgreesLess() {
     std::vector<double>& agreements = summary_.recuts.agreements;
-    agreements.push_back(summary_.refinement->agreement_after);
+    agreements.push_back(state_.refinement->agreement_after);
     return agreements.size() > 1 &&
            agreements.back() < *(agreements.end() - 2) - kLessAgreement;
   }
@@ -190,58 +215,54 @@ class MeshBuilder {
   // Cuts `level` around the refined mesh. Does nothing and returns false where
   // that leaves the cube, as it may if a bounding box cuts the object.
   bool Recut(int level) {
-    const IndexedMesh refined = UnitMesh(finished_.mesh, inputs_.cube);
+    const IndexedMesh refined = UnitMesh(state_.finished.mesh, inputs_.cube);
     if (LeavesCube(refined)) {
       inputs_.context.Info(
-          "The refined surface leaves the bounding box, so this cut is left "
-          "out.");
+          "The refined surface leaves the bounding box, so no level is cut "
+          "again around it.");
       return false;
     }
     inputs_.context.Info(
-        fmt::format("Level {} is cut around the refined surface.", level));
-    solution_.levels.resize(size_t(level - inputs_.hull.Level()));
+        fmt::format("Level {} is cut again around the refined surface.",
+                    level));
+    state_.levels.resize(size_t(level - inputs_.hull.Level()));
     AddLevel(level, [&](LevelSummary* summary) {
-      return RecutLevel(Inputs(),
-                        inputs_.hull,
-                        refined,
-                        level,
-                        &solution_.hierarchy,
-                        summary);
+      return RecutLevel(
+          Inputs(), inputs_.hull, refined, level, &state_.hierarchy, summary);
     });
     ++summary_.recuts.num_kept;
     return true;
   }
 
   // Goes back to what was found before the last cut.
-  void Undo(Solution before) {
+  void Undo(State before) {
     inputs_.context.Info(
-        "The photographs agree less after the last cut, so it is undone.");
-    solution_ = std::move(before);
+        "After this cut the photographs agree less, so it is undone.");
+    state_ = std::move(before);
     --summary_.recuts.num_kept;
-    ForgetAlignment();
-    SurfaceChanged();
+    SetProjections(state_.aligned, &views_);
+    ShowSurface();
   }
 
   template <typename Solve>
   void AddLevel(int level, const Solve& solve) {
-    LevelSummary& summary = solution_.levels.emplace_back();
+    LevelSummary& summary = state_.levels.emplace_back();
     const Phase phase(
         inputs_.context,
         fmt::format("crust, photo-consistency and cut of level {}", level));
     SolvedLevel solved = solve(&summary);
     RequireSurface(solved.surface, inputs_.options);
-    solution_.hierarchy.Add(std::move(solved.surface));
-    solution_.decided = std::move(solved.decided);
+    state_.hierarchy.Add(std::move(solved.surface));
+    state_.decided = std::move(solved.decided);
+    state_.finished = {};
+    state_.refinement = std::nullopt;
     ReportLevel(summary, inputs_.context);
-    SurfaceChanged();
+    ShowSurface();
   }
 
-  // The finest level's surface is another one: it has yet to be extracted, and
-  // the observer to see it.
-  void SurfaceChanged() {
-    finished_ = {};
+  void ShowSurface() const {
     if (inputs_.observer) {
-      const LabeledVoxels& surface = solution_.hierarchy.Finest();
+      const LabeledVoxels& surface = state_.hierarchy.Finest();
       inputs_.observer(surface.voxels.Level(),
                        PositionedMesh(surface, inputs_.cube, inputs_.context));
     }
@@ -250,55 +271,54 @@ class MeshBuilder {
   // The labelling's surface, smoothed, and where it is near the hull's border
   // moved towards that; unless it has been extracted.
   void ExtractMesh() {
-    if (!finished_.mesh.positions.empty()) {
+    if (!state_.finished.mesh.positions.empty()) {
       return;
     }
-    summary_.meshing_seconds = 0;
+    state_.meshing_seconds = 0;
     RunStep(inputs_.context,
             "mesh extraction and smoothing",
-            &summary_.meshing_seconds,
+            &state_.meshing_seconds,
             [&] {
-              const LabeledVoxels& surface = solution_.hierarchy.Finest();
-              finished_ = FinalMesh(views_,
-                                    surface,
-                                    inputs_.cube,
-                                    inputs_.options.finish,
-                                    inputs_.context);
-              summary_.finish = finished_.summary;
-              summary_.num_moved_to_hull = MoveToHullBorder(
+              const LabeledVoxels& surface = state_.hierarchy.Finest();
+              state_.finished = FinalMesh(views_,
+                                          surface,
+                                          inputs_.cube,
+                                          inputs_.options.finish,
+                                          inputs_.context);
+              state_.num_moved_to_hull = MoveToHullBorder(
                   {views_, inputs_.evidence.mask_confidence, inputs_.cube},
-                  {surface.voxels, solution_.decided},
+                  {surface.voxels, state_.decided},
                   inputs_.context,
-                  &finished_.mesh);
+                  &state_.finished.mesh);
             });
   }
 
-  // Of the views, by refinement.
-  void ForgetAlignment() {
-    for (size_t i = 0; i < given_.size(); ++i) {
-      views_[i].projection = given_[i];
+  // Refines the mesh and aligns the views by it; leaves both as they were where
+  // `goes_on` ends it.
+  void Refine(const CoarseCheck& goes_on) {
+    const std::vector<ViewProjection> before = Projections(views_);
+    SetProjections(given_, &views_);
+    std::optional<RefinedSurface> refined =
+        RefineSurfaceIf(goes_on,
+                        state_.finished.mesh,
+                        inputs_.cube,
+                        inputs_.options.refinement,
+                        inputs_.context,
+                        &views_);
+    if (!refined) {
+      SetProjections(before, &views_);
+      return;
     }
-  }
-
-  void Refine(bool coarsely) {
-    ForgetAlignment();  // this aligns them anew, by a better surface
-    RefineOptions options = inputs_.options.refinement;
-    options.coarse_only = coarsely;
-    RefinedSurface refined = RefineSurface(std::move(finished_.mesh),
-                                           inputs_.cube,
-                                           options,
-                                           inputs_.context,
-                                           &views_);
-    summary_.refinement = std::move(refined.summary);
-    finished_.mesh = std::move(refined.mesh);
+    state_.finished.mesh = std::move(refined->mesh);
+    state_.refinement = std::move(refined->summary);
+    state_.aligned = Projections(views_);
   }
 
   const BuildInputs inputs_;
   ViewSet& views_;
   ReconstructionSummary& summary_;
   std::vector<ViewProjection> given_;  // of the views, before any alignment
-  Solution solution_;
-  FinishedMesh finished_;  // of the finest level; empty until it is extracted
+  State state_;
 };
 
 }  // namespace

@@ -38,7 +38,8 @@ struct BuiltMesh {
 // Where refinement carries the surface out of its crust, as in folds and
 // hollows that the cut could not reach, the level after l0 is cut again around
 // the refined surface, before the levels after it are solved, unless the
-// photographs then agree less. Refinement aligns `views`.
+// photographs then agree less. Refinement aligns `views`, and what comes after
+// it uses them so; the next refinement begins with the poses as given.
 BuiltMesh BuildMesh(const BuildInputs& inputs,
                     ViewSet* views,
                     ReconstructionSummary* summary);

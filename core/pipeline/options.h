@@ -1,4 +1,4 @@
-// Options of a whole reconstruction: one struct a step, and what strings them
+// Options of a whole reconstruction: one struct per step, and what strings them
 // together. Where the paper names a value, it is the default.
 #pragma once
 

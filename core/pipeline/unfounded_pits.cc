@@ -12,7 +12,7 @@ constexpr size_t kDepthGrain = 1024;
 // Voxels. What lies less deep in the hull connects pits and hollows with one
 // another.
 constexpr double kDeep = 2;
-// Vertices of a part that is judged, about one a voxel: the area of five
+// Vertices of a part that is judged, about one per voxel: the area of five
 // patches. What is smaller is part of the edges of hollows
 // (docs/experiments/dents.md).
 constexpr size_t kMinVertices = 15;

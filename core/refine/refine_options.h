@@ -44,9 +44,6 @@ struct RefineOptions {
   // Weight of the bending energy relative to an offset that is known to a
   // pixel. 20 and 45 are worse ("Patches of 7 x 7"). The last rounds have less.
   double smoothness = 30;
-  // Only the coarse rounds, without alignment: roughly how far the surface will
-  // move.
-  bool coarse_only = false;
   // Offsets that are wrong by more than this many standard deviations weigh
   // like outliers.
   static constexpr double kOutlierScale = 2;

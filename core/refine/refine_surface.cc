@@ -19,7 +19,7 @@
 namespace octacut {
 namespace {
 
-std::vector<RoundPlan> PlanRounds(const RefineOptions& options) {
+std::vector<RoundPlan> PlanCoarseRounds(const RefineOptions& options) {
   std::vector<RoundPlan> plan;
   for (int pass = 0; pass < options.coarse_passes; ++pass) {
     for (int i = options.coarse_rounds; i > 0; --i) {
@@ -30,12 +30,14 @@ std::vector<RoundPlan> PlanRounds(const RefineOptions& options) {
       plan.push_back({.scale = double(1 << i),
                       .range = RefineOptions::kRange,
                       .smooths = !later,
-                      .aligns = later && i == 1 && !options.coarse_only});
+                      .aligns = later && i == 1});
     }
   }
-  if (options.coarse_only) {
-    return plan;
-  }
+  return plan;
+}
+
+std::vector<RoundPlan> PlanFineRounds() {
+  std::vector<RoundPlan> plan;
   double range = RefineOptions::kRange;
   for (int i = 0; i < RefineOptions::kFineRounds; ++i) {
     plan.push_back({.range = range, .aligns = true});
@@ -115,60 +117,99 @@ void ReportBorders(const RefineSummary& summary, const Context& context) {
                   summary.border_shift < 0 ? "small" : "large"));
 }
 
-// `mesh` is in unit coordinates.
-void RefineInRounds(const RoundInputs& inputs,
-                    const Context& context,
-                    ViewSet* views,
-                    IndexedMesh* mesh,
-                    RefineSummary* summary) {
-  std::vector<RoundPlan> rounds = PlanRounds(inputs.options);
-  Phase phase(context,
-              inputs.options.coarse_only ? "coarse refinement" : "refinement",
-              rounds.size() + 1);
-  const Look look{*views, inputs.neighbors, inputs.options, inputs.pixel};
-  double agreement_seconds = 0;
-  SurfaceAgreement agreement = Timed(&agreement_seconds, [&] {
-    return MeasureAgreement(look, context, mesh);
-  });
-  summary->agreement_before = agreement.Mean();
-  const double edge_shift = views->front().border_shift;
-  const double edge_shift_slack = views->front().border_shift_slack;
-  summary->border_shift = edge_shift;
-  for (RoundPlan& plan : rounds) {
+// The rounds of one refinement.
+class Rounds {
+ public:
+  // `mesh` is in unit coordinates.
+  Rounds(const RoundInputs& inputs,
+         const Context& context,
+         ViewSet* views,
+         IndexedMesh* mesh,
+         RefineSummary* summary)
+      : inputs_(inputs),
+        context_(context),
+        views_(*views),
+        mesh_(*mesh),
+        summary_(*summary),
+        edge_shift_(views->front().border_shift),
+        edge_shift_slack_(views->front().border_shift_slack) {
+    agreement_ = Timed(&agreement_seconds_, [&] { return Agreement(); });
+    summary_.agreement_before = agreement_.Mean();
+    summary_.border_shift = edge_shift_;
+  }
+
+  void RunCoarse() {
+    const std::vector<RoundPlan> plans = PlanCoarseRounds(inputs_.options);
+    Phase phase(context_, "coarse refinement", plans.size());
+    for (const RoundPlan& plan : plans) {
+      Run(plan);
+      phase.Advance();
+    }
+  }
+
+  void RunFine() {
+    const std::vector<RoundPlan> plans = PlanFineRounds();
+    Phase phase(context_, "refinement", plans.size() + 1);
+    for (const RoundPlan& plan : plans) {
+      Run(plan);
+      phase.Advance();
+    }
+    RoundPlan narrow = Completed(plans.back());
+    narrow.aligns = false;
+    RefineNarrowParts(
+        inputs_, narrow, context_, &views_, &mesh_, &summary_.rounds);
+    phase.Advance();
+    for (const RoundSummary& round : summary_.rounds) {
+      summary_.num_withdrawn += round.num_withdrawn;
+    }
+    summary_.agreement_after = Agreement().Mean();
+  }
+
+ private:
+  SurfaceAgreement Agreement() const {
+    return MeasureAgreement(
+        {views_, inputs_.neighbors, inputs_.options, inputs_.pixel},
+        context_,
+        &mesh_);
+  }
+
+  // With what the rounds before have found.
+  RoundPlan Completed(RoundPlan plan) const {
     // Coarse images of glossy objects agree by chance, and poses that are
     // aligned by them get worse.
     plan.aligns &=
-        !summary->rounds.empty() &&
-        std::all_of(summary->rounds.begin(),
-                    summary->rounds.end(),
+        !summary_.rounds.empty() &&
+        std::all_of(summary_.rounds.begin(),
+                    summary_.rounds.end(),
                     [](const auto& round) { return round.KnowsMost(); });
-    plan.edge_shift = edge_shift;
-    plan.edge_shift_slack = edge_shift_slack;
-    plan.border_shift = summary->border_shift;
-    if (plan.CanHarm() && !summary->rounds.empty()) {
-      agreement = Timed(&agreement_seconds,
-                        [&] { return MeasureAgreement(look, context, mesh); });
+    plan.edge_shift = edge_shift_;
+    plan.edge_shift_slack = edge_shift_slack_;
+    plan.border_shift = summary_.border_shift;
+    return plan;
+  }
+
+  void Run(const RoundPlan& given) {
+    const RoundPlan plan = Completed(given);
+    if (plan.CanHarm() && !summary_.rounds.empty()) {
+      agreement_ = Timed(&agreement_seconds_, [&] { return Agreement(); });
     }
     RoundSummary round =
-        RefineOnce(inputs, plan, &agreement, context, views, mesh);
-    round.agreement_seconds += std::exchange(agreement_seconds, 0);
-    summary->border_shift = round.border_shift;
-    summary->rounds.push_back(round);
-    phase.Advance();
+        RefineOnce(inputs_, plan, &agreement_, context_, &views_, &mesh_);
+    round.agreement_seconds += std::exchange(agreement_seconds_, 0);
+    summary_.border_shift = round.border_shift;
+    summary_.rounds.push_back(round);
   }
-  if (inputs.options.coarse_only) {
-    return;
-  }
-  RoundPlan narrow = rounds.back();
-  narrow.aligns = false;
-  narrow.border_shift = summary->border_shift;
-  RefineNarrowParts(inputs, narrow, context, views, mesh, &summary->rounds);
-  phase.Advance();
-  for (const RoundSummary& round : summary->rounds) {
-    summary->num_withdrawn += round.num_withdrawn;
-  }
-  summary->agreement_after = MeasureAgreement(look, context, mesh).Mean();
-}
+
+  const RoundInputs& inputs_;
+  const Context& context_;
+  ViewSet& views_;
+  IndexedMesh& mesh_;
+  RefineSummary& summary_;
+  const double edge_shift_;
+  const double edge_shift_slack_;
+  SurfaceAgreement agreement_;  // before the next round
+  double agreement_seconds_ = 0;
+};
 
 }  // namespace
 
@@ -177,11 +218,21 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
                              const RefineOptions& options,
                              const Context& context,
                              ViewSet* views) {
+  const auto always = [](const std::vector<Eigen::Vector3d>&) { return true; };
+  return RefineSurfaceIf(always, std::move(mesh), cube, options, context, views)
+      .value();
+}
+
+std::optional<RefinedSurface> RefineSurfaceIf(const CoarseCheck& goes_on,
+                                              IndexedMesh mesh,
+                                              const BoundingCube& cube,
+                                              const RefineOptions& options,
+                                              const Context& context,
+                                              ViewSet* views) {
   options.Check();
   CheckInput(mesh, *views);
   Stopwatch whole;
-  RefinedSurface result;
-  RefineSummary& summary = result.summary;
+  RefineSummary summary;
   IndexedMesh unit = UnitMesh(mesh, cube);
   const std::vector<Eigen::Vector3d> start = unit.positions;
   const VertexCorners neighbors =
@@ -193,24 +244,24 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
         "cameras");
   }
   summary.pixel_size = pixel * cube.edge;
-  std::vector<ViewProjection> projections;
-  for (const PreparedView& view : *views) {
-    projections.push_back(view.projection);
+  const std::vector<ViewProjection> projections = Projections(*views);
+  const RoundInputs inputs{start, neighbors, pixel, options};
+  Rounds rounds(inputs, context, views, &unit, &summary);
+  rounds.RunCoarse();
+  if (!goes_on(unit.positions)) {
+    SetProjections(projections, views);
+    return std::nullopt;
   }
-  RefineInRounds(
-      {start, neighbors, pixel, options}, context, views, &unit, &summary);
+  rounds.RunFine();
   summary.view_motion =
       MeasureViewMotion(projections, *views, SomePositions(unit));
   SummarizeMoves(start, unit, pixel, &summary);
   summary.num_withdrawn +=
       MoveMesh(start, unit.positions, cube, summary.pixel_size, context, &mesh);
-  if (!options.coarse_only) {
-    ReportBorders(summary, context);
-  }
+  ReportBorders(summary, context);
   mesh.normals = ComputeVertexNormals(mesh, context);
-  result.mesh = std::move(mesh);
   summary.seconds = whole.Lap();
-  return result;
+  return RefinedSurface{std::move(mesh), std::move(summary)};
 }
 
 size_t EstimateRefinementBytes(size_t num_vertices) {

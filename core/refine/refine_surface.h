@@ -3,6 +3,9 @@
 #pragma once
 
 #include <cstddef>
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/base/context.h"
@@ -50,6 +53,19 @@ RefinedSurface RefineSurface(IndexedMesh mesh,
                              const RefineOptions& options,
                              const Context& context,
                              ViewSet* views);
+
+// Whether to go on, where the coarse rounds have moved the vertices: unit
+// coordinates.
+using CoarseCheck = std::function<bool(const std::vector<Eigen::Vector3d>&)>;
+
+// The same; none, and the views as they were, if `goes_on` says no. It is asked
+// after the coarse rounds, which show roughly how far the surface will move.
+std::optional<RefinedSurface> RefineSurfaceIf(const CoarseCheck& goes_on,
+                                              IndexedMesh mesh,
+                                              const BoundingCube& cube,
+                                              const RefineOptions& options,
+                                              const Context& context,
+                                              ViewSet* views);
 
 // Bytes that RefineSurface will need at its peak, roughly.
 size_t EstimateRefinementBytes(size_t num_vertices);

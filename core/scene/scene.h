@@ -29,7 +29,7 @@ struct View {
   cv::Mat mask;     // CV_8UC1, 255 = object, 0 = background; values between are
                     // coverage by the object
   cv::Mat unknown;  // CV_8UC1, 255 or 0; empty where the photograph covers all
-  double scale = 1;  // pixels of this view a pixel of the photograph
+  double scale = 1;  // pixels of this view per pixel of the photograph
 
   Eigen::Vector3d Center() const {
     return cam_from_world.Inverse().translation;

@@ -203,7 +203,7 @@ class Fader {
   const IndexedMesh& mesh_;
   const VertexCorners& vertex_faces_;
   const FaceChoice& chosen_;
-  std::vector<float> density_;  // pixels a unit of length, of vertices
+  std::vector<float> density_;  // pixels per unit of length, of vertices
   std::vector<VertexView> own_;
   std::vector<VertexView> faded_;
   std::vector<std::pair<uint32_t, std::vector<uint32_t>>> sources_;

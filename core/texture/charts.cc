@@ -52,7 +52,7 @@ class ChartMaker {
   static constexpr uint32_t kNoChart = std::numeric_limits<uint32_t>::max();
   static constexpr uint32_t kPending = kNoChart - 1;
 
-  // Returns the mean density, texels a unit of length.
+  // Returns the mean density, texels per unit of length.
   double ProjectSeen() {
     double area = 0;
     double texel_area = 0;

@@ -37,7 +37,7 @@ struct Charts {
 };
 
 struct ChartOptions {
-  // Texels a pixel of the photographs.
+  // Texels per pixel of the photographs.
   double texel_scale = 1;
   // No chart is larger than this, texels; larger ones are divided.
   int max_size = 8192;

@@ -15,7 +15,7 @@ namespace octacut {
 
 // A photograph that shows all of a triangle.
 struct FaceView {
-  // Pixels a unit of length in the direction in which the triangle is most
+  // Pixels per unit of length in the direction in which the triangle is most
   // foreshortened.
   float resolution;
   // Mean gradient of the grey values over the triangle: levels a unit of

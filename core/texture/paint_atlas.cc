@@ -23,7 +23,7 @@ struct ViewOnFace {
   bool is_own;
   Eigen::Vector3f weights;      // at the corners
   Eigen::Vector3f support;      // of its samples, at the corners
-  Eigen::Matrix3f corrections;  // a column a corner
+  Eigen::Matrix3f corrections;  // a column per corner
 };
 
 class PagePainter {

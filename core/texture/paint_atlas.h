@@ -39,13 +39,12 @@ struct PaintInput {
 struct PaintedPages {
   std::vector<TexturePage> pages;
   size_t num_texels = 0;  // within triangles
-  // Those without any colour before the gaps between charts were closed:
-  // none.
+  // Those left without a colour: always 0, reported as a check.
   size_t num_unfilled = 0;
 };
 
 // One page after another; reads the photographs that a page needs, as many at a
-// time as they allow. Takes 52 bytes a texel of a page. Texels
+// time as they allow. Takes 52 bytes per texel of a page. Texels
 // outside of charts get the mean of what is around them.
 PaintedPages PaintAtlas(const PaintInput& input,
                         const Photographs& photographs,

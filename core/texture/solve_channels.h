@@ -10,7 +10,7 @@ namespace octacut {
 
 using SymmetricMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-// Solves `matrix` * x = `right` by conjugate gradients, one column a channel
+// Solves `matrix` * x = `right` by conjugate gradients, one column per channel
 // (grey levels), from `x` on, until the residual is 1e-5 of `right`. Warns that
 // `what` may be seen where they do not converge.
 void SolveChannels(const SymmetricMatrix& matrix,

@@ -22,7 +22,7 @@ struct TexturingOptions {
   // many; 8192 is what graphics cards of today take.
   int texture_size = 8192;
   int max_pages = 16;
-  // Texels a pixel of the photographs.
+  // Texels per pixel of the photographs.
   double texel_scale = 1;
 
   void Check() const;  // throws OptionError

@@ -22,7 +22,7 @@ struct ViewCosts {
   // relative to the best view, plus up to 1 for a colour that the others do not
   // confirm, such as that of a highlight or of a passer-by.
   std::vector<std::array<float, FaceViews::kMaxViews>> costs;
-  // Pixels a unit of length in the best view of each triangle; 0 for none.
+  // Pixels per unit of length in the best view of each triangle; 0 for none.
   std::vector<float> resolution;
   // For each view: factors of exposure (blue, green, red).
   std::vector<Eigen::Vector3f> gains;

@@ -21,6 +21,21 @@ ViewSet PrepareViews(const Scene& scene,
   return views;
 }
 
+std::vector<ViewProjection> Projections(const ViewSet& views) {
+  std::vector<ViewProjection> projections;
+  for (const PreparedView& view : views) {
+    projections.push_back(view.projection);
+  }
+  return projections;
+}
+
+void SetProjections(const std::vector<ViewProjection>& projections,
+                    ViewSet* views) {
+  for (size_t i = 0; i < projections.size(); ++i) {
+    (*views)[i].projection = projections[i];
+  }
+}
+
 double PixelSize(const ViewSet& views, const Eigen::Vector3f& point) {
   double pixels = 0;
   double squares = 0;

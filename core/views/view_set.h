@@ -50,8 +50,13 @@ ViewSet PrepareViews(const Scene& scene,
                      const Context& context,
                      double mask_tolerance = 0);
 
+// Of all views, in their order: what refinement aligns.
+std::vector<ViewProjection> Projections(const ViewSet& views);
+void SetProjections(const std::vector<ViewProjection>& projections,
+                    ViewSet* views);
+
 // Size of a pixel at a point, unit coordinates: the mean over the views that
-// have the point before them, weighted by the squares of their pixels a unit,
+// have the point before them, weighted by the squares of their pixels per unit,
 // so that distant ones hardly count; 0 when none has.
 double PixelSize(const ViewSet& views, const Eigen::Vector3f& point);
 

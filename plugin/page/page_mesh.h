@@ -17,7 +17,7 @@ namespace octacut {
 // what software rendering turns smoothly, and what fits into the page.
 inline constexpr size_t kPageTriangles = 300'000;
 
-// One value a vertex of the full mesh; not a number where there is none.
+// One value per vertex of the full mesh; not a number where there is none.
 struct PageValues {
   std::string kind;   // "distance" or "support"
   std::string label;  // "to <name of the other mesh>"

@@ -14,7 +14,7 @@ namespace octacut {
 CutInstance ReadCutInstance(const std::string& path);
 // Both write as WriteFile does: all of the file or nothing.
 void WriteCutInstance(const CutInstance& instance, const std::string& path);
-// One byte a voxel: its labels.
+// One byte per voxel: its labels.
 void WriteCutLabels(const std::vector<FaceLabels>& labels,
                     const std::string& path);
 

@@ -14,7 +14,7 @@ constexpr size_t kPairGrain = 512;
 // Eigenvalues of the normal equations below this part of the largest belong
 // to motions that the shape does not determine.
 constexpr double kSmallestEigenvalue = 1e-6;
-// Linearisation holds for small turns; radians and relative scale a step.
+// Linearisation holds for small turns; radians and relative scale per step.
 constexpr double kLargestTurn = 0.2;
 
 using Matrix7d = Eigen::Matrix<double, 7, 7>;
@@ -68,7 +68,7 @@ Vector7d Solve(const NormalEquations& equations) {
     matrix(i / 7, i % 7) = equations.matrix(i / 7, i % 7);
   }
   cv::Mat_<double> values;   // from the largest on
-  cv::Mat_<double> vectors;  // one a row
+  cv::Mat_<double> vectors;  // one per row
   cv::eigen(matrix, values, vectors);
   Vector7d solution = Vector7d::Zero();
   for (int i = 0; i < 7; ++i) {

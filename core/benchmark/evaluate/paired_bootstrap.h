@@ -19,9 +19,9 @@ struct BootstrapDifference {
 };
 
 // Resamples the views with replacement, 10 000 times (Efron 1979, percentile
-// method). `a` and `b` hold one score a view, the same views in the same order.
-// The same seed gives the same result. Throws InputError for fewer than two
-// views, or unequal numbers.
+// method). `a` and `b` hold one score per view, the same views in the same
+// order. The same seed gives the same result. Throws InputError for fewer than
+// two views, or unequal numbers.
 BootstrapDifference PairedBootstrap(std::span<const double> a,
                                     std::span<const double> b,
                                     uint64_t seed);

@@ -99,7 +99,7 @@ TEST(MeshFuzz, OneFormatReadAsAnother) {
                                     MeshFormat::kObj,
                                     MeshFormat::kOff,
                                     MeshFormat::kStl}) {
-      Try(text, format);
+      EXPECT_EQ(Try(text, format), format == written);
     }
   }
 }

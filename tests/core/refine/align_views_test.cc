@@ -13,14 +13,6 @@ namespace {
 
 using testing::RefineScene;
 
-std::vector<ViewProjection> Projections(const ViewSet& views) {
-  std::vector<ViewProjection> projections;
-  for (const PreparedView& view : views) {
-    projections.push_back(view.projection);
-  }
-  return projections;
-}
-
 // Turns the view about its camera and moves that, so that its image moves by
 // some `pixels`.
 void Disturb(double pixels, std::mt19937* random, ViewProjection* projection) {

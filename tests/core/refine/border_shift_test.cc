@@ -7,7 +7,7 @@
 namespace octacut {
 namespace {
 
-// Pixels a unit.
+// Pixels per unit.
 constexpr float kScale = 200;
 
 // Occluding contours between points 0 and 1, a third of the way; the target in

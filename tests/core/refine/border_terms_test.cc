@@ -7,7 +7,7 @@
 namespace octacut {
 namespace {
 
-// Pixels a unit.
+// Pixels per unit.
 constexpr float kPixelsPerUnit = 200;
 constexpr int kCount = 2000;
 

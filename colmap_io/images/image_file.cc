@@ -28,8 +28,11 @@ cv::Mat Decode(const std::filesystem::path& path,
   cv::Mat pixels;
   try {
     if (!bytes.empty()) {
-      pixels = cv::imdecode(cv::_InputArray(bytes.data(), int(bytes.size())),
-                            flags | cv::IMREAD_IGNORE_ORIENTATION);
+      // Some decoders (WebP) refuse `char`, which is signed.
+      pixels = cv::imdecode(
+          cv::_InputArray(reinterpret_cast<const uint8_t*>(bytes.data()),
+                          int(bytes.size())),
+          flags | cv::IMREAD_IGNORE_ORIENTATION);
     }
   } catch (const cv::Exception& exception) {
     throw InputError(fmt::format(

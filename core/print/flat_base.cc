@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/mesh/audit.h"
+#include "core/mesh/bounding_box.h"
 #include "core/mesh/mean_edge.h"
 #include "core/mesh/self_intersections.h"
 #include "core/mesh/triangle_normal.h"
@@ -20,8 +21,15 @@
 namespace octacut {
 namespace {
 
-// Fraction of the mean edge.
+// A fraction of the mean edge, but, where triangles are large, no more of the
+// mesh's size than a printer resolves.
 constexpr double kClearance = 0.05;
+constexpr double kMaxClearance = 1e-4;
+
+double ClearanceOf(const IndexedMesh& mesh) {
+  const double size = BoxOfTriangles(mesh).sizes().maxCoeff();
+  return std::min(kClearance * MeanEdge(mesh), kMaxClearance * size);
+}
 
 class Cutter {
  public:
@@ -29,8 +37,7 @@ class Cutter {
     out_.positions = mesh.positions;
     out_.colors = mesh.colors;
     const double clearance =
-        RoundedToFloats(Eigen::Vector3d::Constant(kClearance * MeanEdge(mesh)))
-            .x();
+        RoundedToFloats(Eigen::Vector3d::Constant(ClearanceOf(mesh))).x();
     for (Eigen::Vector3d& position : out_.positions) {
       if (std::abs(position.z()) < clearance) {
         position.z() = position.z() >= 0 ? clearance : -clearance;
@@ -203,6 +210,11 @@ std::vector<uint8_t> TrianglesAtTheCut(const IndexedMesh& mesh, double reach) {
 FlatBase CutFlatBase(const IndexedMesh& mesh, const Context& context) {
   const Phase phase(context, "flat base");
   FlatBase base = Cutter(mesh).Run();
+  if (base.num_islands == 0) {
+    throw InputError(
+        "flat base: the cut is so close to the lowest point of the mesh that "
+        "it cuts nothing off; cut higher");
+  }
   const std::string failure = AuditMesh(base.mesh, context).DescribeFailure();
   if (!failure.empty()) {
     throw InputError(fmt::format(
@@ -210,7 +222,7 @@ FlatBase CutFlatBase(const IndexedMesh& mesh, const Context& context) {
         "height",
         failure));
   }
-  const double reach = 2 * kClearance * MeanEdge(mesh);
+  const double reach = 2 * ClearanceOf(mesh);
   const size_t num_pairs =
       FindIntersectionsOfMarked(
           base.mesh, TrianglesAtTheCut(base.mesh, reach), context)

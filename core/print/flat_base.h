@@ -16,12 +16,14 @@ struct FlatBase {
 
 // `mesh` must be a closed 2-manifold whose positions are floats and that has
 // vertices on both sides of the plane. Vertices closer to it than a twentieth
-// of the mean length of an edge are moved up or down to that distance, so that
-// no triangle is cut near a corner. Colours along the cut are those between the
-// ends of the edges that are cut.
+// of the mean length of an edge, or 1e-4 of the mesh's size if that is less,
+// are moved up or down to that distance, so that no triangle is cut near a
+// corner. Colours along the cut are those between the ends of the edges that
+// are cut.
 //
 // Throws InputError where the cut does not leave a closed 2-manifold, or where
-// triangles at the cut intersect others: the mesh does so itself there.
+// triangles at the cut intersect others: the mesh does so itself there; and
+// where nothing is below the plane once vertices are moved.
 FlatBase CutFlatBase(const IndexedMesh& mesh, const Context& context);
 
 }  // namespace octacut

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <limits>
+#include <new>
 #include <vector>
 
 #include "core/base/error.h"
@@ -21,6 +22,13 @@ namespace {
 constexpr double kFloatSlack = 1e-6;
 // Normalized; the mesh lies within 1.
 constexpr float kFar = 1e15f;
+
+[[noreturn]] void ThrowEmbreeError(RTCError error) {
+  if (error == RTC_ERROR_OUT_OF_MEMORY) {
+    throw std::bad_alloc();
+  }
+  throw Error(fmt::format("Embree: error {}", static_cast<int>(error)));
+}
 
 void ThrowUnlessUsable(const IndexedMesh& mesh) {
   if (mesh.triangles.empty()) {
@@ -63,7 +71,7 @@ struct RayScene::Impl {
                      std::numeric_limits<double>::min());
     device = rtcNewDevice(nullptr);
     if (device == nullptr) {
-      throw Error("Embree: no device");
+      ThrowEmbreeError(rtcGetDeviceError(nullptr));
     }
     scene = rtcNewScene(device);
     rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
@@ -72,7 +80,7 @@ struct RayScene::Impl {
     const RTCError error = rtcGetDeviceError(device);
     if (error != RTC_ERROR_NONE) {
       Release();
-      throw Error(fmt::format("Embree: error {}", static_cast<int>(error)));
+      ThrowEmbreeError(error);
     }
   }
   ~Impl() { Release(); }

@@ -160,13 +160,12 @@ PackedCharts PackCharts(const Charts& charts,
   if (pages.size() > size_t(options.max_pages)) {
     throw OptionError(fmt::format(
         "max_pages = {}: the texture needs {} pages of {} x {} texels; allow "
-        "more pages, a larger texture_size, or a texel_scale that is {:.2f} "
-        "times the present one",
+        "more pages, a larger texture_size (at most 8192), or a smaller "
+        "texel_scale",
         options.max_pages,
         pages.size(),
         options.max_size,
-        options.max_size,
-        0.95 * std::sqrt(double(options.max_pages) / double(pages.size()))));
+        options.max_size));
   }
   for (const OpenPage& page : pages) {
     result.pages.push_back(page.Size());

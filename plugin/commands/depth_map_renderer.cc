@@ -27,6 +27,8 @@ namespace fs = std::filesystem;
 
 enum class DepthSource { kMesh, kSweep };
 
+// A photograph shows a mesh in its frame in so many pixels at least.
+constexpr int kMinPixels = 100;
 // What colmap stereo_fusion reads by default.
 constexpr const char* kKind = ".geometric.bin";
 // Samples of the sweep are up to two pixels apart; planes are fitted to two
@@ -45,7 +47,10 @@ class DepthMapRenderer : public Command {
   };
   MapPaths PathsOf(const SparseImage& image) const;
   std::vector<const SparseImage*> WantedImages(const SparseModel& model) const;
-  void CheckIsSeen(const IndexedMesh& mesh, const SparseModel& model) const;
+  void CheckIsSeen(const IndexedMesh& mesh,
+                   const RayScene& rays,
+                   const SparseModel& model,
+                   const Context& context) const;
   void WriteOrigin(const SparseModel& model) const;
   void RenderMesh(const Workspace& workspace,
                   const std::vector<const SparseImage*>& images,
@@ -156,27 +161,27 @@ void DepthMapRenderer::WriteOrigin(const SparseModel& model) const {
 }
 
 void DepthMapRenderer::CheckIsSeen(const IndexedMesh& mesh,
-                                   const SparseModel& model) const {
+                                   const RayScene& rays,
+                                   const SparseModel& model,
+                                   const Context& context) const {
   for (const SparseImage& image : model.images) {
-    const PinholeCamera camera =
-        UndistortedCamera(*model.FindCamera(image.camera_id));
-    const Rigid3d cam_from_world = image.CamFromWorld();
-    for (const Eigen::Vector3d& position : mesh.positions) {
-      const Eigen::Vector3d point = cam_from_world * position;
-      if (point.z() > 0) {
-        const Eigen::Vector2d pixel = camera.Project(point);
-        if (pixel.x() >= 0 && pixel.y() >= 0 && pixel.x() <= camera.width &&
-            pixel.y() <= camera.height) {
-          return;
-        }
-      }
+    const DepthAndNormals maps = RenderDepthAndNormals(
+        mesh,
+        rays,
+        UndistortedCamera(*model.FindCamera(image.camera_id)),
+        image.CamFromWorld(),
+        context);
+    if (cv::countNonZero(maps.depth) >= kMinPixels) {
+      return;
     }
   }
-  throw InputError(fmt::format(
-      "{}: none of the {} photographs shows a vertex of the mesh; is it in the "
-      "frame of the sparse model?",
-      mesh_path_.string(),
-      model.images.size()));
+  throw InputError(
+      fmt::format("{}: none of the {} photographs shows {} pixels of the mesh "
+                  "or more; is it "
+                  "in the frame of the sparse model?",
+                  mesh_path_.string(),
+                  model.images.size(),
+                  kMinPixels));
 }
 
 void DepthMapRenderer::RenderMesh(const Workspace& workspace,
@@ -188,9 +193,9 @@ void DepthMapRenderer::RenderMesh(const Workspace& workspace,
                                  mesh_path_.string(),
                                  mesh.positions.size()));
   }
-  CheckIsSeen(mesh, workspace.model);
-  WriteOrigin(workspace.model);
   const RayScene rays(mesh);
+  CheckIsSeen(mesh, rays, workspace.model, context);
+  WriteOrigin(workspace.model);
   Phase phase(context, "depth maps of the mesh", images.size());
   for (const SparseImage* image : images) {
     const PinholeCamera camera =

@@ -147,6 +147,7 @@ void OctahedralMesher::CheckFiles(const OptionManager& options) {
   }
   FileRoles files(options);
   if (!levels_path_.empty()) {
+    files.Read(levels_path_, "the folder of save_levels");
     for (int level = -1; level <= meshing_.target_level; ++level) {
       files.Read(levels_path_ / NameOfLevel(level), "a mesh of save_levels");
     }

@@ -36,7 +36,8 @@ std::string ResourcesUsed(const Json& report) {
 
 void WriteMeshReport(const CommandEnvironment& environment,
                      const WorkspaceArguments& workspace,
-                     const MeshResult& result) {
+                     const MeshResult& result,
+                     AtomicFiles* files) {
   const std::vector<View>& views = result.loaded.scene.views;
   const VerdictText words = DescribeVerdict(result.verdict, views);
   ReportVerdict(words, environment.context);
@@ -48,7 +49,8 @@ void WriteMeshReport(const CommandEnvironment& environment,
   report["audit"] = AuditToJson(result.audit);
   report["verdict"] = VerdictToJson(result.verdict, words, views);
   report.update(result.own_members);
-  WriteReport(workspace.report_path, report);
+  WriteReport(workspace.report_path, report, files);
+  files->Commit();
   environment.context.Info(FilesWritten(workspace));
   environment.context.Info(ResourcesUsed(report));
 }

@@ -3,8 +3,6 @@
 #include <fstream>
 #include <thread>
 
-#include "colmap_io/files/atomic_files.h"
-
 namespace octacut {
 
 std::string OctacutVersion() { return OCTACUT_VERSION; }
@@ -43,9 +41,17 @@ Json MakeReport(const CommandEnvironment& environment) {
 }
 
 void WriteReport(const std::filesystem::path& path, const Json& report) {
+  AtomicFiles files;
+  WriteReport(path, report, &files);
+  files.Commit();
+}
+
+void WriteReport(const std::filesystem::path& path,
+                 const Json& report,
+                 AtomicFiles* files) {
   const std::string text =
       report.dump(2, ' ', false, Json::error_handler_t::replace);
-  WriteFile(path, [&](std::ostream& stream) { stream << text << '\n'; });
+  files->Write(path, [&](std::ostream& stream) { stream << text << '\n'; });
 }
 
 }  // namespace octacut

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "colmap_io/files/atomic_files.h"
 #include "plugin/command.h"
 
 namespace octacut {
@@ -27,5 +28,9 @@ Json MakeReport(const CommandEnvironment& environment);
 // (names of files may be) is written with replacement characters. Throws
 // InputError.
 void WriteReport(const std::filesystem::path& path, const Json& report);
+// Together with `files`, when these are committed.
+void WriteReport(const std::filesystem::path& path,
+                 const Json& report,
+                 AtomicFiles* files);
 
 }  // namespace octacut

@@ -44,7 +44,8 @@ PinholeCamera Scaled(const PinholeCamera& camera, double factor) {
 void WriteRunPicture(const std::filesystem::path& path,
                      const Scene& scene,
                      const IndexedMesh& mesh,
-                     const Context& context) {
+                     const Context& context,
+                     AtomicFiles* files) {
   const Phase phase(context, "picture");
   const View& view = scene.views[ViewOfMostObject(scene)];
   const PinholeCamera camera = Scaled(
@@ -69,7 +70,7 @@ void WriteRunPicture(const std::filesystem::path& path,
           RenderShaded(
               mesh, rays, camera, view.cam_from_world, colored, context)},
       picture);
-  WriteImage(path, picture);
+  WriteImage(path, picture, files);
 }
 
 }  // namespace octacut

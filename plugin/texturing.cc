@@ -171,7 +171,8 @@ Json ScoreMeshes(const TexturedMesh& textured,
 void WritePicture(const fs::path& path,
                   const TexturingResult& result,
                   const Photographs& photographs,
-                  const Context& context) {
+                  const Context& context,
+                  AtomicFiles* files) {
   const auto& counts = result.summary.triangles_of_view;
   const auto view =
       size_t(std::max_element(counts.begin(), counts.end()) - counts.begin());
@@ -187,7 +188,7 @@ void WritePicture(const fs::path& path,
                            textured,
                            RenderRelit(result.textured, rays, pose, context)},
       picture);
-  WriteImage(path, picture);
+  WriteImage(path, picture, files);
 }
 
 }  // namespace
@@ -272,49 +273,49 @@ void TexturingArguments::Check(FileRoles* files) const {
   }
 }
 
-Json TextureAndWrite(const IndexedMesh& mesh,
-                     const std::string& mesh_name,
+Json TextureAndWrite(const NamedMesh& mesh,
                      const fs::path& workspace_path,
                      PhotographOptions options,
                      const TexturingArguments& arguments,
-                     const Context& context) {
-  if (mesh.triangles.empty()) {
-    throw InputError(fmt::format("{}: the mesh has no faces", mesh_name));
+                     const Context& context,
+                     AtomicFiles* files) {
+  if (mesh.mesh.triangles.empty()) {
+    throw InputError(fmt::format("{}: the mesh has no faces", mesh.name));
   }
-  options.box = BoxOfTriangles(mesh);
-  const PhotographFiles files =
+  options.box = BoxOfTriangles(mesh.mesh);
+  const PhotographFiles opened =
       OpenPhotographs(workspace_path, options, context);
   const Photographs photographs =
       arguments.hold_out > 0
-          ? Subset(files.photographs, size_t(arguments.hold_out), false)
-          : files.photographs;
+          ? Subset(opened.photographs, size_t(arguments.hold_out), false)
+          : opened.photographs;
   // Errors of this file come before the long work.
   const IndexedMesh full =
       arguments.normal_map_path.empty()
           ? IndexedMesh()
           : ReadMeshAndLog(arguments.normal_map_path, context).mesh;
   TexturingResult result =
-      Texture(mesh, mesh_name, photographs, arguments.texture, context);
-  Json json = SummaryToJson(result.summary, files.summary, photographs);
+      Texture(mesh.mesh, mesh.name, photographs, arguments.texture, context);
+  Json json = SummaryToJson(result.summary, opened.summary, photographs);
   if (!arguments.normal_map_path.empty()) {
     json["normal_map"] =
         AddNormalMap(full, arguments.normal_map_path, context, &result);
   }
   if (arguments.hold_out > 0) {
-    json["held_out"] =
-        ScoreMeshes(result.textured,
-                    arguments,
-                    Subset(files.photographs, size_t(arguments.hold_out), true),
-                    context);
+    json["held_out"] = ScoreMeshes(
+        result.textured,
+        arguments,
+        Subset(opened.photographs, size_t(arguments.hold_out), true),
+        context);
   }
   Json written = Json::array();
   for (const fs::path& path : WriteTexturedMesh(
-           arguments.output_path, result.textured, arguments.images)) {
+           arguments.output_path, result.textured, arguments.images, files)) {
     written.push_back(path.string());
   }
   json["files"] = written;
   if (!arguments.picture_path.empty()) {
-    WritePicture(arguments.picture_path, result, photographs, context);
+    WritePicture(arguments.picture_path, result, photographs, context, files);
   }
   return json;
 }

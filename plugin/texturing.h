@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/images/photograph_files.h"
 #include "colmap_io/mesh/textured_mesh_io.h"
 #include "core/base/context.h"
@@ -33,14 +34,19 @@ struct TexturingArguments {
   void Check(FileRoles* files) const;
 };
 
-// Textures `mesh`, whose name for messages is `mesh_name`, from the workspace's
-// photographs and writes all files. Returns the section of the report;
-// `photographs.box` need not be set.
-Json TextureAndWrite(const IndexedMesh& mesh,
-                     const std::string& mesh_name,
+struct NamedMesh {
+  const IndexedMesh& mesh;
+  std::string name;  // for messages
+};
+
+// Textures `mesh` from the workspace's photographs and writes all files, when
+// `files` are committed. Returns the section of the report; `photographs.box`
+// need not be set.
+Json TextureAndWrite(const NamedMesh& mesh,
                      const std::filesystem::path& workspace_path,
                      PhotographOptions photographs,
                      const TexturingArguments& arguments,
-                     const Context& context);
+                     const Context& context,
+                     AtomicFiles* files);
 
 }  // namespace octacut

@@ -2,7 +2,6 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/files/lower_extension.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
@@ -22,11 +21,20 @@ void CheckImagePath(const std::string& option,
 void WriteImage(const std::filesystem::path& path,
                 const cv::Mat& image,
                 const std::vector<int>& parameters) {
+  AtomicFiles files;
+  WriteImage(path, image, &files, parameters);
+  files.Commit();
+}
+
+void WriteImage(const std::filesystem::path& path,
+                const cv::Mat& image,
+                AtomicFiles* files,
+                const std::vector<int>& parameters) {
   std::vector<uchar> bytes;
   if (!cv::imencode(path.extension().string(), image, bytes, parameters)) {
     throw InputError(path.string() + ": the picture cannot be encoded");
   }
-  WriteFile(path, [&](std::ostream& stream) {
+  files->Write(path, [&](std::ostream& stream) {
     stream.write(reinterpret_cast<const char*>(bytes.data()),
                  std::streamsize(bytes.size()));
   });

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <utility>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/files/lower_extension.h"
 #include "colmap_io/mesh/glb_writer.h"
 #include "colmap_io/mesh/mesh_readers.h"
@@ -124,11 +123,20 @@ MeshFile ReadMesh(std::istream& stream,
   ByteSource source(stream, name);
   return ReadFrom(&source, format, name);
 }
+
 void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh) {
+  AtomicFiles files;
+  WriteMesh(path, mesh, &files);
+  files.Commit();
+}
+
+void WriteMesh(const std::filesystem::path& path,
+               const IndexedMesh& mesh,
+               AtomicFiles* files) {
   const MeshFormat format = MeshFormatOf(path);
   CheckSizes(mesh);
-  WriteFile(path,
-            [&](std::ostream& stream) { WriteMesh(stream, format, mesh); });
+  files->Write(path,
+               [&](std::ostream& stream) { WriteMesh(stream, format, mesh); });
 }
 
 void WriteMeshWithValues(const std::filesystem::path& path,

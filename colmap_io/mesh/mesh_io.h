@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "colmap_io/files/atomic_files.h"
 #include "core/mesh/indexed_mesh.h"
 
 namespace octacut {
@@ -46,6 +47,10 @@ MeshFile ReadMesh(std::istream& stream,
 // an older one is replaced. Throws as CheckMeshPath does, and InputError when
 // writing fails.
 void WriteMesh(const std::filesystem::path& path, const IndexedMesh& mesh);
+// Together with `files`, when these are committed.
+void WriteMesh(const std::filesystem::path& path,
+               const IndexedMesh& mesh,
+               AtomicFiles* files);
 void WriteMesh(std::ostream& stream,
                MeshFormat format,
                const IndexedMesh& mesh);

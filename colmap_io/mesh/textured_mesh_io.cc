@@ -8,7 +8,6 @@
 #include <ostream>
 #include <string>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/files/lower_extension.h"
 #include "colmap_io/mesh/glb_writer.h"
 #include "colmap_io/mesh/textured_writers.h"
@@ -117,20 +116,29 @@ bool CanHoldNormalMaps(const fs::path& path) {
 std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
                                         const TexturedMesh& mesh,
                                         const TexturedMeshOptions& options) {
+  AtomicFiles files;
+  std::vector<fs::path> written =
+      WriteTexturedMesh(path, mesh, options, &files);
+  files.Commit();
+  return written;
+}
+
+std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
+                                        const TexturedMesh& mesh,
+                                        const TexturedMeshOptions& options,
+                                        AtomicFiles* files) {
   CheckTexturedMeshPath(path);
   const EncodedPages pages = EncodePages(mesh, options.image_format);
-  AtomicFiles files;
   std::vector<fs::path> written;
   const auto write = [&](const fs::path& file,
                          const std::function<void(std::ostream&)>& body) {
-    files.Write(file, body);
+    files->Write(file, body);
     written.push_back(file);
   };
   const std::string extension = LowerExtension(path);
   if (extension == ".glb") {
     write(path,
           [&](std::ostream& stream) { WriteTexturedGlb(mesh, pages, stream); });
-    files.Commit();
     return written;
   }
   // The images come first, so that none is missing where the mesh is there.
@@ -164,7 +172,6 @@ std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
     write(path,
           [&](std::ostream& stream) { WriteTexturedPly(mesh, names, stream); });
   }
-  files.Commit();
   return written;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "colmap_io/files/atomic_files.h"
 #include "core/texture/textured_mesh.h"
 
 namespace octacut {
@@ -42,5 +43,11 @@ std::vector<std::filesystem::path> WriteTexturedMesh(
     const std::filesystem::path& path,
     const TexturedMesh& mesh,
     const TexturedMeshOptions& options);
+// Together with `files`, when these are committed.
+std::vector<std::filesystem::path> WriteTexturedMesh(
+    const std::filesystem::path& path,
+    const TexturedMesh& mesh,
+    const TexturedMeshOptions& options,
+    AtomicFiles* files);
 
 }  // namespace octacut

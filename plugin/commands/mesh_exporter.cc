@@ -300,7 +300,8 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
                              output_path_.string(),
                              intersections.num_pairs));
   }
-  WriteMesh(output_path_, print);
+  AtomicFiles written;
+  WriteMesh(output_path_, print, &written);
   Json report = MakeReport(environment);
   report["mesh_path"] = output_path_.string();
   report["unit"] = "millimetre";
@@ -308,7 +309,8 @@ void MeshExporter::Run(const CommandEnvironment& environment) {
   report.update(json);
   report["audit"] = AuditToJson(audit);
   report["self_intersections"] = SelfIntersectionsToJson(intersections);
-  WriteReport(report_path_, report);
+  WriteReport(report_path_, report, &written);
+  written.Commit();
   const Eigen::Vector3d size = audit.bounding_box.sizes();
   environment.out << fmt::format(
       "{}: {} triangles, {:.4g} x {:.4g} x {:.4g} mm, {:.4g} cm^3\n",

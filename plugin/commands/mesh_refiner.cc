@@ -102,13 +102,15 @@ void MeshRefiner::Run(const CommandEnvironment& environment) {
                  .confidence = workspace_.confidence},
                 context);
   refined.mesh.confidence = verdict.confidence;
-  WriteMesh(workspace_.output_path, refined.mesh);
+  AtomicFiles written;
+  WriteMesh(workspace_.output_path, refined.mesh, &written);
   WriteMeshReport(environment,
                   workspace_,
                   {loaded,
                    audit,
                    verdict,
-                   {{"refinement", RefinementToJson(refined.summary)}}});
+                   {{"refinement", RefinementToJson(refined.summary)}}},
+                  &written);
   environment.out << fmt::format(
       "{}: {} of {} vertices moved by {:.2f} pixels on average; agreement of "
       "the views {:.3f} (before: {:.3f})\n",

@@ -51,7 +51,6 @@ class MeshSimplifier : public Command {
   Level MakeLevel(int level,
                   const CollapseReplay& replay,
                   const Context& context) const;
-  void WriteLevels(const std::vector<Level>& levels) const;
   Json LevelToJson(const Level& level, const Context& context) const;
 
   fs::path input_path_;
@@ -186,16 +185,6 @@ Level MeshSimplifier::MakeLevel(int level,
   return result;
 }
 
-void MeshSimplifier::WriteLevels(const std::vector<Level>& levels) const {
-  AtomicFiles files;
-  for (const Level& level : levels) {
-    files.Write(level.path, [&](std::ostream& stream) {
-      WriteMesh(stream, MeshFormatOf(level.path), level.simplified.mesh);
-    });
-  }
-  files.Commit();
-}
-
 Json MeshSimplifier::LevelToJson(const Level& level,
                                  const Context& context) const {
   const MeshAudit audit = AuditMesh(level.simplified.mesh, context);
@@ -262,11 +251,15 @@ void MeshSimplifier::Run(const CommandEnvironment& environment) {
                   fmt::format("{:.3g}", hausdorff),
                   fmt::format("{:.4f}", percent * hausdorff)});
   }
-  WriteLevels(levels);
+  AtomicFiles written;
+  for (const Level& level : levels) {
+    WriteMesh(level.path, level.simplified.mesh, &written);
+  }
   Json report = MakeReport(environment);
   report["input"] = {{"path", input_path_.string()}, {"triangles", num_full}};
   report["levels"] = std::move(json);
-  WriteReport(report_path_, report);
+  WriteReport(report_path_, report, &written);
+  written.Commit();
   environment.out << table.ToString();
 }
 

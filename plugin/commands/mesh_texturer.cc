@@ -69,18 +69,20 @@ void MeshTexturer::Run(const CommandEnvironment& environment) {
   photographs.mask_geometry = loading_.mask_geometry;
   photographs.original_path = loading_.original_path;
   photographs.skip_missing_images = loading_.skip_missing_images;
-  const Json texture = TextureAndWrite(mesh,
-                                       mesh_path_.string(),
+  AtomicFiles files;
+  const Json texture = TextureAndWrite({mesh, mesh_path_.string()},
                                        workspace_path_,
                                        photographs,
                                        arguments_,
-                                       environment.context);
+                                       environment.context,
+                                       &files);
   if (!report_path_.empty()) {
     Json report = MakeReport(environment);
     report["mesh_path"] = mesh_path_.string();
     report["texture"] = texture;
-    WriteReport(report_path_, report);
+    WriteReport(report_path_, report, &files);
   }
+  files.Commit();
   environment.out << fmt::format(
       "{}: {} triangles, {} charts on {} page(s), {:.2f} % of the surface not "
       "seen; mean jump across seams {:.2f} grey levels (before: {:.2f})\n",

@@ -33,7 +33,8 @@ class OctahedralMesher : public Command {
   void MakeMasks(const Context& context);
   Json TextureMeshOf(const Scene& scene,
                      const IndexedMesh& mesh,
-                     const Context& context) const;
+                     const Context& context,
+                     AtomicFiles* files) const;
 
   WorkspaceArguments workspace_;
   QualityOption quality_;
@@ -90,7 +91,8 @@ void OctahedralMesher::MakeMasks(const Context& context) {
 // the mesh either.
 Json OctahedralMesher::TextureMeshOf(const Scene& scene,
                                      const IndexedMesh& mesh,
-                                     const Context& context) const {
+                                     const Context& context,
+                                     AtomicFiles* files) const {
   PhotographOptions photographs;
   photographs.workspace = workspace_.loading.workspace;
   photographs.mask_geometry = workspace_.loading.mask_geometry;
@@ -101,12 +103,12 @@ Json OctahedralMesher::TextureMeshOf(const Scene& scene,
   TexturingArguments arguments;
   arguments.output_path = workspace_.Beside(".glb");
   try {
-    return TextureAndWrite(mesh,
-                           workspace_.output_path.string(),
+    return TextureAndWrite({mesh, workspace_.output_path.string()},
                            workspace_.workspace_path,
                            photographs,
                            arguments,
-                           context);
+                           context,
+                           files);
   } catch (const OptionError& error) {
     throw InputError(fmt::format("{}: {} (options of mesh_texturer)",
                                  workspace_.output_path.string(),
@@ -181,17 +183,20 @@ void OctahedralMesher::Run(const CommandEnvironment& environment) {
       Reconstruct(loaded.scene, loaded.region, meshing_, context, observer);
   IndexedMesh mesh = ToIndexedMesh(result.mesh);
   mesh.confidence = result.verdict.confidence;
-  WriteMesh(workspace_.output_path, mesh);
+  AtomicFiles files;
+  WriteMesh(workspace_.output_path, mesh, &files);
   if (picture_) {
-    WriteRunPicture(workspace_.Beside(".png"), loaded.scene, mesh, context);
+    WriteRunPicture(
+        workspace_.Beside(".png"), loaded.scene, mesh, context, &files);
   }
   Json members = {{"reconstruction", ReconstructionToJson(result.summary)}};
   if (texture_) {
-    members["texture"] = TextureMeshOf(loaded.scene, mesh, context);
+    members["texture"] = TextureMeshOf(loaded.scene, mesh, context, &files);
   }
   WriteMeshReport(environment,
                   workspace_,
-                  {loaded, result.audit, result.verdict, std::move(members)});
+                  {loaded, result.audit, result.verdict, std::move(members)},
+                  &files);
   PrintMesh(environment, workspace_, result.audit);
 }
 

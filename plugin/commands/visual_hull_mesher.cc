@@ -42,9 +42,10 @@ void VisualHullMesher::Run(const CommandEnvironment& environment) {
                                        context);
   const HullReconstruction result =
       ReconstructHull(loaded.scene, loaded.region, options_, context);
-  WriteMesh(workspace_.output_path, ToIndexedMesh(result.mesh));
+  AtomicFiles files;
+  WriteMesh(workspace_.output_path, ToIndexedMesh(result.mesh), &files);
   WriteMeshReport(
-      environment, workspace_, {loaded, result.audit, result.verdict});
+      environment, workspace_, {loaded, result.audit, result.verdict}, &files);
   PrintMesh(environment, workspace_, result.audit);
 }
 

@@ -118,6 +118,14 @@ TEST_F(DepthMapRendererTest, AFailedRunLeavesNoLabel) {
   WriteMesh(folder_ / "away.ply", away);
   EXPECT_THAT(Render({"--mesh_path", (folder_ / "away.ply").string()}).err,
               HasSubstr("away.ply: none of the 12 photographs shows"));
+  // Seen, but as a point.
+  IndexedMesh tiny = ReadMesh(Truth()).mesh;
+  for (Eigen::Vector3d& position : tiny.positions) {
+    position *= 1e-6;
+  }
+  WriteMesh(folder_ / "tiny.ply", tiny);
+  EXPECT_THAT(Render({"--mesh_path", (folder_ / "tiny.ply").string()}).err,
+              HasSubstr("tiny.ply: none of the 12 photographs shows 100 pix"));
   EXPECT_EQ(Render({"--mesh_path", (folder_ / "gone.ply").string()}).exit_code,
             1);
   EXPECT_FALSE(fs::exists(Workspace() / "stereo" / "octacut-depths.json"));

@@ -1,6 +1,7 @@
 // mesh_exporter as a user meets it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
@@ -135,6 +136,29 @@ TEST_F(MeshExporterTest, FlatBase) {
       report["flat_base"]["area"], std::numbers::pi * (60 * 6 - 36), 20);
   EXPECT_EQ(report["flat_base"]["islands"], 1);
   EXPECT_EQ(report["self_intersections"]["pairs"], 0);
+}
+
+// The mesh fits into a limit of the size of files, the report does not.
+TEST_F(MeshExporterTest, WritesAllFilesOrNone) {
+  WriteMesh(folder_ / "cube.ply", Cube(1));
+  folder_.Write("out.stl", "precious");
+  rlimit before;
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{1000, before.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  const ProgramResult result = RunningOctacut({"mesh_exporter",
+                                               "--input_path",
+                                               Path("cube.ply"),
+                                               "--output_path",
+                                               Path("out.stl"),
+                                               "--scale_factor",
+                                               "10"})
+                                   .Wait();
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_THAT(result.err, HasSubstr("out.stl.json: cannot be written"));
+  EXPECT_EQ(ReadFile(folder_ / "out.stl"), "precious");
+  EXPECT_FALSE(fs::exists(folder_ / "out.stl.json"));
 }
 
 TEST_F(MeshExporterTest, EveryFormat) {

@@ -114,6 +114,15 @@ TEST_F(ImageFileTest, ReadsGrey16BitAndAlphaAsColour) {
   EXPECT_EQ(dropped.at<cv::Vec3b>(3, 5), cv::Vec3b(1, 2, 3));
 }
 
+TEST_F(ImageFileTest, ReadsWebP) {
+  const cv::Mat colour = Texture(32, 24);
+  // Above 100: without loss.
+  ASSERT_TRUE(cv::imwrite((folder_ / "colour.webp").string(),
+                          colour,
+                          {cv::IMWRITE_WEBP_QUALITY, 101}));
+  EXPECT_EQ(cv::norm(ReadPhotograph(folder_ / "colour.webp"), colour), 0);
+}
+
 // A JPEG whose EXIF says "turn by 90 degrees".
 std::string WithOrientation(const std::string& jpeg, char orientation) {
   std::string exif("Exif\0\0MM\0\x2a\0\0\0\x08\0\x01\x01\x12\0\x03\0\0\0\x01\0",

@@ -106,6 +106,16 @@ TEST(CutFlatBase, PotatoesAtAnyHeight) {
   }
 }
 
+// Large triangles, cut where a twentieth of an edge is much of what is left.
+TEST(CutFlatBase, KeepsTheHeightOfCoarseMeshes) {
+  const FlatBase base = CutFlatBase(Lowered(Cube(1), 0.99), kContext);
+  EXPECT_NEAR(ExpectClosedOnPlate(base).bounding_box.max().z(), 0.01, 2e-4);
+}
+
+TEST(CutFlatBase, RefusesACutThatCutsNothingOff) {
+  EXPECT_THROW(CutFlatBase(Cube(8), kContext), InputError);
+}
+
 TEST(CutFlatBase, IntersectingPartsAreRefused) {
   const IndexedMesh mesh =
       Joined(Sphere(10), Moved(Sphere(10), {0.51, 0.03, 0.02}));

@@ -90,6 +90,27 @@ TEST(Charts, DivideWhatFoldsOver) {
   EXPECT_NE(charts.chart_of_face[0], charts.chart_of_face[2]);
 }
 
+// A triangle that no view sees and that is larger than any page.
+TEST(Charts, ShrinkWhatNoViewSees) {
+  IndexedMesh mesh = SmallSphere(4);
+  std::vector<uint32_t> views = ViewsByOctant(mesh);
+  const uint32_t corner = uint32_t(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(),
+                        {{0, 0, 0}, {0, 0.1, 0}, {0, 0.05, 1e9}});
+  mesh.triangles.push_back({corner, corner + 1, corner + 2});
+  views.push_back(kNoView);
+  const Photographs photographs = PhotographsOf(AllAround(), 200);
+  const Charts charts = MakeCharts(mesh,
+                                   FindFaceNeighbors(mesh),
+                                   views,
+                                   photographs.poses,
+                                   {1, 512},
+                                   Context(1));
+  for (const Chart& chart : charts.charts) {
+    EXPECT_LE(std::max(chart.width, chart.height), 512);
+  }
+}
+
 TEST(Charts, AreDividedToFitAPage) {
   const IndexedMesh mesh = SmallSphere(4);
   const Photographs photographs = PhotographsOf(AllAround(), 200);

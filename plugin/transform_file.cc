@@ -10,7 +10,6 @@
 #include <sstream>
 #include <string>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/files/byte_order_mark.h"
 #include "colmap_io/files/read_file.h"
 #include "core/base/error.h"
@@ -73,9 +72,10 @@ Similarity3d ReadTransform(const std::filesystem::path& path) {
 }
 
 void WriteTransform(const std::filesystem::path& path,
-                    const Similarity3d& transform) {
+                    const Similarity3d& transform,
+                    AtomicFiles* files) {
   const Eigen::Matrix4d matrix = MatrixOf(transform);
-  WriteFile(path, [&](std::ostream& stream) {
+  files->Write(path, [&](std::ostream& stream) {
     for (int row = 0; row < 4; ++row) {
       stream << fmt::format("{} {} {} {}\n",
                             matrix(row, 0),

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "colmap_io/files/atomic_files.h"
 #include "core/mesh/similarity.h"
 #include "plugin/option_value.h"
 
@@ -14,9 +15,10 @@ namespace octacut {
 // positive scale (to 1e-5).
 Similarity3d ReadTransform(const std::filesystem::path& path);
 
-// With all digits. The file appears whole or not at all.
+// With all digits; the file appears when `files` are committed.
 void WriteTransform(const std::filesystem::path& path,
-                    const Similarity3d& transform);
+                    const Similarity3d& transform,
+                    AtomicFiles* files);
 
 // The matrix as four rows of four numbers.
 Json TransformToJson(const Similarity3d& transform);

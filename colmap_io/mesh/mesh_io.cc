@@ -142,10 +142,12 @@ void WriteMesh(const std::filesystem::path& path,
 void WriteMeshWithValues(const std::filesystem::path& path,
                          IndexedMesh mesh,
                          std::vector<float> values,
-                         std::string_view name) {
+                         std::string_view name,
+                         AtomicFiles* files) {
   mesh.confidence = std::move(values);
   CheckSizes(mesh);
-  WriteFile(path, [&](std::ostream& stream) { WritePly(mesh, stream, name); });
+  files->Write(path,
+               [&](std::ostream& stream) { WritePly(mesh, stream, name); });
 }
 
 void WriteMesh(std::ostream& stream,

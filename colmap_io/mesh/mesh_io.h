@@ -56,11 +56,12 @@ void WriteMesh(std::ostream& stream,
                const IndexedMesh& mesh);
 
 // Writes PLY whatever the extension, with `values`, one per vertex, as a float
-// property `name`.
+// property `name`, when `files` are committed.
 void WriteMeshWithValues(const std::filesystem::path& path,
                          IndexedMesh mesh,
                          std::vector<float> values,
-                         std::string_view name);
+                         std::string_view name,
+                         AtomicFiles* files);
 
 // To be asked before any long work: throws OptionError for an unknown
 // extension and InputError when the folder is missing or cannot be written

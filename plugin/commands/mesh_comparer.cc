@@ -69,6 +69,7 @@ class MeshComparer : public Command {
       const CommandEnvironment& environment) const;
 
   ComparerPaths paths_;
+  AtomicFiles files_;  // all that is written
   bool self_intersections_ = true;
   JudgedPartOptions judged_;
   CompareMeshesOptions compare_;
@@ -178,7 +179,8 @@ Json MeshComparer::CompareOne(const fs::path& path,
         (comparison.alignment
              ? comparison.alignment->reference_from_mesh
              : *protocol_results_.back().second.reference_from_mesh) *
-            given_transform_);
+            given_transform_,
+        &files_);
   }
   results_.push_back(std::move(measured.result));
   return std::move(measured.json);
@@ -205,7 +207,8 @@ void MeshComparer::ShowDistances(const MeasuredMesh& reference,
         paths_.DistancesOf(measured->json["path"].get<std::string>()),
         moved,
         distances,
-        "quality");
+        "quality",
+        &files_);
   }
   if (page_) {
     measured->json["places"] = page_->Add(measured->result.name,
@@ -296,7 +299,7 @@ void MeshComparer::WritePage(const CommandEnvironment& environment,
   page.procedure = Procedure(environment);
   page.command_line = CommandLineOf(environment);
   page.report = report;
-  WriteComparisonPage(paths_.page, page, {}, environment.context);
+  WriteComparisonPage(paths_.page, page, {}, environment.context, &files_);
 }
 
 void MeshComparer::RefuseUnusedOptions(const OptionManager& options) const {
@@ -364,9 +367,10 @@ void MeshComparer::Run(const CommandEnvironment& environment) {
       WritePage(environment, views, report);
     }
     if (!paths_.report.empty()) {
-      WriteReport(paths_.report, report);
+      WriteReport(paths_.report, report, &files_);
     }
   }
+  files_.Commit();
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ class MeshEvaluator : public Command {
                  const Context& context);
   void WritePage(const CommandEnvironment& environment,
                  const std::vector<View>& views,
-                 const Json& report);
+                 const Json& report,
+                 AtomicFiles* files);
 
   std::filesystem::path workspace_path_;
   LoadSceneOptions loading_;
@@ -205,7 +206,8 @@ void MeshEvaluator::AddToPage(const std::vector<JudgedMesh>& meshes,
 
 void MeshEvaluator::WritePage(const CommandEnvironment& environment,
                               const std::vector<View>& views,
-                              const Json& report) {
+                              const Json& report,
+                              AtomicFiles* files) {
   std::string names;
   for (const PageMesh& mesh : page_.meshes) {
     names.append(names.empty() ? "" : ", ").append(mesh.name);
@@ -251,7 +253,7 @@ void MeshEvaluator::WritePage(const CommandEnvironment& environment,
   }
   page_.command_line = CommandLineOf(environment);
   page_.report = report;
-  WriteComparisonPage(html_path_, page_, views, environment.context);
+  WriteComparisonPage(html_path_, page_, views, environment.context, files);
 }
 
 namespace {
@@ -337,12 +339,14 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
   if (!ranking.is_null()) {
     report["ranking"] = std::move(ranking);
   }
+  AtomicFiles written;
   if (!html_path_.empty()) {
-    WritePage(environment, views, report);
+    WritePage(environment, views, report, &written);
   }
   if (!output_path_.empty()) {
-    WriteReport(output_path_, report);
+    WriteReport(output_path_, report, &written);
   }
+  written.Commit();
 }
 
 }  // namespace

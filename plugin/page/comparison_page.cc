@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "colmap_io/files/atomic_files.h"
 #include "colmap_io/files/lower_extension.h"
 #include "core/base/check_option.h"
 #include "core/base/error.h"
@@ -137,14 +136,15 @@ void CheckPagePath(const fs::path& html_path,
 void WriteComparisonPage(const fs::path& html_path,
                          const ComparisonPage& page,
                          const std::vector<View>& photographs,
-                         const Context& context) {
+                         const Context& context,
+                         AtomicFiles* files) {
   const Phase phase(context, "HTML page");
   const std::string three_js = ReadThreeJs(ThreeJsPath());
   PageBlobs blobs;
   Json json = PageToJson(page, &blobs);
   json["num_views"] = photographs.size();
   json["photographs"] = PagePhotographsToJson(photographs, context, &blobs);
-  WriteFile(html_path, [&](std::ostream& stream) {
+  files->Write(html_path, [&](std::ostream& stream) {
     const auto write_styles = [&] {
       stream << "<style>\n" << Asset("style.css") << "</style>\n";
     };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "colmap_io/files/atomic_files.h"
 #include "core/base/context.h"
 #include "core/scene/scene.h"
 #include "plugin/file_roles.h"
@@ -47,10 +48,11 @@ void CheckPagePath(const std::filesystem::path& html_path,
                    FileRoles* files,
                    const std::filesystem::path& three_js = ThreeJsPath());
 
-// `photographs` may be empty. The file appears whole or not at all.
+// `photographs` may be empty. The file appears when `files` are committed.
 void WriteComparisonPage(const std::filesystem::path& html_path,
                          const ComparisonPage& page,
                          const std::vector<View>& photographs,
-                         const Context& context);
+                         const Context& context,
+                         AtomicFiles* files);
 
 }  // namespace octacut

@@ -22,10 +22,10 @@ void CommonOptions::Declare(OptionManager& options, bool uses_random_seed) {
                   "Where log messages and progress are written.");
   options.Add("log_path",
               &log.path,
-              "Folder for log files, or one file with the extension .log. If "
-              "given, messages go there too, unless log_target is stdout. "
-              "Default: no file; if log_target asks for one, in the system's "
-              "temporary folder, such as /tmp.");
+              "Log file (.log), or a folder for log files. Messages go there, "
+              "too, unless log_target is stdout. Default: no file; if "
+              "log_target asks for one, it is in the system's temporary "
+              "folder.");
   // As COLMAP 3.8 has it; log_target says more.
   options
       .Add("log_to_stderr",

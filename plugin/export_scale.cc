@@ -47,10 +47,9 @@ Json ScaleToJson(const MarkerScale& scale) {
 void ExportScaleOptions::Declare(OptionManager& options) {
   options.Add("scale_factor",
               &scale_factor_,
-              "Millimetres for each unit of the mesh. At most one of "
-              "scale_factor, known_length and aruco_side may be given; 0 means "
-              "that it is not. Without any of them, a unit becomes a "
-              "millimetre.");
+              "Millimetres per unit of the mesh; 0: not given. At most one of "
+              "scale_factor, known_length and aruco_side may be given. Without "
+              "any of them, a unit becomes a millimetre.");
   options.Add("known_length",
               &known_length_,
               "Distance in millimetres, measured on the object, between the "

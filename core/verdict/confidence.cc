@@ -18,8 +18,8 @@ constexpr int kRegionRings = 3;
 constexpr float kMinRegion = 0.05f;
 // Pixels. A visual hull touches the object along the occluding contours of the
 // views alone and lies outside of it between them: it is the closer the more
-// occluding contours are near. As measured on a polished bronze, a glazed
-// porcelain and a painted figure with a truth (docs/verdict.md).
+// occluding contours are near. Measured on polished bronze
+// (docs/experiments/verdict.md).
 constexpr float kContourError = 0.4f;
 constexpr float kBetweenContours = 3;
 // Times as much where the surface is hollow, which no silhouette shows.

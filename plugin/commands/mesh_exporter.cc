@@ -93,9 +93,9 @@ void MeshExporter::DeclareOptions(OptionManager& options) {
   options.Add(
       "up",
       &up_,
-      "x,y,z: the direction in the frame of the mesh that will point up. "
-      "The word stand: the normal of the plane of sparse points under "
-      "the object. Default: 0,0,1.");
+      "Upward direction: x,y,z in the frame of the mesh, or `stand`, the "
+      "normal of the plane of sparse points under the object. Default: "
+      "0,0,1.");
   options.Add("flat_base",
               &flat_base_,
               "If 1, cut the object off at the bottom and close it with a flat "

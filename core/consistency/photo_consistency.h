@@ -25,10 +25,9 @@ struct ConsistencyOptions {
   // voxel apart or, where that is more, a pixel; r in 1 .. 4. 3 is worse where
   // voxels have two pixels: docs/experiments/photo_consistency.md.
   int patch_radius = 2;
-  // Where voxels are as small as pixels, r grows (to 3, with this default) until
-  // the patch spans this many pixels of the average view: fewer hold too little
-  // texture.
-  // Igea at 512^3 has 0.074 instead of 0.089 %:
+  // Where voxels are as small as pixels, r grows (to 3, with this default)
+  // until the patch spans this many pixels of the average view: fewer hold too
+  // little texture. Igea at 512^3 has 0.074 instead of 0.089 %:
   // docs/experiments/photo_consistency.md.
   double min_patch_pixels = 5;
   // Value of voxels that fewer than two views see, and of plain patches, so
@@ -60,8 +59,8 @@ struct PhotoConsistency {
 };
 
 // phi of every voxel of `voxels`, one shape per voxel (where that has no
-// normal, the voxel counts as unseen), sampled from the pyramid level whose pixels
-// match the spacing of the samples.
+// normal, the voxel counts as unseen), sampled from the pyramid level whose
+// pixels match the spacing of the samples.
 PhotoConsistency EstimateConsistency(const ViewSet& views,
                                      const VoxelGrid& voxels,
                                      const std::vector<SurfaceShape>& shapes,

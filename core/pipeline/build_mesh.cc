@@ -222,9 +222,8 @@ class MeshBuilder {
           "again around it.");
       return false;
     }
-    inputs_.context.Info(
-        fmt::format("Level {} is cut again around the refined surface.",
-                    level));
+    inputs_.context.Info(fmt::format(
+        "Level {} is cut again around the refined surface.", level));
     state_.levels.resize(size_t(level - inputs_.hull.Level()));
     AddLevel(level, [&](LevelSummary* summary) {
       return RecutLevel(

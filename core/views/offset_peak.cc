@@ -96,9 +96,9 @@ std::optional<OffsetPeak> FindOffsetPeak(const std::vector<float>& offsets,
     return std::nullopt;
   }
   std::optional<OffsetPeak> peak = OffsetPeak{
-      .center = float(HighestPeak(CountOffsets(offsets, kEdgeRange))) *
-                    kEdgeStep -
-                kEdgeRange};
+      .center =
+          float(HighestPeak(CountOffsets(offsets, kEdgeRange))) * kEdgeStep -
+          kEdgeRange};
   for (int i = 0; i < 3; ++i) {
     peak = PeakAround(peak->center, offsets);
     if (!peak || peak->share < min_share) {

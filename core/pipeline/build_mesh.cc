@@ -128,7 +128,7 @@ class MeshBuilder {
   // a cut, and the photographs agree less, that cut is undone.
   void Settle(int last) {
     const int level = inputs_.hull.Level() + 1;
-    State before;  // the last cut
+    State before;  // before the last cut
     Timed(&summary_.recuts.seconds, [&] {
       for (int i = 1; i <= kMaxRecuts; ++i) {
         ExtractMesh();

@@ -23,8 +23,8 @@ constexpr int kVoxelsAcross = 96;
 constexpr int kBorderError = 2;
 // Pixels; OpenCV draws no polygon with corners much farther off.
 constexpr double kFarOutside = 1 << 20;
-// The word of more than one view, whatever the sampling.
-constexpr float kWordOfTwo = -1.5f * kOneViewsWord;
+// The evidence of more than one view, whatever the sampling.
+constexpr float kTwoViewsDeny = -1.5f * kMaxViewLogOdds;
 
 // Where a ray from `origin` meets the plane.
 std::optional<Eigen::Vector3d> MeetPlane(
@@ -120,7 +120,7 @@ double ContradictedPart(std::span<const cv::Mat> labels,
     cv::erode(of_view == kSurroundingsLabel, still, window);
     cv::Mat& odds =
         log_odds.emplace_back(cv::Mat::zeros(of_view.size(), CV_32F));
-    odds.setTo(-2 * kOneViewsWord, still);
+    odds.setTo(-2 * kMaxViewLogOdds, still);
   }
   std::vector<cv::Mat> judged(above.begin(), above.end());
   for (size_t i = 0; i < judged.size() && region.box; ++i) {
@@ -134,7 +134,7 @@ double ContradictedPart(std::span<const cv::Mat> labels,
                            context);
   const int64_t num_contradicted =
       ParallelSum(context, poses.size(), 1, [&](size_t i, size_t) {
-        return cv::countNonZero((grid.LogOddsOfOthers(i) < kWordOfTwo) &
+        return cv::countNonZero((grid.LogOddsOfOthers(i) < kTwoViewsDeny) &
                                 judged[i]);
       });
   int64_t num_judged = 0;

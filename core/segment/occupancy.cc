@@ -17,19 +17,19 @@ constexpr float kCoveredElsewhere = 0.7f;
 // A point that fewer of the views show is not where they look.
 constexpr double kMinShowing = 0.7;
 // Voxels around the object that one view may add to it. What is farther away
-// and only that view denies is another thing.
+// and only that view denies is something else.
 constexpr size_t kNearObject = 3;
-// A part that is severed, in sizes of the thing. Chance agreements of all views
-// are smaller.
+// A part that is severed, in sizes of the main component. Chance agreements of
+// all views are smaller.
 constexpr double kLeastPart = 0.01;
 constexpr float kNoObject = -std::numeric_limits<float>::infinity();
-constexpr float kLowest = -3 * kOneViewsWord;
+constexpr float kLowest = -3 * kMaxViewLogOdds;
 // Scores below this are below kLowest without any one view, too.
-constexpr float kIgnored = kLowest - 2 * kOneViewsWord;
+constexpr float kIgnored = kLowest - 2 * kMaxViewLogOdds;
 
 // Evidence for a point on the ray of a pixel with these log odds.
 float EvidenceOf(float log_odds) {
-  return std::max(-kOneViewsWord,
+  return std::max(-kMaxViewLogOdds,
                   -std::log(kCoveredElsewhere +
                             (1 - kCoveredElsewhere) * std::exp(-log_odds)));
 }
@@ -161,18 +161,18 @@ void OccupancyGrid::AddSlice(int z, const SearchBounds& bounds) {
   }
 }
 
-std::vector<int> OccupancyGrid::LabelThings(int* num_things) const {
+std::vector<int> OccupancyGrid::LabelComponents(int* num_components) const {
   const int n = resolution_;
-  std::vector<int> thing_of(scores_.size(), -1);
+  std::vector<int> component_of(scores_.size(), -1);
   std::vector<std::array<int, 3>> stack;
-  *num_things = 0;
+  *num_components = 0;
   const auto visit = [&](int x, int y, int z) {
     if (x < 0 || y < 0 || z < 0 || x >= n || y >= n || z >= n) {
       return;
     }
     const size_t i = IndexOf(x, y, z);
-    if (scores_[i] > 0 && thing_of[i] < 0) {
-      thing_of[i] = *num_things;
+    if (scores_[i] > 0 && component_of[i] < 0) {
+      component_of[i] = *num_components;
       stack.push_back({x, y, z});
     }
   };
@@ -193,48 +193,49 @@ std::vector<int> OccupancyGrid::LabelThings(int* num_things) const {
           visit(a, b, c - 1);
           visit(a, b, c + 1);
         }
-        ++*num_things;
+        ++*num_components;
       }
     }
   }
-  return thing_of;
+  return component_of;
 }
 
-bool OccupancyGrid::KeepThingAt(const Eigen::Vector3d& center,
-                                double radius,
-                                bool keeps_parts) {
-  int num_things = 0;
-  const std::vector<int> thing_of = LabelThings(&num_things);
-  if (num_things == 0) {
+bool OccupancyGrid::KeepMainComponent(const Eigen::Vector3d& center,
+                                      double radius,
+                                      bool keeps_parts) {
+  int num_components = 0;
+  const std::vector<int> component_of = LabelComponents(&num_components);
+  if (num_components == 0) {
     return false;
   }
-  std::vector<double> weights(num_things);
-  std::vector<size_t> sizes(num_things);
+  std::vector<double> weights(num_components);
+  std::vector<size_t> sizes(num_components);
   for (int z = 0; z < resolution_; ++z) {
     for (int y = 0; y < resolution_; ++y) {
       for (int x = 0; x < resolution_; ++x) {
-        const int thing = thing_of[IndexOf(x, y, z)];
-        if (thing >= 0) {
+        const int component = component_of[IndexOf(x, y, z)];
+        if (component >= 0) {
           const double distance = (CenterOf(x, y, z) - center).norm() / radius;
-          weights[thing] += std::exp(-distance * distance);
-          ++sizes[thing];
+          weights[component] += std::exp(-distance * distance);
+          ++sizes[component];
         }
       }
     }
   }
   const auto kept = std::max_element(weights.begin(), weights.end());
   const size_t size = sizes[kept - weights.begin()];
-  const auto is_kept = [&](int thing) {
-    return thing == kept - weights.begin() ||
-           (keeps_parts && kLeastPart * double(size) <= double(sizes[thing]));
+  const auto is_kept = [&](int component) {
+    return component == kept - weights.begin() ||
+           (keeps_parts &&
+            kLeastPart * double(size) <= double(sizes[component]));
   };
   std::vector<uint8_t> near(scores_.size());
   for (size_t i = 0; i < scores_.size(); ++i) {
-    near[i] = thing_of[i] >= 0 && is_kept(thing_of[i]);
+    near[i] = component_of[i] >= 0 && is_kept(component_of[i]);
   }
   Grow(&near);
   for (size_t i = 0; i < scores_.size(); ++i) {
-    if (!near[i] || (thing_of[i] >= 0 && !is_kept(thing_of[i]))) {
+    if (!near[i] || (component_of[i] >= 0 && !is_kept(component_of[i]))) {
       scores_[i] = kNoObject;
     }
   }

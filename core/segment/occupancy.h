@@ -19,10 +19,9 @@
 
 namespace octacut {
 
-// Log odds of a pixel as evidence are cut off here: what a single view says for
-// sure. A point that this much speaks against is one view's word from being
-// object.
-inline constexpr float kOneViewsWord = 4;
+// The log odds of a pixel are limited to +- this before they become evidence,
+// so that a single view counts no more than that.
+inline constexpr float kMaxViewLogOdds = 4;
 
 class OccupancyGrid {
  public:
@@ -36,22 +35,21 @@ class OccupancyGrid {
                 std::span<const cv::Mat> log_odds,
                 const Context& context);
 
-  // Takes what hangs together for one thing, and what is not part of the thing
-  // that is largest and nearest to `center` (both count, within `radius`) for
-  // background, and so all that is farther from it than a few voxels. Of the
-  // other things, `keeps_parts` keeps those that may be parts of it which are
-  // severed by a gap: they have one voxel for a hundred of its own, or more.
-  // False when nothing is object.
-  bool KeepThingAt(const Eigen::Vector3d& center,
-                   double radius,
-                   bool keeps_parts);
+  // Keeps the connected component of object voxels with the largest weight: the
+  // sum over its voxels of a Gaussian of `radius` around `center`. With
+  // `keeps_parts`, also those of at least a hundredth of its size, which may be
+  // parts of it severed by a gap. Voxels more than a few voxels away from what
+  // is kept become background. Returns false if no voxel is object.
+  bool KeepMainComponent(const Eigen::Vector3d& center,
+                         double radius,
+                         bool keeps_parts);
 
   // Box around the voxels that are object; empty when there are none.
   Eigen::AlignedBox3d ObjectBox() const;
 
   // For each pixel of a view, what the other views say of the point on its ray
   // that most of them hold for object: above 0 for object. CV_32F of the view's
-  // size; at least -3 * kOneViewsWord.
+  // size; at least -3 * kMaxViewLogOdds.
   cv::Mat LogOddsOfOthers(size_t view) const;
   // The same where that many other views are all sure of the object.
   static float LogOddsOfSure(size_t num_others);
@@ -68,9 +66,9 @@ class OccupancyGrid {
   }
   class PointProjector;
 
-  // For each voxel the number of the thing that it belongs to, -1 where it is
-  // no object.
-  std::vector<int> LabelThings(int* num_things) const;
+  // For each voxel the number of its connected component, -1 where it is no
+  // object.
+  std::vector<int> LabelComponents(int* num_components) const;
 
   // Sets the flags (one per voxel) of a few voxels around each that is set.
   void Grow(std::vector<uint8_t>* flags) const;

@@ -8,37 +8,39 @@ namespace octacut {
 namespace {
 
 // What the others hold for object need not be: they leave more than there is.
-// So their word for it counts by this much less than that against it.
+// So consensus on object counts by this much less than that on background.
 constexpr float kInsideDoubt = 2;
-// The word of the others below which a pixel cannot be object
+// The consensus of the others below which a pixel cannot be object
 // (docs/experiments/mask_excluded.md).
 constexpr float kExcluded = -0.95f;
 // Of what sure views say, so that it does not depend on how many they are; at
 // most so much that two views could deny it, which tanh still tells from more.
 constexpr float kSurelyShown = 0.5f;
-constexpr float kShownToAll = 2 * kOneViewsWord;
+constexpr float kShownToAll = 2 * kMaxViewLogOdds;
 
-float ToWord(float log_odds) { return std::tanh(log_odds / kOneViewsWord); }
+float ToConsensus(float log_odds) {
+  return std::tanh(log_odds / kMaxViewLogOdds);
+}
 
 }  // namespace
 
-cv::Mat WordOfOthers(const OccupancyGrid& grid, size_t view) {
+cv::Mat ConsensusOfOthers(const OccupancyGrid& grid, size_t view) {
   cv::Mat others = grid.LogOddsOfOthers(view);
   for (float& value : cv::Mat_<float>(others)) {
-    value = ToWord(value);
+    value = ToConsensus(value);
   }
   return others;
 }
 
 cv::Mat EvidenceOfOthers(const cv::Mat& others) {
-  return kOneViewsWord * others - kInsideDoubt * cv::max(others, 0);
+  return kMaxViewLogOdds * others - kInsideDoubt * cv::max(others, 0);
 }
 
 cv::Mat ExcludedByOthers(const cv::Mat& others) { return others < kExcluded; }
 
 cv::Mat ShownByOthers(const cv::Mat& others, size_t num_others) {
   const float of_sure = kSurelyShown * OccupancyGrid::LogOddsOfSure(num_others);
-  return others > ToWord(std::min(of_sure, kShownToAll));
+  return others > ToConsensus(std::min(of_sure, kShownToAll));
 }
 
 }  // namespace octacut

@@ -1,7 +1,7 @@
-// What the other views say of the pixels of a view.
+// What the other views show at the pixels of a view.
 //
-// Their word for a pixel is 1 where they show the object for sure, and -1 where
-// they show background for sure (CV_32F of the view's size).
+// Their consensus on a pixel (CV_32F of the view's size) is 1 where they surely
+// show the object, and -1 where they surely show background.
 #pragma once
 
 #include <opencv2/core/mat.hpp>
@@ -10,9 +10,9 @@
 
 namespace octacut {
 
-cv::Mat WordOfOthers(const OccupancyGrid& grid, size_t view);
+cv::Mat ConsensusOfOthers(const OccupancyGrid& grid, size_t view);
 
-// Log odds of the object by that word (CV_32F).
+// Log odds of the object by that consensus (CV_32F).
 cv::Mat EvidenceOfOthers(const cv::Mat& others);
 
 // The pixels (CV_8UC1, 0 or 255) that the other views exclude: whatever they

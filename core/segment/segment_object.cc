@@ -37,7 +37,7 @@ constexpr double kMargin = 0.15;
 constexpr float kSure = 1;
 // The smoothness of the cut in each view: a border of one pixel's length costs
 // as much as the certain evidence of one view.
-constexpr float kSmoothness = kOneViewsWord;
+constexpr float kSmoothness = kMaxViewLogOdds;
 // Before the object is known, the middle shows surroundings as well, so colours
 // count for object only where they are this much more frequent in it.
 constexpr float kFirstDoubt = 1.5f;
@@ -47,12 +47,12 @@ constexpr int kPointRadius = 1;
 // Log odds of the object from what shows the stand, which outweighs any colour,
 // and from what hides it.
 cv::Mat StandEvidence(const cv::Mat& stand) {
-  return kOneViewsWord * (cv::max(-stand, 0) - 2 * cv::max(stand, 0));
+  return kMaxViewLogOdds * (cv::max(-stand, 0) - 2 * cv::max(stand, 0));
 }
 
 void ClampToOneViewsWord(cv::Mat* log_odds) {
-  cv::max(*log_odds, -kOneViewsWord, *log_odds);
-  cv::min(*log_odds, kOneViewsWord, *log_odds);
+  cv::max(*log_odds, -kMaxViewLogOdds, *log_odds);
+  cv::min(*log_odds, kMaxViewLogOdds, *log_odds);
 }
 
 class Segmenter {
@@ -76,7 +76,7 @@ class Segmenter {
   cv::Mat FirstLabels(size_t view, double middle) const;
   bool FindObject(double middle);
   size_t CountDoubts() const;
-  bool IsObjectSaid() const;
+  bool HasObjectLabels() const;
   // Whether what turns in a view is known, and where the stand is: all else
   // that turns is object, whatever the surroundings look like.
   bool IsObjectOrStand(size_t view) const {
@@ -95,7 +95,7 @@ class Segmenter {
   bool Round(const BoundingCube& cube, int resolution);
   void Relabel(size_t view);
   void CutView(size_t view);
-  void ApplySaid(size_t view, cv::Mat* labels) const;
+  void ApplyGivenLabels(size_t view, cv::Mat* labels) const;
 
   const SegmentationInput& input_;
   const Context& context_;
@@ -115,7 +115,7 @@ cv::Mat Segmenter::FirstLabels(size_t view, double middle) const {
   return labels;
 }
 
-void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
+void Segmenter::ApplyGivenLabels(size_t view, cv::Mat* labels) const {
   const cv::Rect frame(cv::Point(0, 0), labels->size());
   for (const Eigen::Vector2d& pixel : input_.views[view].stand_points) {
     const cv::Point corner(int(std::floor(pixel.x())) - kPointRadius,
@@ -129,13 +129,13 @@ void Segmenter::ApplySaid(size_t view, cv::Mat* labels) const {
   if (!stand.empty()) {
     labels->setTo(kSurroundingsLabel, stand >= 1);
   }
-  const cv::Mat& said = input_.views[view].labels;
-  if (said.empty()) {
+  const cv::Mat& given = input_.views[view].labels;
+  if (given.empty()) {
     return;
   }
-  said.copyTo(*labels, said != kNoLabel);
+  given.copyTo(*labels, given != kNoLabel);
   if (IsObjectOrStand(view)) {
-    labels->setTo(kNoLabel, said == kSurroundingsLabel);
+    labels->setTo(kNoLabel, given == kSurroundingsLabel);
   }
 }
 
@@ -152,10 +152,10 @@ void Segmenter::Learn(bool own_objects) {
       colours += StandEvidence(input_.views[i].stand);
       ClampToOneViewsWord(&colours);
     }
-    const cv::Mat& said = input_.views[i].labels;
-    if (!said.empty()) {
-      colours.setTo(2 * kOneViewsWord, said == kObjectLabel);
-      colours.setTo(-2 * kOneViewsWord, said == kSurroundingsLabel);
+    const cv::Mat& given = input_.views[i].labels;
+    if (!given.empty()) {
+      colours.setTo(2 * kMaxViewLogOdds, given == kObjectLabel);
+      colours.setTo(-2 * kMaxViewLogOdds, given == kSurroundingsLabel);
     }
   });
 }
@@ -166,20 +166,20 @@ void Segmenter::Relabel(size_t view) {
   labels.setTo(kNoLabel);
   labels.setTo(kObjectLabel, log_odds > kSure);
   labels.setTo(kSurroundingsLabel, log_odds < -kSure);
-  ApplySaid(view, &labels);
+  ApplyGivenLabels(view, &labels);
 }
 
 bool Segmenter::Round(const BoundingCube& cube, int resolution) {
   OccupancyGrid grid(
       cube, resolution, {input_.box, input_.floor}, poses_, colours_, context_);
-  if (!grid.KeepThingAt(
+  if (!grid.KeepMainComponent(
           result_.region.center, result_.region.radius, HasNothingElse())) {
     return false;
   }
   result_.object_box = grid.ObjectBox();
   ParallelEach(context_, poses_.size(), 1, [&](size_t i) {
     SegmentedView& view = result_.views[i];
-    view.others = WordOfOthers(grid, i);
+    view.others = ConsensusOfOthers(grid, i);
     cv::Mat smooth;
     cv::GaussianBlur(colours_[i], smooth, cv::Size(), 1);
     view.log_odds = smooth + EvidenceOfOthers(view.others);
@@ -195,9 +195,9 @@ void Segmenter::CutView(size_t i) {
   view.mask.create(view.log_odds.size(), CV_8U);
   view.mask.setTo(kNoLabel);
   view.mask.setTo(kSurroundingsLabel, ExcludedByOthers(view.others));
-  const cv::Mat& said = input_.views[i].labels;
-  if (!said.empty()) {
-    said.copyTo(view.mask, said != kNoLabel);
+  const cv::Mat& given = input_.views[i].labels;
+  if (!given.empty()) {
+    given.copyTo(view.mask, given != kNoLabel);
   }
   CutLabels(input_.views[i].image, view.log_odds, kSmoothness, &view.mask);
 }
@@ -209,7 +209,7 @@ BoundingCube CubeAround(const Eigen::AlignedBox3d& box) {
   return cube;
 }
 
-bool Segmenter::IsObjectSaid() const {
+bool Segmenter::HasObjectLabels() const {
   return std::any_of(
       input_.views.begin(), input_.views.end(), [](const auto& view) {
         return !view.labels.empty() &&
@@ -219,18 +219,18 @@ bool Segmenter::IsObjectSaid() const {
 
 bool Segmenter::FindObject(double middle) {
   Phase phase(context_, "search for the object", kCoarseRounds + kFineRounds);
-  const bool is_said = IsObjectSaid();
+  const bool has_object_labels = HasObjectLabels();
   ParallelEach(context_, poses_.size(), 1, [&](size_t i) {
     const cv::Mat& proposal = input_.views[i].proposal;
     labels_[i] = proposal.empty() ? FirstLabels(i, middle) : proposal.clone();
-    if (is_said && proposal.empty()) {  // better than a guess
+    if (has_object_labels && proposal.empty()) {  // better than a guess
       labels_[i].setTo(kNoLabel, labels_[i] == kObjectLabel);
     }
     if (IsObjectOrStand(i)) {
       labels_[i].setTo(kNoLabel, labels_[i] == kSurroundingsLabel);
       labels_[i].setTo(kObjectLabel, input_.views[i].above_plate);
     }
-    ApplySaid(i, &labels_[i]);
+    ApplyGivenLabels(i, &labels_[i]);
   });
   for (int round = 0; round < kCoarseRounds; ++round) {
     Learn(round > 0);

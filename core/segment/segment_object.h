@@ -24,8 +24,8 @@ namespace octacut {
 struct UnsegmentedView {
   Pose pose;
   cv::Mat image;  // CV_8UC3, BGR, of the camera's size
-  // CV_8UC1 of that size: 0 background, 255 object, 128 where nothing is said;
-  // empty when nothing is said at all.
+  // CV_8UC1 of that size: 0 background, 255 object, 128 unknown; empty if all
+  // is unknown.
   cv::Mat labels;
   // Whether `labels` are of a turntable: what they do not call background turns
   // with the object.
@@ -57,9 +57,9 @@ struct SegmentedView {
   cv::Mat log_odds;
   // CV_32F: log odds from colours (of this view's model and of that of all
   // views) and from the stand, without the other silhouettes; within
-  // +-kOneViewsWord but where labels say more.
+  // +-kMaxViewLogOdds but where labels say more.
   cv::Mat colours;
-  // The word of the other views, as WordOfOthers has it.
+  // Of the other views, as ConsensusOfOthers has it.
   cv::Mat others;
   // CV_8UC1 of that size, 0 or 255: the minimal cut by those log odds.
   cv::Mat mask;

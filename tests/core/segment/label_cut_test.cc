@@ -40,7 +40,7 @@ TEST(LabelCut, SinglePixelsFollowTheirNeighbours) {
   log_odds.at<float>(5, 8) = 4;  // eight neighbours against it
   CutLabels(TwoSides(), log_odds, 4, &labels);
   EXPECT_EQ(labels.at<uint8_t>(5, 8), kSurroundingsLabel);
-  // Without smoothness its own word counts.
+  // Without smoothness its own evidence counts.
   labels = OpenMiddle();
   CutLabels(TwoSides(), log_odds, 0, &labels);
   EXPECT_EQ(labels.at<uint8_t>(5, 8), kObjectLabel);

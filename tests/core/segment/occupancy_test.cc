@@ -34,7 +34,7 @@ TEST(Occupancy, FindsWhatTheSilhouettesShow) {
   const Ball ball = {{0.1, -0.05, 0.05}, 0.4};
   OccupancyGrid grid(
       CubeOfEdge(2), 64, {}, poses, OddsOf({ball}, poses), Context(2));
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
+  ASSERT_TRUE(grid.KeepMainComponent(Eigen::Vector3d::Zero(), 1, false));
   const Eigen::AlignedBox3d box = grid.ObjectBox();
   // Two voxels; nobody looks from straight above or below.
   EXPECT_LT((box.center() - ball.center).cwiseAbs().maxCoeff(), 0.07);
@@ -54,7 +54,7 @@ TEST(Occupancy, TheOriginOfTheWorldDoesNotMatter) {
   BoundingCube cube = CubeOfEdge(2);
   cube.min_corner += shift;
   OccupancyGrid grid(cube, 64, {}, poses, odds, Context(2));
-  ASSERT_TRUE(grid.KeepThingAt(shift, 1, false));
+  ASSERT_TRUE(grid.KeepMainComponent(shift, 1, false));
   const Eigen::AlignedBox3d box = grid.ObjectBox();
   EXPECT_LT((box.center() - shift - ball.center).cwiseAbs().maxCoeff(), 0.07);
   EXPECT_GT(testing::Overlap(grid.LogOddsOfOthers(3) > 0, odds[3] > 0), 0.8);
@@ -66,7 +66,7 @@ TEST(Occupancy, OneViewThatSeesNothingIsOverruled) {
   std::vector<cv::Mat> odds = OddsOf({ball}, poses);
   odds[5].setTo(-4);
   OccupancyGrid grid(CubeOfEdge(2), 64, {}, poses, odds, Context(2));
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
+  ASSERT_TRUE(grid.KeepMainComponent(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_NEAR(grid.ObjectBox().sizes().x(), 1, 0.1);
   // To that view the others say where the ball is.
   const cv::Mat log_odds = grid.LogOddsOfOthers(5);
@@ -82,7 +82,7 @@ TEST(Occupancy, ThingsBesideTheMiddleAreBackground) {
   OccupancyGrid grid(
       CubeOfEdge(2.2), 64, {}, poses, OddsOf({ball, other}, poses), Context(2));
   EXPECT_GT(grid.ObjectBox().max().x(), 0.8);
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
+  ASSERT_TRUE(grid.KeepMainComponent(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_NEAR(grid.ObjectBox().max().x(), 0.3, 0.1);
 }
 
@@ -98,13 +98,13 @@ TEST(Occupancy, SeveredPartsAreKeptIfTheyAreLargeEnough) {
                        OddsOf({ball, part}, poses),
                        Context(2));
     EXPECT_GT(grid.ObjectBox().max().x(), 0.8);
-    ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, true));
+    ASSERT_TRUE(grid.KeepMainComponent(Eigen::Vector3d::Zero(), 1, true));
     EXPECT_NEAR(grid.ObjectBox().max().x(), radius > 0.1 ? 0.95 : 0.3, 0.1);
   }
 }
 
-// Two views deny a thing that all others show beside the object: without the
-// word of one of them it would be there again.
+// Two views deny something that all others show beside the object: without one
+// of them it would be there again.
 TEST(Occupancy, WhatIsFarFromTheObjectDoesNotComeBack) {
   const std::vector<Pose> poses = RingPoses(16);
   const Ball ball = {{0, 0, 0}, 0.3};
@@ -114,7 +114,7 @@ TEST(Occupancy, WhatIsFarFromTheObjectDoesNotComeBack) {
     odds[i] = OddsOf({ball}, poses)[i];
   }
   OccupancyGrid grid(CubeOfEdge(2.2), 64, {}, poses, odds, Context(2));
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
+  ASSERT_TRUE(grid.KeepMainComponent(Eigen::Vector3d::Zero(), 1, false));
   for (const size_t i : {2, 5}) {
     const cv::Mat beside = SilhouetteOf(other, poses[i]) &
                            ~SilhouetteOf({{0, 0, 0}, 0.4}, poses[i]);
@@ -126,7 +126,7 @@ TEST(Occupancy, NothingIsFoundWhereNothingIs) {
   const std::vector<Pose> poses = RingPoses(8);
   OccupancyGrid grid(
       CubeOfEdge(2), 32, {}, poses, OddsOf({}, poses), Context(2));
-  EXPECT_FALSE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
+  EXPECT_FALSE(grid.KeepMainComponent(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_TRUE(grid.ObjectBox().isEmpty());
 }
 
@@ -140,7 +140,7 @@ TEST(Occupancy, AGivenBoxBoundsIt) {
                      poses,
                      OddsOf({Ball()}, poses),
                      Context(2));
-  ASSERT_TRUE(grid.KeepThingAt(Eigen::Vector3d::Zero(), 1, false));
+  ASSERT_TRUE(grid.KeepMainComponent(Eigen::Vector3d::Zero(), 1, false));
   EXPECT_GE(grid.ObjectBox().min().z(), -1e-9);
   EXPECT_NEAR(grid.ObjectBox().max().z(), 0.5, 0.1);
 }

@@ -8,9 +8,10 @@
 namespace octacut {
 namespace {
 
-// The word of other views whose log odds are `log_odds`.
-cv::Mat WordFor(float log_odds) {
-  return cv::Mat(1, 1, CV_32F, cv::Scalar(std::tanh(log_odds / kOneViewsWord)));
+// The consensus of other views whose log odds are `log_odds`.
+cv::Mat ConsensusFor(float log_odds) {
+  return cv::Mat(
+      1, 1, CV_32F, cv::Scalar(std::tanh(log_odds / kMaxViewLogOdds)));
 }
 
 TEST(EvidenceOfOthers, CountsLessForTheObjectThanAgainstIt) {
@@ -22,28 +23,31 @@ TEST(EvidenceOfOthers, CountsLessForTheObjectThanAgainstIt) {
 }
 
 TEST(ExcludedByOthers, NeedsNearlyTwoViewsThatAreSure) {
-  EXPECT_EQ(ExcludedByOthers(WordFor(-2 * kOneViewsWord)).at<uint8_t>(0), 255);
-  EXPECT_EQ(ExcludedByOthers(WordFor(-kOneViewsWord)).at<uint8_t>(0), 0);
+  EXPECT_EQ(ExcludedByOthers(ConsensusFor(-2 * kMaxViewLogOdds)).at<uint8_t>(0),
+            255);
+  EXPECT_EQ(ExcludedByOthers(ConsensusFor(-kMaxViewLogOdds)).at<uint8_t>(0), 0);
 }
 
 TEST(ShownByOthers, NeedsHalfOfWhatSureViewsSay) {
   for (const size_t num_others : {5, 15, 35}) {
     const float sure = OccupancyGrid::LogOddsOfSure(num_others);
-    EXPECT_EQ(ShownByOthers(WordFor(0.52f * sure), num_others).at<uint8_t>(0),
-              255);
-    EXPECT_EQ(ShownByOthers(WordFor(0.48f * sure), num_others).at<uint8_t>(0),
-              0);
+    EXPECT_EQ(
+        ShownByOthers(ConsensusFor(0.52f * sure), num_others).at<uint8_t>(0),
+        255);
+    EXPECT_EQ(
+        ShownByOthers(ConsensusFor(0.48f * sure), num_others).at<uint8_t>(0),
+        0);
   }
 }
 
 TEST(ShownByOthers, IsEnoughWhereTwoCouldDenyIt) {
   const size_t num_others = 200;
-  EXPECT_EQ(
-      ShownByOthers(WordFor(2.1f * kOneViewsWord), num_others).at<uint8_t>(0),
-      255);
-  EXPECT_EQ(
-      ShownByOthers(WordFor(1.9f * kOneViewsWord), num_others).at<uint8_t>(0),
-      0);
+  EXPECT_EQ(ShownByOthers(ConsensusFor(2.1f * kMaxViewLogOdds), num_others)
+                .at<uint8_t>(0),
+            255);
+  EXPECT_EQ(ShownByOthers(ConsensusFor(1.9f * kMaxViewLogOdds), num_others)
+                .at<uint8_t>(0),
+            0);
 }
 
 }  // namespace

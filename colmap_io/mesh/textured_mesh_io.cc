@@ -115,16 +115,6 @@ bool CanHoldNormalMaps(const fs::path& path) {
 
 std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
                                         const TexturedMesh& mesh,
-                                        const TexturedMeshOptions& options) {
-  AtomicFiles files;
-  std::vector<fs::path> written =
-      WriteTexturedMesh(path, mesh, options, &files);
-  files.Commit();
-  return written;
-}
-
-std::vector<fs::path> WriteTexturedMesh(const fs::path& path,
-                                        const TexturedMesh& mesh,
                                         const TexturedMeshOptions& options,
                                         AtomicFiles* files) {
   CheckTexturedMeshPath(path);

@@ -29,7 +29,7 @@ std::vector<std::filesystem::path> TexturedMeshPaths(
 // Whether the format of this extension has normal maps.
 bool CanHoldNormalMaps(const std::filesystem::path& path);
 
-// Writes by extension, all files or none:
+// Writes by extension; all files appear when `files` are committed:
 // - .glb: one file with the images in it, and with the normal maps.
 // - .obj: beside it NAME.mtl and an image for each page, NAME_texture.png, or
 //   NAME_texture_0.png and so on if there are several; coordinates with all
@@ -39,11 +39,6 @@ bool CanHoldNormalMaps(const std::filesystem::path& path);
 //   comments TextureFile, as MeshLab reads and writes them. No normal maps.
 // Images as JPEG end with .jpg; normal maps are always PNG. Returns the paths
 // of what was written.
-std::vector<std::filesystem::path> WriteTexturedMesh(
-    const std::filesystem::path& path,
-    const TexturedMesh& mesh,
-    const TexturedMeshOptions& options);
-// Together with `files`, when these are committed.
 std::vector<std::filesystem::path> WriteTexturedMesh(
     const std::filesystem::path& path,
     const TexturedMesh& mesh,

@@ -150,9 +150,9 @@ class MeshBuilder {
     }
   }
 
-  // Refines the surface of the level after l0, but for `always`, only if the
-  // coarse rounds move more than a few of its vertices out of the crust;
-  // returns whether they do.
+  // Refines the surface of the level after l0 if its coarse rounds move more
+  // than a few vertices out of the crust, or if `always`. Returns whether they
+  // do.
   bool RefineIfThatLeavesCrust(bool always) {
     const std::vector<Eigen::Vector3d> extracted =
         UnitMesh(state_.finished.mesh, inputs_.cube).positions;

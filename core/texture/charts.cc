@@ -92,21 +92,18 @@ class ChartMaker {
         texels_[f][k] =
             kFilledDensity * density * Eigen::Vector2d(negative ? -x : x, -y);
       }
-      Shrink(&texels_[f]);
+      Shrink(uint32_t(f));
     }
   }
 
-  // To a chart of its own, if it is larger than any. A triangle that no view
-  // sees has nothing to show.
-  void Shrink(Texels* texels) const {
-    Eigen::AlignedBox2d box;
-    for (const Eigen::Vector2d& texel : *texels) {
-      box.extend(texel);
-    }
+  // Until a triangle that no view sees, and which has nothing to show, fits
+  // into a chart.
+  void Shrink(uint32_t face) {
+    const Eigen::AlignedBox2d box = BoxOf({face});
     const double limit = options_.max_size - 2 * (kChartMargin + 1);
     const double size = box.sizes().maxCoeff();
     if (size > limit) {
-      for (Eigen::Vector2d& texel : *texels) {
+      for (Eigen::Vector2d& texel : texels_[face]) {
         texel = (texel - box.min()) * (limit / size);
       }
     }

@@ -27,7 +27,8 @@ namespace fs = std::filesystem;
 
 enum class DepthSource { kMesh, kSweep };
 
-// A photograph shows a mesh in its frame in so many pixels at least.
+// Pixels of the mesh that at least one photograph must show: with fewer, the
+// mesh is in another frame.
 constexpr int kMinPixels = 100;
 // What colmap stereo_fusion reads by default.
 constexpr const char* kKind = ".geometric.bin";
@@ -177,8 +178,7 @@ void DepthMapRenderer::CheckIsSeen(const IndexedMesh& mesh,
   }
   throw InputError(
       fmt::format("{}: none of the {} photographs shows {} pixels of the mesh "
-                  "or more; is it "
-                  "in the frame of the sparse model?",
+                  "or more; is it in the frame of the sparse model?",
                   mesh_path_.string(),
                   model.images.size(),
                   kMinPixels));

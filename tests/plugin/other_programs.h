@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "colmap_io/files/read_file.h"
 #include "tests/colmap_io/files/temporary_folder.h"
 
 namespace octacut {

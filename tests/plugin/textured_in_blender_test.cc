@@ -99,7 +99,9 @@ class TexturedInBlender : public ::testing::Test {
         TextureMesh(testing::SmallSphere(4), photographs, options, Context(1));
     BakeNormals(
         testing::BumpySphere(), result.layout, Context(1), &result.textured);
-    WriteTexturedMesh(folder_ / name, result.textured, {});
+    AtomicFiles files;
+    WriteTexturedMesh(folder_ / name, result.textured, {}, &files);
+    files.Commit();
     return folder_ / name;
   }
 

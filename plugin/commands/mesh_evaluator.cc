@@ -62,6 +62,10 @@ class MeshEvaluator : public Command {
                  const std::vector<View>& views,
                  const Json& report,
                  AtomicFiles* files);
+  // The page and the report, as far as they are asked for.
+  void WriteFiles(const CommandEnvironment& environment,
+                  const std::vector<View>& views,
+                  const Json& report);
 
   std::filesystem::path workspace_path_;
   LoadSceneOptions loading_;
@@ -256,6 +260,19 @@ void MeshEvaluator::WritePage(const CommandEnvironment& environment,
   WriteComparisonPage(html_path_, page_, views, environment.context, files);
 }
 
+void MeshEvaluator::WriteFiles(const CommandEnvironment& environment,
+                               const std::vector<View>& views,
+                               const Json& report) {
+  AtomicFiles files;
+  if (!html_path_.empty()) {
+    WritePage(environment, views, report, &files);
+  }
+  if (!output_path_.empty()) {
+    WriteReport(output_path_, report, &files);
+  }
+  files.Commit();
+}
+
 namespace {
 
 double DiagonalOf(const MeasuredMesh& mesh) {
@@ -339,14 +356,7 @@ void MeshEvaluator::Run(const CommandEnvironment& environment) {
   if (!ranking.is_null()) {
     report["ranking"] = std::move(ranking);
   }
-  AtomicFiles written;
-  if (!html_path_.empty()) {
-    WritePage(environment, views, report, &written);
-  }
-  if (!output_path_.empty()) {
-    WriteReport(output_path_, report, &written);
-  }
-  written.Commit();
+  WriteFiles(environment, views, report);
 }
 
 }  // namespace

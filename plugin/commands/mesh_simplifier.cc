@@ -52,6 +52,7 @@ class MeshSimplifier : public Command {
                   const CollapseReplay& replay,
                   const Context& context) const;
   Json LevelToJson(const Level& level, const Context& context) const;
+  void WriteFiles(const std::vector<Level>& levels, const Json& report) const;
 
   fs::path input_path_;
   fs::path output_path_;
@@ -200,6 +201,16 @@ Json MeshSimplifier::LevelToJson(const Level& level,
   return json;
 }
 
+void MeshSimplifier::WriteFiles(const std::vector<Level>& levels,
+                                const Json& report) const {
+  AtomicFiles files;
+  for (const Level& level : levels) {
+    WriteMesh(level.path, level.simplified.mesh, &files);
+  }
+  WriteReport(report_path_, report, &files);
+  files.Commit();
+}
+
 void MeshSimplifier::Run(const CommandEnvironment& environment) {
   const Context& context = environment.context;
   Check();
@@ -251,15 +262,10 @@ void MeshSimplifier::Run(const CommandEnvironment& environment) {
                   fmt::format("{:.3g}", hausdorff),
                   fmt::format("{:.4f}", percent * hausdorff)});
   }
-  AtomicFiles written;
-  for (const Level& level : levels) {
-    WriteMesh(level.path, level.simplified.mesh, &written);
-  }
   Json report = MakeReport(environment);
   report["input"] = {{"path", input_path_.string()}, {"triangles", num_full}};
   report["levels"] = std::move(json);
-  WriteReport(report_path_, report, &written);
-  written.Commit();
+  WriteFiles(levels, report);
   environment.out << table.ToString();
 }
 

@@ -25,7 +25,7 @@ IndexedMesh Lowered(const IndexedMesh& mesh, double depth) {
 }
 
 MeshAudit ExpectClosedOnPlate(const FlatBase& base) {
-  const MeshAudit audit = AuditMesh(base.mesh, Context(1));
+  MeshAudit audit = AuditMesh(base.mesh, Context(1));
   EXPECT_EQ(audit.DescribeFailure(), "");
   EXPECT_EQ(audit.bounding_box.min().z(), 0);
   EXPECT_EQ(FindSelfIntersections(base.mesh, kContext).num_pairs, 0u);
